@@ -17,6 +17,7 @@ namespace nrb::fit {
 namespace {
 
 constexpr int64_t work_of_a_point = 100; // which is mapped
+constexpr size_t points_between_counts = 256;
 
 // The numerators w F(A / w) at samples (A, w) of homogeneous points, and the weights.
 struct Numerators {
@@ -30,6 +31,9 @@ Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational,
     std::vector<double> points;
     points.reserve(count * dim);
     for (size_t i = 0; i < count; ++i) {
+        if (i % points_between_counts == 0) {
+            count_work(points_between_counts * work_of_a_point);
+        }
         const double *const record = samples.data() + i * width;
         const double w = rational ? record[dim] : 1;
         std::transform(record, record + dim, std::back_inserter(points), [w](double x) { return x / w; });
@@ -38,8 +42,7 @@ Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational,
         }
     }
     require_representable(points, "points of g");
-    count_work(work_of_a_point * static_cast<int64_t>(count));
-    result.values.resize(points.size());
+    grow_watched(result.values, points.size());
     map(points, result.values);
     require_representable(result.values, "the image");
     for (size_t i = 0; i < result.values.size() && rational; ++i) {

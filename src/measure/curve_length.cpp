@@ -162,6 +162,7 @@ private:
         total_.add(ladder.value());
         error_.add(std::isfinite(error) ? error : infinity);
         if (leaves_ != nullptr) {
+            count_work(work_of_a_value * pieces_.form().size()); // memory
             leaves_->push_back({piece, part.lower, part.upper, ladder.level(), ladder.value()});
             nets_->insert(nets_->end(), net, net + pieces_.form().size());
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measure/elements.h"
 
+#include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "refine/knots/extraction.h"
 
@@ -80,6 +81,7 @@ Elements::Elements(const Spline &spline, const pieces::Frame &frame, const Part 
 
 void Elements::add_span(AxisElements &elements, const KnotVector &axis, int64_t span, Interval range) {
     const int n = axis.degree() + 1;
+    count_work(8 * n * n * n);
     const size_t start = elements.matrices.size();
     elements.matrices.resize(start + static_cast<size_t>(n * n));
     double *matrix = elements.matrices.data() + start;

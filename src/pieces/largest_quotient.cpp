@@ -13,6 +13,8 @@ namespace nrb::pieces {
 
 namespace {
 
+constexpr int64_t work_of_a_value = 16; // of a piece that is bounded and kept
+
 // The denominators with one sign, and what they are at least and at most.
 class Denominators {
 public:
@@ -135,7 +137,10 @@ public:
         source_(index, piece);
         return piece;
     }
-    [[nodiscard]] static Enclosure bounds(const Piece &piece) { return quotient_bounds(piece); }
+    [[nodiscard]] static Enclosure bounds(const Piece &piece) {
+        count_work(work_of_a_value * std::ssize(piece.numerators));
+        return quotient_bounds(piece);
+    }
     [[nodiscard]] static double noise(const Piece &piece) noexcept { return piece.quotient_error; }
     [[nodiscard]] static std::optional<Piece> split(Piece &piece) {
         return next_axis(piece) < 0 ? std::nullopt : std::optional(halve(piece));
@@ -162,6 +167,7 @@ public:
         return piece;
     }
     [[nodiscard]] static Enclosure bounds(const Piece &piece) noexcept {
+        count_work(work_of_a_value * std::ssize(piece.numerators));
         return {best_corner(piece).lower, upper(piece)};
     }
     [[nodiscard]] static double noise(const Piece &piece) noexcept { return piece.quotient_error; }

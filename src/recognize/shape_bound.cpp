@@ -2,6 +2,7 @@
 #include "recognize/shape_bound.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "pieces/best_first.h"
 #include "recognize/piece_distance.h"
 
@@ -18,6 +19,8 @@ struct Candidate {
     pieces::BezierPiece piece;
 };
 using Queue = pieces::BestFirst<Candidate>;
+
+constexpr int64_t work_of_a_coefficient = 256; // products with others, and memory
 
 class Search {
 public:
@@ -60,6 +63,7 @@ private:
     // A part has no larger distances than the whole.
     void push(pieces::BezierPiece &&piece, double whole, int depth) {
         DistanceBound bound;
+        count_work(work_of_a_coefficient * piece.coefficients());
         if (piece.sound()) {
             bound = distance_.upper(piece);
             lower_ = std::max(lower_, distance_.lower(piece, bound.noise));

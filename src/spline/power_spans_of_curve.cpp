@@ -2,6 +2,7 @@
 // Which spans have power spans, and the power spans of a curve.
 #include "base/finite.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "spline/spline.h"
 
 #include <algorithm>
@@ -101,6 +102,7 @@ PowerSpans Spline::curve_power_spans() const {
     for (int64_t first = 0; first < spans.size(); first += power_spans_together()) {
         const auto count = static_cast<int>(std::min<int64_t>(power_spans_together(), spans.size() - first));
         const int64_t *indices = spans.indices().data() + first;
+        count_work(count * int64_t{degree + 1} * (degree + 1) * (degree + 1));
         basis_power_spans(axis(0).knots().data(), degree, indices, count, together, low);
         for (int l = 0; l < count; ++l) {
             if (has_power_span(indices[l])) {

@@ -93,6 +93,7 @@ double least_distance(const pieces::HomogeneousPiece &piece, const double *x) no
     });
 }
 
+constexpr int64_t work_of_an_event = 500; // evaluated alone
 constexpr int64_t work_of_a_piece = 2000; // products, and signs of them
 
 class CurveCriticalSearch {
@@ -214,6 +215,7 @@ private:
     void place() {
         const int dim = curve_.dim();
         for (Event &event : events_) {
+            count_work(work_of_an_event);
             eval::AxisRules rules;
             rules[0].left = event.left;
             event.point.resize(static_cast<size_t>(dim));

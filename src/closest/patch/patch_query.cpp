@@ -2,6 +2,7 @@
 #include "closest/patch/patch_query.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ PatchBox PatchQuery::box(int64_t piece) const noexcept {
 
 // Rounding cannot tell points apart that are nearer to each other than this on a sphere about x.
 bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
+    count_work(4 * pieces_.shape().values());
     const PatchMemory::Hold hold(memory_);
     const int dim = pieces_.shape().dim;
     double *p = memory_.take(dim), *q = memory_.take(dim);

@@ -2,6 +2,7 @@
 #include "modify/constrain/linear_constraints.h"
 
 #include "base/checked.h"
+#include "base/watch.h"
 #include "modify/constrain/scaling.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/minimum_norm.h"
@@ -82,6 +83,7 @@ private:
 
     // Scaled to length 1.
     void add_row(const std::vector<int64_t> &points, const std::vector<double> &functions) {
+        count_work(4 * unknowns_);
         rows_.resize(rows_.size() + static_cast<size_t>(unknowns_), 0.0);
         double *const row = rows_.data() + (rows_.size() - static_cast<size_t>(unknowns_));
         for (size_t i = 0; i < points.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
+#include "base/watch.h"
 #include "modify/constrain/scaling.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/conjugate_gradients.h"
@@ -61,6 +62,7 @@ private:
         Linearised system;
         for (const LocalEquations &local : all_) {
             for (size_t k = 0; k < local.residual.size(); ++k) {
+                count_work(4 * static_cast<int64_t>(unknowns_));
                 system.rows.resize(system.rows.size() + unknowns_, 0.0);
                 double *const row = system.rows.data() + (system.rows.size() - unknowns_);
                 fill_row(local, k, row);
@@ -218,6 +220,7 @@ private:
     [[nodiscard]] std::vector<double> right_side(const Linearised &system) const {
         std::vector<double> right;
         for (size_t k = 0; k < system.residual.size(); ++k) {
+            count_work(static_cast<int64_t>(unknowns_));
             double sum = -system.residual[k];
             for (size_t i = 0; i < unknowns_; ++i) {
                 sum += system.rows[k * unknowns_ + i] * x_[i];

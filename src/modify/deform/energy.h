@@ -2,7 +2,7 @@
 // The integral of squared derivatives of a spline as a quadratic form of its control points.
 #pragma once
 
-#include "numeric/solvers/sparse_system.h"
+#include "numeric/solvers/sparse/sparse_system.h"
 #include "spline/spline.h"
 
 #include <vector>

@@ -3,12 +3,14 @@
 
 #include "base/finite.h"
 #include "base/representable.h"
+#include "base/watch.h"
 #include "bounds/deviation.h"
 #include "modify/deform/energy.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
 #include "numeric/norm.h"
-#include "numeric/solvers/sparse_system.h"
+#include "numeric/solvers/sparse/grid_order.h"
+#include "numeric/solvers/sparse/sparse_system.h"
 #include "numeric/sum.h"
 #include "pieces/bernstein_net.h"
 #include "refine/forms/homogeneous.h"
@@ -94,11 +96,13 @@ public:
 private:
     static constexpr double least = -12, most = 12; // decimal logarithm of rho, in units of the matrix
     static constexpr int halvings = 24;
+    static constexpr int64_t work_of_an_entry = 8; // which is moved
 
     // The part of the matrix that belongs to unknowns.
     [[nodiscard]] std::vector<Entry> reduced() const {
         std::vector<Entry> entries;
         for (const Entry &entry : entries_) {
+            count_work(work_of_an_entry);
             const int64_t i = unknowns_.number[static_cast<size_t>(entry.row)],
                           j = unknowns_.number[static_cast<size_t>(entry.column)];
             if (i >= 0 && j >= 0) {
@@ -117,6 +121,22 @@ private:
         return diagonal;
     }
 
+    // Control points are coupled where their functions overlap.
+    [[nodiscard]] std::vector<int64_t> elimination_order() const {
+        std::array<GridAxis, max_axes> axes;
+        for (int k = 0; k < spline_->axes(); ++k) {
+            const KnotVector &axis = spline_->axis(k);
+            axes[static_cast<size_t>(k)] = {axis.count(), axis.degree(), axis.periodic()};
+        }
+        std::vector<int64_t> order;
+        for (const int64_t point : grid_order(axes)) {
+            if (const int64_t i = unknowns_.number[static_cast<size_t>(point)]; i >= 0) {
+                order.push_back(i);
+            }
+        }
+        return order;
+    }
+
     void search() {
         const std::vector<Entry> entries = reduced();
         const std::vector<double> diagonal = metric();
@@ -127,7 +147,7 @@ private:
         for (const double value : diagonal) {
             sum += value;
         }
-        SparseSystem system(entries, diagonal);
+        SparseSystem system(entries, diagonal, elimination_order());
         const auto accepted = [&](double at) { return accept(system, std::pow(10.0, at) * (trace / sum)); };
         if (accepted(least)) {
             return;

@@ -3,8 +3,9 @@
 
 #include "base/representable.h"
 #include "numeric/norm.h"
+#include "numeric/solvers/householder.h"
 
-#include <Eigen/QR>
+#include <utility>
 
 namespace nrb::inline numeric {
 
@@ -28,13 +29,12 @@ Eigen::MatrixXd transposed(const std::vector<double> &rows, int64_t n) {
 } // namespace
 
 struct MinimumNorm::Factors {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    Householder qr;
+    Eigen::Index rank;
 
-    Factors(const Eigen::MatrixXd &columns, double threshold) : qr(columns.rows(), columns.cols()) {
-        qr.setThreshold(threshold);
-        qr.compute(columns);
-    }
-    [[nodiscard]] auto triangle() const { return qr.matrixQR().topLeftCorner(qr.rank(), qr.rank()); }
+    Factors(Eigen::MatrixXd columns, double threshold)
+        : qr(std::move(columns), Householder::Pivoting::columns), rank(qr.rank(threshold)) {}
+    [[nodiscard]] auto triangle() const { return qr.factors().topLeftCorner(rank, rank); }
 };
 
 MinimumNorm::MinimumNorm(const std::vector<double> &rows, int64_t n, double threshold)
@@ -43,60 +43,65 @@ MinimumNorm::MinimumNorm(const std::vector<double> &rows, int64_t n, double thre
 MinimumNorm::~MinimumNorm() = default;
 
 int64_t MinimumNorm::rank() const noexcept {
-    return factors_->qr.rank();
+    return factors_->rank;
 }
 
 std::vector<double> MinimumNorm::solve(const std::vector<double> &right, int64_t width) const {
-    const Eigen::Index rank = factors_->qr.rank();
-    const RowMajor pivoted = factors_->qr.colsPermutation().transpose() * matrix_of(right, width);
+    const Eigen::Index rank = factors_->rank;
+    const auto given = matrix_of(right, width);
+    RowMajor pivoted(rank, width);
+    for (Eigen::Index i = 0; i < rank; ++i) {
+        pivoted.row(i) = given.row(factors_->qr.order()[static_cast<size_t>(i)]);
+    }
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(unknowns_, width);
-    x.topRows(rank) =
-        factors_->triangle().transpose().triangularView<Eigen::Lower>().solve(pivoted.topRows(rank));
-    x.applyOnTheLeft(factors_->qr.householderQ());
+    x.topRows(rank) = factors_->triangle().transpose().triangularView<Eigen::Lower>().solve(pivoted);
+    x.applyOnTheLeft(factors_->qr.q());
     return values_of(x);
 }
 
 MinimumNorm::Multipliers MinimumNorm::multipliers(const std::vector<double> &x) const {
-    const Eigen::Index rank = factors_->qr.rank();
+    const Eigen::Index rank = factors_->rank;
     Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(x.data(), unknowns_);
-    turned.applyOnTheLeft(factors_->qr.householderQ().adjoint());
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(factors_->qr.cols());
-    values.head(rank) = factors_->triangle().triangularView<Eigen::Upper>().solve(turned.head(rank));
-    values = factors_->qr.colsPermutation() * values;
-    return {{values.data(), values.data() + values.size()},
-            norm(turned.data() + rank, static_cast<int>(unknowns_ - rank))};
+    turned.applyOnTheLeft(factors_->qr.q().adjoint());
+    const Eigen::VectorXd solved =
+        factors_->triangle().triangularView<Eigen::Upper>().solve(turned.head(rank));
+    std::vector<double> values(static_cast<size_t>(factors_->qr.columns()), 0.0);
+    for (Eigen::Index i = 0; i < rank; ++i) {
+        values[static_cast<size_t>(factors_->qr.order()[static_cast<size_t>(i)])] = solved(i);
+    }
+    return {std::move(values), norm(turned.data() + rank, static_cast<int>(unknowns_ - rank))};
 }
 
 std::vector<double> MinimumNorm::kernel_part(const std::vector<double> &x) const {
     Eigen::MatrixXd turned = Eigen::Map<const Eigen::VectorXd>(x.data(), unknowns_);
-    turned.applyOnTheLeft(factors_->qr.householderQ().adjoint());
-    turned.topRows(factors_->qr.rank()).setZero();
-    turned.applyOnTheLeft(factors_->qr.householderQ());
+    turned.applyOnTheLeft(factors_->qr.q().adjoint());
+    turned.topRows(factors_->rank).setZero();
+    turned.applyOnTheLeft(factors_->qr.q());
     return values_of(turned);
 }
 
 struct RowSpace::Factors {
-    Eigen::HouseholderQR<Eigen::MatrixXd> qr;
+    Householder qr;
 };
 
 RowSpace::RowSpace(const std::vector<double> &rows, int64_t n)
     : unknowns_(n), factors_(std::make_unique<Factors>(
-                        Factors{Eigen::HouseholderQR<Eigen::MatrixXd>(transposed(rows, n))})) {}
+                        Factors{Householder(transposed(rows, n), Householder::Pivoting::none)})) {}
 
 RowSpace::~RowSpace() = default;
 
 int64_t RowSpace::size() const noexcept {
-    return std::min(factors_->qr.rows(), factors_->qr.cols());
+    return std::min(factors_->qr.rows(), factors_->qr.columns());
 }
 
 double RowSpace::coordinate(int64_t row, int64_t j) const noexcept {
-    return j <= row ? factors_->qr.matrixQR()(j, row) : 0;
+    return j <= row ? factors_->qr.factors()(j, row) : 0;
 }
 
 std::vector<double> RowSpace::expand(const std::vector<double> &y, int64_t width) const {
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(unknowns_, width);
     x.topRows(size()) = matrix_of(y, width);
-    x.applyOnTheLeft(factors_->qr.householderQ());
+    x.applyOnTheLeft(factors_->qr.q());
     return values_of(x);
 }
 

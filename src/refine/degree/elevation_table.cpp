@@ -2,6 +2,7 @@
 #include "refine/degree/elevation_table.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "refine/knots/blossom_rows.h"
 #include "refine/periodic/period.h"
 
@@ -312,6 +313,7 @@ std::vector<double> Elevation::knots() const {
 
 LayerTable Elevation::rows(int64_t first, int64_t end) const {
     LayerTable table;
+    count_work((end - first) * (axis_.degree() + 2) * (axis_.degree() + 2));
     table.reserve(end - first, axis_.degree() + 2);
     RowMaker(axis_, old_knots(), groups_, lead_, table).make(first_ + 1 + first, first_ + 1 + end);
     return table;

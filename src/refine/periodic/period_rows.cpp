@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "refine/periodic/period_rows.h"
 
+#include "base/watch.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -32,6 +34,7 @@ LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t pe
     std::vector<double> sum;
     for (int64_t r = 0; r < outer.rows(); ++r) {
         const Shifted row = shifted(outer, r, 0);
+        count_work(8 * int64_t{row.size} * row.size);
         int64_t first = shifted(inner, row.first, period).first;
         for (int i = 1; i < row.size; ++i) {
             first = std::min(first, shifted(inner, row.first + i, period).first);

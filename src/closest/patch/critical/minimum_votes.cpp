@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/critical/minimum_votes.h"
 
+#include "base/watch.h"
 #include "closest/foot.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 
 namespace nrb::closest {
+
+constexpr int64_t work_of_a_vote = 8; // which is compared with another
 
 bool MinimumVotes::same(const std::vector<double> &a, const std::vector<double> &b) const noexcept {
     return distance(a.data(), b.data(), dim_) <= near_;
@@ -16,6 +19,7 @@ void MinimumVotes::add(const std::vector<double> &point, int64_t piece, int32_t 
     const Answer answer = kind == critical_minimum     ? Answer::yes
                           : kind == critical_undecided ? Answer::unknown
                                                        : Answer::no;
+    count_work(std::ssize(votes_) * work_of_a_vote);
     const auto earlier = std::find_if(votes_.begin(), votes_.end(), [&](const Vote &vote) {
         return vote.piece == piece && same(point, vote.point);
     });
@@ -26,7 +30,8 @@ void MinimumVotes::add(const std::vector<double> &point, int64_t piece, int32_t 
     }
 }
 
-MinimumVotes::Result MinimumVotes::result(const std::vector<double> &point) const noexcept {
+MinimumVotes::Result MinimumVotes::result(const std::vector<double> &point) const {
+    count_work(std::ssize(votes_) * work_of_a_vote);
     Result result = Result::certain;
     for (const Vote &vote : votes_) {
         if (same(point, vote.point)) {

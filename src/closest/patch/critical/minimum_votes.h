@@ -19,7 +19,7 @@ public:
 
     enum class Result { denied, open, certain };
     // Denied by one piece, or certain to all pieces that have a vote.
-    [[nodiscard]] Result result(const std::vector<double> &point) const noexcept;
+    [[nodiscard]] Result result(const std::vector<double> &point) const;
 
 private:
     enum class Answer { no, unknown, yes };

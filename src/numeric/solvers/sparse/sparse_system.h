@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sparse symmetric positive systems, by Eigen's factorisation.
+// Sparse symmetric positive systems.
 #pragma once
 
+#include "numeric/solvers/sparse/sparse_ldlt.h"
+
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace nrb::inline numeric {
@@ -18,22 +20,22 @@ struct Entry {
 // K x for x[unknowns][width].
 std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width);
 
-// K + rho D for many rho: the order of elimination is found once.
+// K + rho D for many rho: what the factors look like is found once.
 class SparseSystem {
 public:
-    // Entries between unknowns 0 to n - 1, and a diagonal.
-    SparseSystem(const std::vector<Entry> &entries, const std::vector<double> &diagonal);
-    SparseSystem(const SparseSystem &) = delete;
-    SparseSystem &operator=(const SparseSystem &) = delete;
-    ~SparseSystem();
+    // Entries between unknowns 0 to n - 1, a diagonal, and the order in which the unknowns are eliminated. Precondition:
+    // n < 2^31.
+    SparseSystem(const std::vector<Entry> &entries, std::vector<double> diagonal, std::vector<int64_t> order);
 
     // x[n][width] of (K + rho D) x = right; false where a pivot is not positive.
     [[nodiscard]] bool solve(double rho, const std::vector<double> &right, int64_t width,
                              std::vector<double> &x);
 
 private:
-    struct Factors; // keeps Eigen's templates out of this header
-    std::unique_ptr<Factors> factors_;
+    std::vector<double> diagonal_;
+    std::vector<int64_t> order_;
+    SparseColumns entries_; // K in that order
+    std::optional<SparseLdlt> factors_;
 };
 
 } // namespace nrb::inline numeric

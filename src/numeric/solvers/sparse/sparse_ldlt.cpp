@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "numeric/solvers/sparse/sparse_ldlt.h"
+
+#include "base/watch.h"
+
+#include <algorithm>
+
+namespace nrb::inline numeric {
+
+namespace {
+
+size_t at(int64_t i) noexcept {
+    return static_cast<size_t>(i);
+}
+
+} // namespace
+
+// Visits the elements of row k of L left of the diagonal: from each element of the matrix the tree is followed up to
+// a node that was visited before.
+template <class Visit>
+void SparseLdlt::for_each_in_row(const SparseColumns &matrix, int32_t k, Visit &&visit) {
+    flags_[at(k)] = k;
+    for (int64_t p = matrix.starts[at(k)]; p < matrix.starts[at(k) + 1] && matrix.rows[at(p)] < k; ++p) {
+        for (int32_t i = matrix.rows[at(p)]; flags_[at(i)] != k; i = parent_[at(i)]) {
+            if (parent_[at(i)] < 0) {
+                parent_[at(i)] = k;
+            }
+            flags_[at(i)] = k;
+            visit(i);
+        }
+    }
+}
+
+SparseLdlt::SparseLdlt(const SparseColumns &pattern)
+    : parent_(at(pattern.size()), -1), starts_(at(pattern.size()) + 1, 0), filled_(at(pattern.size())),
+      diagonal_(at(pattern.size())), flags_(at(pattern.size()), -1), path_(at(pattern.size())),
+      work_(at(pattern.size()), 0.0) {
+    for (int32_t k = 0; k < pattern.size(); ++k) {
+        int64_t found = 0;
+        for_each_in_row(pattern, k, [&](int32_t i) {
+            ++starts_[at(i) + 1];
+            ++found;
+        });
+        count_work(4 * found);
+    }
+    for (size_t k = 1; k < starts_.size(); ++k) {
+        starts_[k] += starts_[k - 1];
+    }
+    grow_watched(rows_, at(starts_.back()));
+    grow_watched(values_, at(starts_.back()));
+}
+
+// The elements of row k in an order in which each comes after those that change it; values of the matrix to work_.
+int64_t SparseLdlt::gather_row(const SparseColumns &matrix, int32_t k) {
+    const int64_t n = matrix.size();
+    int64_t top = n;
+    flags_[at(k)] = k;
+    for (int64_t p = matrix.starts[at(k)]; p < matrix.starts[at(k) + 1] && matrix.rows[at(p)] <= k; ++p) {
+        int32_t i = matrix.rows[at(p)];
+        work_[at(i)] += matrix.values[at(p)];
+        int64_t length = 0;
+        for (; flags_[at(i)] != k; i = parent_[at(i)]) {
+            path_[at(length++)] = i;
+            flags_[at(i)] = k;
+        }
+        while (length > 0) {
+            path_[at(--top)] = path_[at(--length)];
+        }
+    }
+    return top;
+}
+
+bool SparseLdlt::factorise(const SparseColumns &matrix) {
+    const auto n = static_cast<int32_t>(matrix.size());
+    std::copy_n(starts_.begin(), n, filled_.begin());
+    std::fill(flags_.begin(), flags_.end(), -1);
+    std::fill(work_.begin(), work_.end(), 0.0);
+    Steps steps(n);
+    for (int32_t k = 0; k < n; ++k, steps.next()) {
+        int64_t top = gather_row(matrix, k), work = 0;
+        double pivot = work_[at(k)];
+        work_[at(k)] = 0;
+        for (; top < n; ++top) {
+            const int32_t i = path_[at(top)];
+            const double y = work_[at(i)], element = y / diagonal_[at(i)];
+            work_[at(i)] = 0;
+            int64_t &end = filled_[at(i)];
+            for (int64_t p = starts_[at(i)]; p < end; ++p) {
+                work_[at(rows_[at(p)])] -= values_[at(p)] * y;
+            }
+            work += end - starts_[at(i)];
+            pivot -= element * y;
+            rows_[at(end)] = k;
+            values_[at(end++)] = element;
+        }
+        if (!(pivot > 0)) {
+            return false;
+        }
+        diagonal_[at(k)] = pivot;
+        count_work(work);
+    }
+    return true;
+}
+
+void SparseLdlt::solve(double *x, int64_t width) const {
+    const auto n = static_cast<int64_t>(diagonal_.size());
+    const auto add = [&](int64_t to, double factor, int64_t from) {
+        for (int64_t c = 0; c < width; ++c) {
+            x[to * width + c] -= factor * x[from * width + c];
+        }
+    };
+    for (int64_t j = 0; j < n; ++j) {
+        count_work(2 * width * (starts_[at(j) + 1] - starts_[at(j)]));
+        for (int64_t p = starts_[at(j)]; p < starts_[at(j) + 1]; ++p) {
+            add(rows_[at(p)], values_[at(p)], j);
+        }
+    }
+    for (int64_t j = 0; j < n; ++j) {
+        for (int64_t c = 0; c < width; ++c) {
+            x[j * width + c] /= diagonal_[at(j)];
+        }
+    }
+    for (int64_t j = n; j-- > 0;) {
+        count_work(2 * width * (starts_[at(j) + 1] - starts_[at(j)]));
+        for (int64_t p = starts_[at(j)]; p < starts_[at(j) + 1]; ++p) {
+            add(j, values_[at(p)], rows_[at(p)]);
+        }
+    }
+}
+
+} // namespace nrb::inline numeric
