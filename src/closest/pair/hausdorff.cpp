@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "closest/locator.h"
 #include "closest/pair/matched_bound.h"
 #include "closest/pair/parameter_map.h"
@@ -245,6 +246,7 @@ FarthestPoint nowhere_else(const Spline &from) noexcept {
 
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
     check_same_dimension(from, to);
+    const LimitedSearch limited;
     if (same_numbers(from, to)) {
         return nowhere_else(from);
     }
