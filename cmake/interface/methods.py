@@ -85,13 +85,15 @@ class Maker:
             shape = shapes.get(value.name, value.parameter.shape)
             if value.kind in ("array", "splines", "bytes") and shape:
                 value.extents = reader.shape(shape)
+        self.definitions = {name: reader.term(text) for name, text in where.items() if name in numbers}
 
     # Methods.
 
     def method(self, line):
         parsed = signature.parse(self.whole(line))
         arguments = tuple(self.argument(argument) for argument in parsed.arguments)
-        method = model.Method(self.entry, self.language, parsed.receiver, parsed.name, arguments, None, self.values)
+        method = model.Method(self.entry, self.language, parsed.receiver, parsed.name, arguments, None, self.values,
+                              self.definitions)
         method.result = self.result(parsed, method)
         if self.language == "rust" and "call" not in self.entry.text.get("rust", {}) or "(" not in line:
             self.receive(method)
@@ -228,7 +230,7 @@ class Maker:
 
     def check_numbers(self, method):
         for value in method.computed:
-            if value.name in self.entry.text.get("where", {}) or method.sources(value.name):
+            if value.name in method.definitions or method.sources(value.name):
                 continue
             raise MethodError(f"nobody gives {value.name}, and no array that is given has that length; "
                               f"make it an argument, or define it: where.{value.name} = \"...\"")

@@ -27,7 +27,7 @@ COMMENTS = {".c": COMMENT, ".cpp": COMMENT, ".h": COMMENT, ".hpp": COMMENT, ".rs
 
 def sources(manual, *patterns):
     """Text of the files written by hand, without comments."""
-    generated = {TOP / path for path in contents(manual)}
+    generated = {TOP / path for path in contents(TOP)}
     paths = sorted(path for pattern in patterns for path in TOP.glob(pattern) if path not in generated)
     return "\n".join(re.sub(COMMENTS[path.suffix], " ", path.read_text(), flags=re.S) for path in paths)
 
