@@ -19,15 +19,20 @@ import python
 import rust
 import table
 
-DECLARATIONS = (fortran, python, rust, exports)  # of the header alone: {path: what makes the text}
-WRAPPERS = (cpp,)  # of the header and the table
+DECLARATIONS = (fortran, python, rust, exports)  # FILES: {path: what makes the text of the header}
+WRAPPERS = (cpp,)  # files(binding): {path: text}, of the header and the table
+
+
+def declarations(manual):
+    """{path from the top folder: text} of what the header alone says."""
+    return {path: make(manual) for backend in DECLARATIONS for path, make in backend.FILES.items()}
 
 
 def contents(top):
-    """{path from the top folder: text}"""
+    """The same of all files."""
     manual = header.read(top)
     binding = table.read(manual, top)
-    texts = {path: make(manual) for backend in DECLARATIONS for path, make in backend.FILES.items()}
+    texts = declarations(manual)
     for backend in WRAPPERS:
         texts.update(backend.files(binding))
     return texts

@@ -176,9 +176,10 @@ class Entry:
         """What a language says for itself, or what holds for all."""
         return self.text.get(language, {}).get(key, self.text.get(key, otherwise))
 
-    def doc(self, language):
-        """Its own text, that of all languages, or the first sentence of the header."""
-        return self.option(language, "doc", self.function.brief)
+    def doc(self, language, method=None):
+        """Its own text, that of all languages, or the first sentence of the header. Of overloads each may have one."""
+        texts = self.option(language, "doc", self.function.brief)
+        return texts if isinstance(texts, str) else texts[self.methods[language].index(method)]
 
     def fills(self, language):
         """Whether there is a second form that writes to arrays of the caller."""

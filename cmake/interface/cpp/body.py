@@ -14,7 +14,7 @@ class Body:
         self.method, self.binding, self.watched = method, binding, watched
         self.entry, self.values = method.entry, method.values
         self.function = self.entry.watched.name if watched else self.entry.name
-        self.inputs = Inputs(method)
+        self.inputs = Inputs(method, binding)
         self.terms = self.inputs.terms
         self.targets = {}  # output: C++ expressions that are passed for it
         self.before = ["const detail::Watch watch(call);"] if watched else []

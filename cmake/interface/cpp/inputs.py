@@ -9,8 +9,10 @@ from .terms import Locals, Terms
 
 
 class Inputs:
-    def __init__(self, method):
+    def __init__(self, method, binding):
         self.method = method
+        self.lacking = {name for name in parameters.may_lack(method, binding.all_records)
+                        if method.values[name].nullable}
         self.entry = method.entry
         self.values = method.values
         self.locals = Locals()
@@ -129,7 +131,7 @@ class Inputs:
                 continue
             if name in self.optional or self.is_exact_array(value):
                 continue
-            if value.nullable and self.entry.text.get("called"):
+            if name in self.lacking and self.entry.text.get("called") and words.fixed(value.extents):
                 together.append(self.reach[name])
                 continue
             self.statements.append(self.check(value))
@@ -152,11 +154,11 @@ class Inputs:
 
     def check(self, value):
         reached = self.reach[value.name]
-        what = value.name if value.nullable or value.name not in self.called() else self.entry.text["called"]
+        what = self.entry.text["called"] if value.name in self.called() else value.name
         if parameters.is_records(self.method, value):
             n = self.terms.text(value.extents[0])
             width = self.terms.product(value.extents[1:]) if len(value.extents) > 1 else "1"
-            if value.nullable:
+            if value.name in self.lacking:
                 return f'detail::require_wanted({reached}, {n}, {width}, "{what}");'
             return f'{reached}.require({n}, {width}, "{what}");'
         if len(value.extents) == 2 and value.extents[0].names() & self.given_numbers():
@@ -168,7 +170,7 @@ class Inputs:
         """Arrays that messages do not call by their names."""
         if "called" not in self.entry.text:
             return set()
-        return {value.name for value in self.values.values() if value.kind == "array" and not value.nullable}
+        return {value.name for value in self.values.values() if value.kind == "array"}
 
     def given_numbers(self):
         return {name for name in self.reach if self.values[name].kind == "number" and name != "dim"}
@@ -176,7 +178,7 @@ class Inputs:
     def rule(self, value):
         if value.name in self.entry.text.get("lenient", ()):
             return "require_unless_negative"
-        return "require_given" if value.nullable else "require"
+        return "require_given" if value.name in self.lacking else "require"
 
     # What the C function gets.
 
@@ -191,7 +193,7 @@ class Inputs:
             return [self.handle(name)]
         if value.kind == "splines":
             handles = f"detail::handle_list({self.reach[name]})"
-            return [f"detail::pointer({handles})" if value.nullable else f"{handles}.data()"]
+            return [f"detail::pointer({handles})" if name in self.lacking else f"{handles}.data()"]
         if value.kind == "options":
             return [f"&{self.reach[name]}"]
         if value.kind == "path":
@@ -211,7 +213,7 @@ class Inputs:
         reached = self.reach[value.name]
         if value.name in self.optional:
             return [f"{reached} ? {reached}->data() : nullptr"]
-        pointer = f"detail::pointer({reached})" if value.nullable else f"{reached}.data()"
+        pointer = f"detail::pointer({reached})" if value.name in self.lacking else f"{reached}.data()"
         if not value.strides:
             return [pointer]
         if not parameters.is_records(self.method, value):

@@ -10,7 +10,7 @@ from .body import Body
 def lines(method, binding):
     """All forms of a method, with comments."""
     fills = method.entry.fills("cpp")
-    yield from form(method, binding, fills, False, method.entry.doc("cpp"))
+    yield from form(method, binding, fills, False, method.entry.doc("cpp", method))
     if fills:
         several = isinstance(method.result, Struct)
         yield from returning_form(method, binding, False, f"The same, as {'vectors' if several else 'a vector'}.")

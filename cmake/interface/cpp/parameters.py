@@ -106,6 +106,17 @@ def reached(method):
     return found
 
 
+def may_lack(method, records):
+    """Names of the parameters that may be left out: NULL is allowed, and the argument or the field has a default."""
+    for argument in method.arguments:
+        pattern = argument.pattern
+        if isinstance(pattern, Take) and (argument.optional or argument.default is not None):
+            yield pattern.name
+        elif isinstance(pattern, Struct):
+            defaults = records[pattern.record].defaults
+            yield from (inner.name for field, inner in pattern.fields if field in defaults)
+
+
 def optional_arrays(method):
     """Names of the parameters that come as std::optional of an array."""
     return {argument.pattern.name for argument in method.arguments

@@ -49,7 +49,7 @@ struct HermiteCoons {
 inline Returned<HermiteCoons> coons_hermite(const FourCurves &boundaries,
                                             const std::optional<FourCurves> &cross, std::int32_t twist,
                                             double tolerance = 0, View<double> twists = {}) {
-    detail::require_given(twists, 4 * detail::dimension(boundaries[0].get()), "twists");
+    detail::require_given(twists, 4 * detail::dimension(boundaries[0].get()), "vector");
     HermiteCoons made{};
     made.spline = detail::made<Spline>(nurbs_surface_coons_hermite, detail::handle_list(boundaries).data(),
                                        detail::pointer(detail::handle_list(cross)), twist,

@@ -31,7 +31,7 @@ inline Returned<std::vector<double>> knots_open_uniform(std::int32_t degree, std
     return values;
 }
 
-/// Piecewise Bezier knots with given breaks, or with the breaks 0, 1/pieces, ..., 1.
+/// Piecewise Bezier knots with the breaks 0, 1/pieces, ..., 1.
 inline Returned<std::vector<double>> knots_bezier(std::int32_t degree, std::int64_t pieces) {
     const std::int64_t knot_count = detail::knot_count(degree, detail::bezier_count(degree, pieces));
     std::vector<double> values = detail::room(knot_count);
@@ -39,12 +39,12 @@ inline Returned<std::vector<double>> knots_bezier(std::int32_t degree, std::int6
     return values;
 }
 
-/// Piecewise Bezier knots with given breaks, or with the breaks 0, 1/pieces, ..., 1.
+/// Piecewise Bezier knots with given breaks.
 inline Returned<std::vector<double>> knots_bezier(std::int32_t degree, View<double> breaks) {
     const std::int64_t pieces = detail::length(breaks) - 1;
     const std::int64_t knot_count = detail::knot_count(degree, detail::bezier_count(degree, pieces));
     std::vector<double> values = detail::room(knot_count);
-    detail::call(nurbs_knots_bezier, degree, pieces, detail::pointer(breaks), knot_count, values.data());
+    detail::call(nurbs_knots_bezier, degree, pieces, breaks.data(), knot_count, values.data());
     return values;
 }
 

@@ -20,7 +20,7 @@ inline Returned<Spline> mirror(const Spline &g, View<double> point, View<double>
     return detail::made<Spline>(nurbs_mirror, g.get(), point.data(), normal.data());
 }
 
-/// Projected along a direction, or along the normal.
+/// Projected along the normal.
 inline Returned<Spline> project_to_plane(const Spline &g, View<double> point, View<double> normal) {
     const std::int64_t dim = detail::dimension(g.get());
     detail::require(point, dim, "vector");
@@ -28,15 +28,15 @@ inline Returned<Spline> project_to_plane(const Spline &g, View<double> point, Vi
     return detail::made<Spline>(nurbs_project_to_plane, g.get(), point.data(), normal.data(), nullptr);
 }
 
-/// Projected along a direction, or along the normal.
+/// Projected along a direction.
 inline Returned<Spline> project_to_plane(const Spline &g, View<double> point, View<double> normal,
                                          View<double> direction) {
     const std::int64_t dim = detail::dimension(g.get());
     detail::require(point, dim, "vector");
     detail::require(normal, dim, "vector");
-    detail::require_space({direction}, "vector");
+    detail::require(direction, dim, "vector");
     return detail::made<Spline>(nurbs_project_to_plane, g.get(), point.data(), normal.data(),
-                                detail::pointer(direction));
+                                direction.data());
 }
 
 /// Projected from an eye.

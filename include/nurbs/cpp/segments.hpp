@@ -23,8 +23,8 @@ inline constexpr std::int32_t basis_bspline = NURBS_BASIS_BSPLINE;
 inline Returned<Spline> create_hermite(View<double> params, std::int32_t dim, View<double> points,
                                        View<double> tangents) {
     const std::int64_t n = detail::length(params);
-    detail::require(points, n * dim, "points and tangents");
-    detail::require(tangents, n * dim, "points and tangents");
+    detail::require(points, n * detail::positive(dim), "points and tangents");
+    detail::require(tangents, n * detail::positive(dim), "points and tangents");
     return detail::made<Spline>(nurbs_create_hermite, n, params.data(), dim, points.data(), 0, 0,
                                 tangents.data(), 0, 0);
 }
