@@ -182,5 +182,6 @@ class Reader:
         """Of a function that is nowhere."""
         base = name.removesuffix("_with")
         if base != name and base in self.functions:
-            return f"has no entry in {FOLDER}; if it is {base} with call options, put watched = true into the entry of {base}"
+            return (f"has no entry in {FOLDER}; if it is {base} with call options, put watched = true into the entry of "
+                    f"{base}")
         return f"has no entry in {FOLDER}: add [{name}] with call = \"...\" to a file there"

@@ -36,7 +36,7 @@ def returning_form(method, binding, is_watched, doc):
 
 
 def function(method, binding, result, fills, is_watched, doc, body):
-    texts = parameters.listed(method, binding, fills)
+    texts = parameters.listed(method, binding, fills, not is_watched)
     if is_watched:
         texts.append("const CallOptions &call")
     before, after = around(method, result)

@@ -47,7 +47,7 @@ def array_type(method, argument, value):
     return f"View<{words.SCALARS[value.base]}> "
 
 
-def declared(method, argument, binding):
+def declared(method, argument, binding, with_default):
     """double relative_tolerance = 0"""
     pattern = argument.pattern
     if isinstance(pattern, Struct):
@@ -58,7 +58,7 @@ def declared(method, argument, binding):
     else:
         kind = taken_type(method, argument, method.values[pattern.name], binding)
     text = f"{kind}{argument.name}"
-    return text if argument.default is None else f"{text} = {words.default(argument.default)}"
+    return f"{text} = {words.default(argument.default)}" if with_default and argument.default is not None else text
 
 
 def is_small(method, pattern):
@@ -76,9 +76,9 @@ def outputs(method, binding):
     return [(words.RECORDS[method.values[name].base][1] + " ", name) for name in method.returned]
 
 
-def listed(method, binding, fills):
+def listed(method, binding, fills, with_defaults=True):
     """The declarations of all parameters; arrays to be filled come before the first default."""
-    texts = [declared(method, argument, binding) for argument in method.arguments]
+    texts = [declared(method, argument, binding, with_defaults) for argument in method.arguments]
     if fills:
         place = next((i for i, argument in enumerate(method.arguments) if argument.default is not None), len(texts))
         texts[place:place] = [kind + name for kind, name in outputs(method, binding)]
