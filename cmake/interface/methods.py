@@ -117,9 +117,7 @@ class Maker:
             method.receiver = first.pattern.name
             method.arguments = tuple(Argument("other", argument.pattern) if argument.name == "b" else argument
                                      for argument in method.arguments[1:])
-        elif method.made and isinstance(method.result, Take) and method.made[0].kind == "spline":
-            method.receiver = "Spline"
-        elif method.made and isinstance(method.result, Struct):
+        elif method.made:
             method.receiver = "Spline"
 
     # Patterns.

@@ -9,32 +9,33 @@ from .terms import Locals, Terms
 
 
 class Inputs:
+    """What a body begins with, in `statements`; `names` says how numbers and arrays are written in lengths."""
+
     def __init__(self, method, binding):
-        self.method = method
-        self.lacking = {name for name in parameters.may_lack(method, binding.all_records)
-                        if method.values[name].nullable}
-        self.entry = method.entry
-        self.values = method.values
-        self.locals = Locals()
+        self.method, self.entry, self.values = method, method.entry, method.values
         self.reach = parameters.reached(method)
         self.optional = parameters.optional_arrays(method)
-        self.places = {}  # parameters of a placement: "place.origin"
-        self.names = {}
+        self.lacking = {name for name in parameters.may_lack(method, binding.all_records)
+                        if method.values[name].nullable}
+        self.locals, self.names, self.statements = Locals(), {}, []
         self.terms = Terms(method, self.locals, self.names, self.handle)
-        self.statements = []
-        self.sources = {}  # computed number: the array that it is the length of
+        self.places = {}  # parameters of a placement: "place.origin"
+        self.sources = {}  # number that is not given: the array that it is the length of
+        self.settled = set()  # vectors that the dimension is of
         self.note_places()
-        for name, expression in self.reach.items():
-            if self.values[name].kind in ("number", "array"):
-                self.names[name] = expression
+        self.note_names()
+        for value in method.computed:
+            self.compute(value)
+        self.check_all()
+
+    def note_names(self):
+        self.names.update((name, expression) for name, expression in self.reach.items()
+                          if self.values[name].kind in ("number", "array"))
         for value in self.values.values():
             if value.kind == "cap":
                 self.names["cap"] = self.count_name()
             elif value.is_output and value.kind == "array":
                 self.names.setdefault(value.name, f"found.{value.name}")
-        for value in method.computed:
-            self.compute(value)
-        self.check_all()
 
     def handle(self, name):
         if name == self.method.receiver:
@@ -104,8 +105,7 @@ class Inputs:
         needed = [self.reach[value.name] for value in vectors if not value.nullable]
         given = [self.reach[value.name] for value in vectors if value.nullable]
         self.names["dim"] = "dim"
-        for value in vectors:
-            self.sources[f"dim of {value.name}"] = value.name
+        self.settled = {value.name for value in vectors}
         if not given:
             self.statements.append(f"const auto dim = static_cast<std::int32_t>({needed[0]}.size());")
             self.statements.append(f"detail::require_length(dim, {{{', '.join(needed[1:])}}});")
@@ -126,10 +126,8 @@ class Inputs:
             if value.kind == "path":
                 self.check_path(value)
             if name in counted:
-                self.statements.append(self.names.get(counted[name], ""))
-            if value.kind != "array" or not value.extents or name in self.places or name in counted:
-                continue
-            if name in self.optional or self.is_exact_array(value):
+                self.statements.append(self.names[counted[name]])
+            if not self.has_length(value) or name in counted:
                 continue
             if name in self.lacking and self.entry.text.get("called") and words.fixed(value.extents):
                 together.append(self.reach[name])
@@ -137,6 +135,11 @@ class Inputs:
             self.statements.append(self.check(value))
         if together:
             self.statements.append(f"detail::require_space({{{', '.join(together)}}}, \"{self.entry.text['called']}\");")
+
+    def has_length(self, value):
+        """Whether it is an array of a length that is to be checked."""
+        return (value.kind == "array" and value.extents and value.name not in self.places
+                and value.name not in self.settled | self.optional and not self.is_exact_array(value))
 
     def depends(self, value):
         """Arrays whose lengths are the contents of others come after them."""

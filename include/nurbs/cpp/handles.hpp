@@ -71,6 +71,7 @@ Owner made(F &&f, const Arguments &...arguments) {
 template <class Splines>
 std::vector<const nurbs *> handle_list(const Splines &splines) {
     std::vector<const nurbs *> handles;
+    handles.reserve(splines.size());
     for (const SplineHandle &spline : splines) {
         handles.push_back(spline.get());
     }
