@@ -128,8 +128,8 @@ inline std::int64_t knot_count(std::int32_t degree, std::int64_t count) {
     return sane ? count + degree + 1 : 0;
 }
 inline std::int64_t bezier_count(std::int32_t degree, std::int64_t pieces) {
-    const std::int64_t sane = std::clamp(pieces, std::int64_t{0}, std::int64_t{1} << 48);
-    return degree == 0 ? sane : sane * degree + 1;
+    const bool sane = pieces >= 0 && pieces < (std::int64_t{1} << 48);
+    return sane ? (degree == 0 ? pieces : pieces * degree + 1) : -1;
 }
 // Control points of a period: the breaks but the last, which repeats the first.
 inline std::int64_t periodic_count(std::int32_t degree, View<double> breaks,
