@@ -258,7 +258,7 @@ extern "C" {
 /** @} */
 
 /** \brief A spline: immutable, reference counted, opaque. */
-typedef struct nurbs nurbs;
+typedef struct nurbs nurbs; /* in C++ a type and no namespace: the functions of nurbs.hpp are in libnurbs:: */
 
 /** \brief Splines in an order: the parts of one, or what a file held, with names, and notes on everything
  * that was not turned into one. */

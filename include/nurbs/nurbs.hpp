@@ -20,7 +20,10 @@
 /// - arrays are Input and Output. Any contiguous range of doubles converts to them and is taken as packed records;
 ///   `Input(values, n, stride, component_stride)` describes any other layout. Their lengths are known here, so an array
 ///   that is too short is a failure as well, with NURBS_ERROR_SIZE;
-/// - every function that fills an array also exists in a form that returns a std::vector.
+/// - every function that fills an array also exists in a form that returns a std::vector;
+/// - the namespace is libnurbs. It cannot be nurbs, the C type of handles, beside which C++ allows no namespace of that
+///   name. `namespace nurbs = libnurbs;` works inside a namespace or a function of one's own. NURBS_CPP_ALIAS, defined
+///   before this header is included, is another name for all of a file: `#define NURBS_CPP_ALIAS nb` gives nb::circle().
 ///
 /// All of it is compiled into its user. Within a major version the classes keep their members, so that libraries that
 /// were compiled with different minor versions can pass Spline, List and Error to each other.
@@ -41,6 +44,7 @@
 #include <nurbs/cpp/deform.hpp>
 #include <nurbs/cpp/edit.hpp>
 #include <nurbs/cpp/frames.hpp>
+#include <nurbs/cpp/handles.hpp>
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
@@ -53,7 +57,19 @@
 #include <nurbs/cpp/result.hpp>
 #include <nurbs/cpp/segments.hpp>
 #include <nurbs/cpp/shapes.hpp>
+#include <nurbs/cpp/sizes.hpp>
 #include <nurbs/cpp/spline.hpp>
 #include <nurbs/cpp/status.hpp>
+
+#include <string_view>
+
+#ifdef NURBS_CPP_ALIAS
+#define NURBS_CPP_QUOTED(name) #name
+#define NURBS_CPP_TEXT(name) NURBS_CPP_QUOTED(name)
+static_assert(std::string_view(NURBS_CPP_TEXT(NURBS_CPP_ALIAS)) != "nurbs",
+              "nurbs is the C type of handles, so that NURBS_CPP_ALIAS has to be another name; "
+              "inside a namespace or a function `namespace nurbs = libnurbs;` works");
+namespace NURBS_CPP_ALIAS = libnurbs;
+#endif
 
 #endif // NURBS_NURBS_HPP

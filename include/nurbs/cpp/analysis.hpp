@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file analysis.hpp
 /// \brief Features of curves and surfaces; `complete` tells that nothing was missed.
 #ifndef NURBS_CPP_ANALYSIS_HPP
@@ -36,82 +37,82 @@ inline constexpr std::int32_t fold_undecided = NURBS_FOLD_UNDECIDED;
 
 /// Parameters in rising order, one feature_ constant each, and curvature, turning angle or width there.
 struct CurveFeatures {
-    std::vector<double> params;
-    std::vector<std::uint32_t> found;
-    std::vector<double> values;
-    bool complete;
+    std::vector<double> params;       ///< In rising order.
+    std::vector<std::uint32_t> found; ///< One of the feature_ constants each.
+    std::vector<double> values;       ///< Curvature, turning angle or width there.
+    bool complete;                    ///< Whether nothing was missed.
 };
 
-/// The features of these kinds along a curve.
+/// The features along a curve of these kinds, a sum of feature_ constants.
 inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds) {
-    CurveFeatures result{};
-    std::vector<std::int32_t> found;
-    std::int64_t count = 0;
+    CurveFeatures found{};
+    std::vector<std::int32_t> found_bits;
     std::int32_t complete = 0;
+    std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::call(nurbs_curve_features, g.get(), kinds, cap, result.params.data(), found.data(),
-                     result.values.data(), &count, &complete);
+        detail::call(nurbs_curve_features, g.get(), kinds, cap, found.params.data(), found_bits.data(),
+                     found.values.data(), &count, &complete);
     };
     call(0);
-    result.params.resize(detail::to_size(count));
-    found.resize(detail::to_size(count));
-    result.values.resize(detail::to_size(count));
+    found.params = detail::room(count);
+    found_bits = detail::room<std::int32_t>(count);
+    found.values = detail::room(count);
     call(count);
-    result.found.assign(found.begin(), found.end());
-    result.complete = complete != 0;
-    return result;
+    found.found.assign(found_bits.begin(), found_bits.end());
+    found.complete = complete != 0;
+    return found;
 }
 
 /// Lower ends of pieces, and 1, -1 or 0 where the curve rises, falls or stays.
 struct MonotonePieces {
-    std::vector<double> starts;
-    std::vector<std::int32_t> signs;
-    bool complete;
+    std::vector<double> starts;      ///< Lower ends.
+    std::vector<std::int32_t> signs; ///< 1, -1 or 0 where the curve rises, falls or stays.
+    bool complete;                   ///< Whether nothing was missed.
 };
 
 /// The pieces of a curve on which it runs one way along a direction [dim].
 inline Returned<MonotonePieces> monotone_pieces(const Spline &g, View<double> direction) {
-    const double *along = detail::point_of(g, direction, "direction");
+    detail::require(direction, detail::dimension(g.get()), "direction");
     MonotonePieces found{};
-    std::int64_t count = 0;
     std::int32_t complete = 0;
+    std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::call(nurbs_curve_monotone_pieces, g.get(), along, cap, found.starts.data(),
+        detail::call(nurbs_curve_monotone_pieces, g.get(), direction.data(), cap, found.starts.data(),
                      found.signs.data(), &count, &complete);
     };
     call(0);
-    found.starts.resize(detail::to_size(count));
-    found.signs.resize(detail::to_size(count));
+    found.starts = detail::room(count);
+    found.signs = detail::room<std::int32_t>(count);
     call(count);
     found.complete = complete != 0;
     return found;
 }
 
-/// One of the convexity_ constants.
+/// One of the convexity_ constants, of a curve in the plane.
 inline Returned<std::int32_t> convexity(const Spline &g) {
     return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_curve_convexity(g.get(), v); });
 }
 
 /// A line, and a proven bound of the distance from it.
 struct Straightness {
-    std::vector<double> origin;
-    std::vector<double> direction;
-    double bound;
+    std::vector<double> origin;    ///< A point of the line, [dim].
+    std::vector<double> direction; ///< Its direction, [dim].
+    double bound;                  ///< A proven bound of the distance from it.
 };
 
 /// How far a spline is from a straight line.
 inline Returned<Straightness> straightness(const Spline &g) {
-    const auto dim = detail::to_size(detail::dimension(g.get()));
-    Straightness found{std::vector<double>(dim), std::vector<double>(dim), 0};
+    const std::int64_t dim = detail::dimension(g.get());
+    Straightness found{detail::room(dim), detail::room(dim), 0};
     detail::call(nurbs_straightness, g.get(), found.origin.data(), found.direction.data(), &found.bound);
     return found;
 }
 
 /// A plane, and a proven bound of the distance from it.
 struct Planarity {
-    std::array<double, 3> origin;
-    std::array<double, 3> normal;
-    double bound;
+    std::array<double, 3> origin; ///< A point of the plane.
+    std::array<double, 3> normal; ///< Its unit normal.
+    double bound;                 ///< A proven bound of the distance from it.
 };
 
 /// How far a spline in space is from a plane.
@@ -124,16 +125,17 @@ inline Returned<Planarity> planarity(const Spline &g) {
 /// Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end,
 /// whether it collapses and its size.
 struct BoundaryContacts {
-    std::vector<std::int32_t> closed;
-    std::vector<double> gaps;
-    std::vector<std::int32_t> collapsed;
-    std::vector<double> sizes;
+    std::vector<std::int32_t> closed;    ///< Of each axis, whether it closes.
+    std::vector<double> gaps;            ///< Of each axis, a bound of the gap.
+    std::vector<std::int32_t> collapsed; ///< Of each boundary, by axis, then by end, whether it is a point.
+    std::vector<double> sizes;           ///< Of each boundary, its size.
 };
 
+/// Which axes close, and which boundaries collapse.
 inline Returned<BoundaryContacts> boundary_contacts(const Spline &g, double tolerance = 0) {
-    const auto axes = detail::to_size(detail::axes(g.get()));
-    BoundaryContacts found{std::vector<std::int32_t>(axes), std::vector<double>(axes),
-                           std::vector<std::int32_t>(2 * axes), std::vector<double>(2 * axes)};
+    const std::int64_t axes = detail::axes(g.get());
+    BoundaryContacts found{detail::room<std::int32_t>(axes), detail::room(axes),
+                           detail::room<std::int32_t>(2 * axes), detail::room(2 * axes)};
     detail::call(nurbs_boundary_contacts, g.get(), tolerance, found.closed.data(), found.gaps.data(),
                  found.collapsed.data(), found.sizes.data());
     return found;
@@ -141,23 +143,24 @@ inline Returned<BoundaryContacts> boundary_contacts(const Spline &g, double tole
 
 /// Parameters [n][axes], and the boxes [n][axes][2] in which the singular sets lie.
 struct SingularPoints {
-    std::vector<double> params;
-    std::vector<double> boxes;
-    bool complete;
+    std::vector<double> params; ///< [n][axes]
+    std::vector<double> boxes;  ///< Boxes in which the singular sets lie, [n][axes] of lower and upper ends.
+    bool complete;              ///< Whether nothing was missed.
 };
 
 /// Places where a curve or surface is singular; the tolerance is a part of the domain.
 inline Returned<SingularPoints> singular_points(const Spline &g, double tolerance) {
     SingularPoints found{};
-    std::int64_t count = 0;
     std::int32_t complete = 0;
+    std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
         detail::call(nurbs_singular_points, g.get(), tolerance, cap, found.params.data(), found.boxes.data(),
                      &count, &complete);
     };
     call(0);
-    found.params.resize(detail::to_size(count * detail::axes(g.get())));
-    found.boxes.resize(2 * found.params.size());
+    const std::int64_t axes = detail::axes(g.get());
+    found.params = detail::room(count, axes);
+    found.boxes = detail::room(count, axes, 2);
     call(count);
     found.complete = complete != 0;
     return found;
@@ -165,18 +168,19 @@ inline Returned<SingularPoints> singular_points(const Spline &g, double toleranc
 
 /// One of the fold_ constants, and parameters [axes] of either sign, NaN if none are known.
 struct Fold {
-    std::int32_t result;
-    std::vector<double> positive;
-    std::vector<double> negative;
+    std::int32_t result;          ///< One of the fold_ constants.
+    std::vector<double> positive; ///< Parameters [axes] where the sign is positive, NaN if none are known.
+    std::vector<double> negative; ///< Parameters [axes] where the sign is negative, NaN if none are known.
 };
 
 /// Whether a surface or volume folds over; reference [3] is the direction that normals are compared with, if
 /// any.
 inline Returned<Fold> fold_test(const Spline &g, View<double> reference = {}) {
-    const auto axes = detail::to_size(detail::axes(g.get()));
-    Fold found{0, std::vector<double>(axes), std::vector<double>(axes)};
-    detail::call(nurbs_fold_test, g.get(), detail::if_given(std::span(reference), 3, "reference"),
-                 &found.result, found.positive.data(), found.negative.data());
+    detail::require_given(reference, 3, "reference");
+    const std::int64_t axes = detail::axes(g.get());
+    Fold found{0, detail::room(axes), detail::room(axes)};
+    detail::call(nurbs_fold_test, g.get(), detail::pointer(reference), &found.result, found.positive.data(),
+                 found.negative.data());
     return found;
 }
 

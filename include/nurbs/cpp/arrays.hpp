@@ -6,10 +6,13 @@
 
 #include <nurbs/cpp/result.hpp>
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -65,13 +68,6 @@ T result_of(F &&f) {
     T result{};
     attempt([&] { return f(&result); });
     return result;
-}
-
-template <class T = double, class F>
-std::vector<T> filled(std::int64_t size, F &&f) {
-    std::vector<T> values(to_size(size));
-    run(f, values);
-    return values;
 }
 
 // The text that f(buffer, capacity, &length) writes.
@@ -167,28 +163,75 @@ inline std::int64_t records(Input values, std::int64_t width, const char *what) 
     return n;
 }
 
-// The pointer of an output that is not wanted if it has no elements.
-inline double *wanted(Output out, std::int64_t n, std::int64_t width, const char *what) {
-    if (out.empty()) {
-        return nullptr;
+// Records that may be left out.
+template <class T>
+void require_wanted(const Records<T> &values, std::int64_t n, std::int64_t width, const char *what) {
+    if (!values.empty()) {
+        values.require(n, width, what);
     }
-    out.require(n, width, what);
-    return out.data();
 }
 
-// The pointer of an array that has to be of one length.
-template <class T>
-T *exactly(std::span<T> values, std::int64_t size, const char *what) {
+// An array that has to be of one length.
+template <class Range>
+void require(const Range &values, std::int64_t size, const char *what) {
     if (length(values) != size) {
         wrong_size(what, values.size(), std::to_string(size));
     }
-    return values.data();
 }
 
-// The same, or NULL for an array that was left out.
-template <class T>
-T *if_given(std::span<T> values, std::int64_t size, const char *what) {
-    return values.empty() ? nullptr : exactly(values, size, what);
+// The same of one that may be left out.
+template <class Range>
+void require_given(const Range &values, std::int64_t size, const char *what) {
+    if (!values.empty()) {
+        require(values, size, what);
+    }
+}
+
+// The same where the library names what makes the length negative.
+template <class Range>
+void require_unless_negative(const Range &values, std::int64_t size, const char *what) {
+    if (size >= 0) {
+        require(values, size, what);
+    }
+}
+
+inline void require_matrix(View<double> matrix, std::int64_t rows, std::int64_t columns) {
+    // A spline that is empty has no columns, and has failed already.
+    if (columns > 0 && (length(matrix) / columns != rows || length(matrix) % columns != 0)) {
+        wrong_size("matrix", matrix.size(), std::to_string(rows) + " rows of " + std::to_string(columns));
+    }
+}
+
+// NULL for an array that was left out.
+template <class Range>
+auto pointer(const Range &values) noexcept {
+    return values.empty() ? nullptr : values.data();
+}
+
+// The elements of an array of arrays, one after the other.
+template <class T, std::size_t n, std::size_t m>
+T *flat(std::array<std::array<T, m>, n> &rows) noexcept {
+    return rows.front().data();
+}
+
+// Calls f(centroid, inertia), which returns a status and refuses what it cannot give if that is asked for: then it is
+// asked for less, and the rest is NaN. A content of 0 has no centroid, and inertia overflows first.
+template <class F>
+void call_moments(F &&f, std::span<double> centroid, std::span<double> inertia) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    attempt([&] {
+        nurbs_status status = f(centroid.data(), inertia.data());
+        if (status == NURBS_ERROR_NOT_REPRESENTABLE) {
+            std::fill(inertia.begin(), inertia.end(), none);
+            status = f(centroid.data(), static_cast<double *>(nullptr));
+        }
+        if (status == NURBS_ERROR_LENGTH || status == NURBS_ERROR_NOT_REPRESENTABLE) {
+            std::fill(centroid.begin(), centroid.end(), none);
+            std::fill(inertia.begin(), inertia.end(), none);
+            status = f(static_cast<double *>(nullptr), static_cast<double *>(nullptr));
+        }
+        return status;
+    });
 }
 
 } // namespace detail

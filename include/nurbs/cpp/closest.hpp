@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file closest.hpp
 /// \brief Distances and closest points.
 #ifndef NURBS_CPP_CLOSEST_HPP
@@ -29,21 +30,20 @@ inline constexpr std::int32_t critical_maximum = NURBS_CRITICAL_MAXIMUM;
 inline constexpr std::int32_t critical_saddle = NURBS_CRITICAL_SADDLE;
 inline constexpr std::int32_t critical_undecided = NURBS_CRITICAL_UNDECIDED;
 
-/// How a search is done: the part [axes][2] of the domain, or empty for all of it; how much better another
-/// point may be; most pieces looked at, 0 for the default; 0 or nan_points.
+/// How a search is done.
 struct Search {
-    std::vector<double> range{};
-    double tolerance = 0;
-    std::int64_t budget = 0;
-    std::uint32_t flags = 0;
+    std::vector<double> range{}; ///< The part [axes][2] of the domain that is searched; empty: all of it.
+    double tolerance = 0;        ///< How much nearer or farther another point may be.
+    std::int64_t budget = 0;     ///< Most pieces looked at, 0 for the default.
+    std::uint32_t flags = 0;     ///< nan_points or 0.
 };
 
 /// Points of a spline: parameters [n][axes], points [n][dim], distances, and sums of closest_ bits.
 struct ClosestPoints {
-    std::vector<double> params;
-    std::vector<double> points;
-    std::vector<double> distances;
-    std::vector<std::int32_t> status;
+    std::vector<double> params;       ///< [n][axes]
+    std::vector<double> points;       ///< [n][dim]
+    std::vector<double> distances;    ///< [n]
+    std::vector<std::int32_t> status; ///< Sums of closest_ bits, [n].
 };
 
 /// Where they are written. An output without elements is not wanted.
@@ -54,202 +54,230 @@ struct ClosestOutputs {
     std::span<std::int32_t> status{};
 };
 
-namespace detail {
-
-// Outputs for n queries, the pointers of which are checked.
-struct ClosestPointers {
-    double *params, *points, *distances;
-    std::int32_t *status;
-    ClosestPointers(const Spline &g, std::int64_t n, const ClosestOutputs &out)
-        : params(wanted(out.params, n, detail::axes(g.get()), "params")),
-          points(wanted(out.points, n, detail::dimension(g.get()), "points")),
-          distances(wanted(out.distances, n, 1, "distances")), status(if_given(out.status, n, "status")) {}
-};
-
-// nurbs_closest_points or nurbs_farthest_points
-inline Done search(decltype(&nurbs_closest_points) function, const Spline &g, Input points,
-                   const ClosestOutputs &out, const Search &how) {
-    const std::int64_t n = records(points, detail::dimension(g.get()), "points");
-    const ClosestPointers to(g, n, out);
-    return call(function, g.get(), n, points.data(), points.stride(), points.component_stride(),
-                range_of(g, how.range), how.tolerance, how.budget, to.params, out.params.stride(),
-                out.params.component_stride(), to.points, out.points.stride(), out.points.component_stride(),
-                to.distances, out.distances.step(), to.status, how.flags);
-}
-
-// The results of f(outputs) for all points.
-template <class F>
-ClosestPoints closest_of(const Spline &g, Input points, F &&f) {
-    const std::int64_t n = records(points, detail::dimension(g.get()), "points");
-    ClosestPoints found{std::vector<double>(to_size(n * detail::axes(g.get()))),
-                        std::vector<double>(to_size(n * detail::dimension(g.get()))),
-                        std::vector<double>(to_size(n)), std::vector<std::int32_t>(to_size(n))};
-    run(f, ClosestOutputs{found.params, found.points, found.distances, found.status});
-    return found;
-}
-
-} // namespace detail
-
 /// The nearest points of a spline; in a volume this is inversion.
 inline Returned<void> closest_points(const Spline &g, Input points, const ClosestOutputs &out,
                                      const Search &how = {}) {
-    return detail::search(nurbs_closest_points, g, points, out, how);
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    detail::require_wanted(out.params, n, axes, "params");
+    detail::require_wanted(out.points, n, dim, "points");
+    detail::require_wanted(out.distances, n, 1, "distances");
+    detail::require_given(out.status, n, "status");
+    return detail::call(nurbs_closest_points, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), detail::pointer(how.range), how.tolerance, how.budget,
+                        detail::pointer(out.params), out.params.stride(), out.params.component_stride(),
+                        detail::pointer(out.points), out.points.stride(), out.points.component_stride(),
+                        detail::pointer(out.distances), out.distances.step(), detail::pointer(out.status),
+                        how.flags);
 }
+/// The same, as vectors.
 [[nodiscard]] inline Returned<ClosestPoints> closest_points(const Spline &g, Input points,
                                                             const Search &how = {}) {
-    return detail::closest_of(g, points,
-                              [&](const ClosestOutputs &out) { return closest_points(g, points, out, how); });
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    ClosestPoints found{detail::room(n, axes), detail::room(n, dim), detail::room(n),
+                        detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return closest_points(g, points, {found.params, found.points, found.distances, found.status}, how);
+    });
+    return found;
 }
 
 /// The farthest points of a spline.
 inline Returned<void> farthest_points(const Spline &g, Input points, const ClosestOutputs &out,
                                       const Search &how = {}) {
-    return detail::search(nurbs_farthest_points, g, points, out, how);
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    detail::require_wanted(out.params, n, axes, "params");
+    detail::require_wanted(out.points, n, dim, "points");
+    detail::require_wanted(out.distances, n, 1, "distances");
+    detail::require_given(out.status, n, "status");
+    return detail::call(nurbs_farthest_points, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), detail::pointer(how.range), how.tolerance, how.budget,
+                        detail::pointer(out.params), out.params.stride(), out.params.component_stride(),
+                        detail::pointer(out.points), out.points.stride(), out.points.component_stride(),
+                        detail::pointer(out.distances), out.distances.step(), detail::pointer(out.status),
+                        how.flags);
 }
+/// The same, as vectors.
 [[nodiscard]] inline Returned<ClosestPoints> farthest_points(const Spline &g, Input points,
                                                              const Search &how = {}) {
-    return detail::closest_of(
-        g, points, [&](const ClosestOutputs &out) { return farthest_points(g, points, out, how); });
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    ClosestPoints found{detail::room(n, axes), detail::room(n, dim), detail::room(n),
+                        detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return farthest_points(g, points, {found.params, found.points, found.distances, found.status}, how);
+    });
+    return found;
 }
 
 /// Local minima of the distance, each the one that a descent from a guess [axes] comes to.
 inline Returned<void> closest_local(const Spline &g, Input points, Input guesses, const ClosestOutputs &out,
                                     std::uint32_t flags = 0) {
-    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
-    guesses.require(n, detail::axes(g.get()), "guesses");
-    const detail::ClosestPointers to(g, n, out);
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    guesses.require(n, axes, "guesses");
+    detail::require_wanted(out.params, n, axes, "params");
+    detail::require_wanted(out.points, n, dim, "points");
+    detail::require_wanted(out.distances, n, 1, "distances");
+    detail::require_given(out.status, n, "status");
     return detail::call(nurbs_closest_local, g.get(), n, points.data(), points.stride(),
                         points.component_stride(), guesses.data(), guesses.stride(),
-                        guesses.component_stride(), to.params, out.params.stride(),
-                        out.params.component_stride(), to.points, out.points.stride(),
-                        out.points.component_stride(), to.distances, out.distances.step(), to.status, flags);
+                        guesses.component_stride(), detail::pointer(out.params), out.params.stride(),
+                        out.params.component_stride(), detail::pointer(out.points), out.points.stride(),
+                        out.points.component_stride(), detail::pointer(out.distances), out.distances.step(),
+                        detail::pointer(out.status), flags);
 }
+/// The same, as vectors.
 [[nodiscard]] inline Returned<ClosestPoints> closest_local(const Spline &g, Input points, Input guesses,
                                                            std::uint32_t flags = 0) {
-    return detail::closest_of(
-        g, points, [&](const ClosestOutputs &out) { return closest_local(g, points, guesses, out, flags); });
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    guesses.require(n, axes, "guesses");
+    ClosestPoints found{detail::room(n, axes), detail::room(n, dim), detail::room(n),
+                        detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return closest_local(g, points, guesses, {found.params, found.points, found.distances, found.status},
+                             flags);
+    });
+    return found;
 }
 
 /// Points as near as the nearest one to the tolerance: parameters [n][axes], and the status of the search.
 struct ClosestAll {
-    std::vector<double> params;
-    std::vector<double> distances;
-    std::int32_t status;
+    std::vector<double> params;    ///< [n][axes]
+    std::vector<double> distances; ///< [n]
+    std::int32_t status;           ///< Of the search: a sum of closest_ bits.
 };
 
-/// All of them that are local minima.
+/// All points that are local minima of the distance and as near as the nearest one to the tolerance.
 inline Returned<ClosestAll> closest_all(const Spline &g, View<double> point, const Search &how = {}) {
-    const double *x = detail::point_of(g, point, "point"), *range = detail::range_of(g, how.range);
+    detail::require(point, detail::dimension(g.get()), "point");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
     ClosestAll found{};
     std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::call(nurbs_closest_all, g.get(), x, range, how.tolerance, how.budget, cap,
-                     found.params.data(), found.distances.data(), &count, &found.status);
+        detail::call(nurbs_closest_all, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
+                     how.budget, cap, found.params.data(), found.distances.data(), &count, &found.status);
     };
     call(0);
-    found.params.resize(detail::to_size(count * detail::axes(g.get())));
-    found.distances.resize(detail::to_size(count));
+    found.params = detail::room(count, axes);
+    found.distances = detail::room(count);
     call(count);
     return found;
 }
 
 /// Critical points of the distance: parameters [n][axes], critical_ constants, and the status of the search.
 struct CriticalPoints {
-    std::vector<double> params;
-    std::vector<double> distances;
-    std::vector<std::int32_t> kinds;
-    std::int32_t status;
+    std::vector<double> params;      ///< [n][axes]
+    std::vector<double> distances;   ///< [n]
+    std::vector<std::int32_t> kinds; ///< critical_ constants, [n].
+    std::int32_t status;             ///< Of the search: a sum of closest_ bits.
 };
 
-/// All of them.
+/// All critical points of the distance from a point.
 inline Returned<CriticalPoints> critical_points(const Spline &g, View<double> point, const Search &how = {}) {
-    const double *x = detail::point_of(g, point, "point"), *range = detail::range_of(g, how.range);
+    detail::require(point, detail::dimension(g.get()), "point");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
     CriticalPoints found{};
     std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::call(nurbs_critical_points, g.get(), x, range, how.tolerance, how.budget, cap,
-                     found.params.data(), found.distances.data(), found.kinds.data(), &count, &found.status);
+        detail::call(nurbs_critical_points, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
+                     how.budget, cap, found.params.data(), found.distances.data(), found.kinds.data(), &count,
+                     &found.status);
     };
     call(0);
-    found.params.resize(detail::to_size(count * detail::axes(g.get())));
-    found.distances.resize(detail::to_size(count));
-    found.kinds.resize(detail::to_size(count));
+    found.params = detail::room(count, axes);
+    found.distances = detail::room(count);
+    found.kinds = detail::room<std::int32_t>(count);
     call(count);
     return found;
 }
 
 /// Distances, positive to the left of a curve, parameters, and sums of closest_ bits.
 struct SignedDistances {
-    std::vector<double> distances;
-    std::vector<double> params;
-    std::vector<std::int32_t> status;
+    std::vector<double> distances;    ///< Positive to the left of the curve.
+    std::vector<double> params;       ///< Of the nearest points.
+    std::vector<std::int32_t> status; ///< Sums of closest_ bits.
 };
 
-/// Where they are written. Parameters and status without elements are not wanted.
+/// Where they are written. An output without elements is not wanted, distances excepted.
 struct SignedOutputs {
     Output distances;
     Output params{};
     std::span<std::int32_t> status{};
 };
 
-/// Signed distances of points [n][2] from a curve in the plane; the search has no range.
+/// Signed distances of points [n][2] from a curve in the plane, positive to its left; the search has no
+/// range.
 inline Returned<void> signed_distances(const Spline &g, Input points, const SignedOutputs &out,
                                        const Search &how = {}) {
     const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
     out.distances.require(n, 1, "distances");
-    double *params = detail::wanted(out.params, n, 1, "params");
+    detail::require_wanted(out.params, n, 1, "params");
+    detail::require_given(out.status, n, "status");
     return detail::call(nurbs_curve_signed_distances, g.get(), n, points.data(), points.stride(),
                         points.component_stride(), how.tolerance, how.budget, out.distances.data(),
-                        out.distances.step(), params, out.params.step(),
-                        detail::if_given(out.status, n, "status"), how.flags);
+                        out.distances.step(), detail::pointer(out.params), out.params.step(),
+                        detail::pointer(out.status), how.flags);
 }
+/// The same, as vectors.
 [[nodiscard]] inline Returned<SignedDistances> signed_distances(const Spline &g, Input points,
                                                                 const Search &how = {}) {
-    const auto n = detail::to_size(detail::records(points, detail::dimension(g.get()), "points"));
-    SignedDistances found{std::vector<double>(n), std::vector<double>(n), std::vector<std::int32_t>(n)};
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    SignedDistances found{detail::room(n), detail::room(n), detail::room<std::int32_t>(n)};
     detail::run([&] {
         return signed_distances(g, points, {found.distances, found.params, found.status}, how);
     });
     return found;
 }
 
-/// Bounds of a distance, the parameters of a point of each spline, and closest_certified or closest_budget.
+/// Bounds of a distance, and the parameters of a point of each spline.
 struct Distance {
-    double at_least;
-    double at_most;
-    std::vector<double> params_a;
-    std::vector<double> params_b;
-    std::int32_t status;
+    double at_least;              ///< A proven lower bound.
+    double at_most;               ///< The distance of the points at the parameters.
+    std::vector<double> params_a; ///< Of a point of the first spline.
+    std::vector<double> params_b; ///< Of a point of the second spline.
+    std::int32_t status;          ///< closest_certified or closest_budget.
 };
 
 /// The smallest distance of two splines; the points are at_most apart.
 inline Returned<Distance> distance(const Spline &a, const Spline &b, double tolerance = 0,
                                    std::int64_t budget = 0) {
-    Distance found{0, 0, std::vector<double>(detail::to_size(detail::axes(a.get()))),
-                   std::vector<double>(detail::to_size(detail::axes(b.get()))), 0};
+    Distance found{0, 0, detail::room(detail::axes(a.get())), detail::room(detail::axes(b.get())), 0};
     detail::call(nurbs_distance, a.get(), b.get(), tolerance, budget, &found.at_least, &found.at_most,
                  found.params_a.data(), found.params_b.data(), &found.status);
     return found;
 }
 
-/// Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so
-/// far away.
+/// Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so far
+/// away.
 struct HausdorffDistance {
-    std::array<double, 2> at_least;
-    std::array<double, 2> at_most;
-    std::vector<double> params_a;
-    std::vector<double> params_b;
-    std::int32_t status;
+    std::array<double, 2> at_least; ///< Lower bounds of the distances from one to the other and back.
+    std::array<double, 2> at_most;  ///< Upper bounds of them.
+    std::vector<double> params_a;   ///< Of a point of the first spline.
+    std::vector<double> params_b;   ///< Of a point of the second spline.
+    std::int32_t status;            ///< closest_certified or closest_budget.
 };
 
-/// Of two splines as sets of points.
+/// How far the points that are farthest from the other spline are from it, and the other way round.
 inline Returned<HausdorffDistance> hausdorff_distance(const Spline &a, const Spline &b, double tolerance,
                                                       std::int64_t budget = 0) {
-    HausdorffDistance found{{},
-                            {},
-                            std::vector<double>(detail::to_size(detail::axes(a.get()))),
-                            std::vector<double>(detail::to_size(detail::axes(b.get()))),
-                            0};
+    HausdorffDistance found{
+        {}, {}, detail::room(detail::axes(a.get())), detail::room(detail::axes(b.get())), 0};
     detail::call(nurbs_hausdorff_distance, a.get(), b.get(), tolerance, budget, found.at_least.data(),
                  found.at_most.data(), found.params_a.data(), found.params_b.data(), &found.status);
     return found;

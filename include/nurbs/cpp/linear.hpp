@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file linear.hpp
 /// \brief Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
 #ifndef NURBS_CPP_LINEAR_HPP
@@ -7,7 +8,6 @@
 #include <nurbs/cpp/spline.hpp>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace libnurbs {
@@ -15,133 +15,138 @@ inline namespace NURBS_CPP_POLICY {
 
 /// Compressed sparse rows.
 struct SparseMatrix {
-    std::vector<double> values;
-    std::vector<std::int64_t> columns;
-    std::vector<std::int64_t> row_pointers;
+    std::vector<double> values;             ///< Row by row.
+    std::vector<std::int64_t> columns;      ///< The column of each value.
+    std::vector<std::int64_t> row_pointers; ///< Where each row starts, and where the last one ends.
 };
-
-/// Operators [spans][degree + 1][degree + 1], the first control point and the domain [spans][2] of each
-/// span.
-struct Extraction {
-    std::vector<double> operators;
-    std::vector<std::int64_t> firsts;
-    std::vector<double> domains;
-};
-
-struct Gradients {
-    std::vector<double> points;
-    std::vector<double> weights;
-    std::vector<double> params;
-};
-
-namespace detail {
-
-// f(cap, values, columns, row_pointers, entries), asked for the size first.
-template <class F>
-SparseMatrix sparse(std::int64_t n, F &&f) {
-    std::int64_t entries = 0;
-    attempt([&] { return f(0, nullptr, nullptr, nullptr, &entries); });
-    SparseMatrix m{std::vector<double>(to_size(entries)), std::vector<std::int64_t>(to_size(entries)),
-                   std::vector<std::int64_t>(to_size(n + 1))};
-    attempt([&] { return f(entries, m.values.data(), m.columns.data(), m.row_pointers.data(), nullptr); });
-    return m;
-}
-
-inline const std::int32_t *orders_for(View<std::int32_t> orders, std::size_t axes) {
-    if (!orders.empty() && orders.size() != axes) {
-        wrong_size("orders", orders.size(), std::to_string(axes));
-    }
-    return orders.empty() ? nullptr : orders.data();
-}
-
-} // namespace detail
 
 /// Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions
 /// themselves.
 inline Returned<SparseMatrix> collocation(View<std::int32_t> degrees, View<std::int64_t> counts,
                                           View<double> knots, Input params, View<std::int32_t> orders = {},
                                           std::uint32_t flags = 0) {
-    if (counts.size() != degrees.size()) {
-        detail::wrong_size("counts", counts.size(), std::to_string(degrees.size()));
-    }
-    const std::int32_t axes = degrees.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(degrees.size());
-    const std::int32_t *of = detail::orders_for(orders, degrees.size());
+    const std::int64_t axes = detail::length(degrees);
+    detail::require(counts, axes, "counts");
     const std::int64_t n = detail::records(params, axes, "params");
-    return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
-                                 std::int64_t *entries) {
-        return nurbs_collocation(axes, degrees.data(), counts.data(), knots.data(), detail::length(knots), of,
-                                 n, params.data(), params.stride(), params.component_stride(), cap, values,
-                                 columns, rows, entries, flags);
-    });
+    detail::require_given(orders, axes, "orders");
+    SparseMatrix found{};
+    std::int64_t entries = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_collocation, detail::axes_of(degrees), degrees.data(), counts.data(), knots.data(),
+                     detail::length(knots), detail::pointer(orders), n, params.data(), params.stride(),
+                     params.component_stride(), cap, found.values.data(), found.columns.data(),
+                     found.row_pointers.data(), &entries, flags);
+    };
+    call(0);
+    found.values = detail::room(entries);
+    found.columns = detail::room<std::int64_t>(entries);
+    found.row_pointers = detail::room<std::int64_t>(n + 1);
+    call(entries);
+    return found;
 }
 
 /// Matrix of the rational basis functions of a spline or of a derivative of them.
 inline Returned<SparseMatrix> rational_collocation(const Spline &g, Input params,
                                                    View<std::int32_t> orders = {}, std::uint32_t flags = 0) {
-    const std::int32_t axes = detail::axes(g.get());
-    const std::int32_t *of = detail::orders_for(orders, detail::to_size(axes));
+    const std::int64_t axes = detail::axes(g.get());
     const std::int64_t n = detail::records(params, axes, "params");
-    return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
-                                 std::int64_t *entries) {
-        return nurbs_rational_collocation(g.get(), of, n, params.data(), params.stride(),
-                                          params.component_stride(), cap, values, columns, rows, entries,
-                                          flags);
-    });
+    detail::require_given(orders, axes, "orders");
+    SparseMatrix found{};
+    std::int64_t entries = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_rational_collocation, g.get(), detail::pointer(orders), n, params.data(),
+                     params.stride(), params.component_stride(), cap, found.values.data(),
+                     found.columns.data(), found.row_pointers.data(), &entries, flags);
+    };
+    call(0);
+    found.values = detail::room(entries);
+    found.columns = detail::room<std::int64_t>(entries);
+    found.row_pointers = detail::room<std::int64_t>(n + 1);
+    call(entries);
+    return found;
 }
 
 /// Matrix that Spline::refine() applies along an axis.
 inline Returned<SparseMatrix> refinement_matrix(const Spline &g, std::int32_t axis, View<double> knots) {
     const std::int64_t count = detail::length(knots);
-    return detail::sparse(detail::count(g.get(), axis) + count,
-                          [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
-                              std::int64_t *entries) {
-                              return nurbs_refinement_matrix(g.get(), axis, count, knots.data(), cap, values,
-                                                             columns, rows, entries);
-                          });
+    SparseMatrix found{};
+    std::int64_t entries = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_refinement_matrix, g.get(), axis, count, knots.data(), cap, found.values.data(),
+                     found.columns.data(), found.row_pointers.data(), &entries);
+    };
+    call(0);
+    found.values = detail::room(entries);
+    found.columns = detail::room<std::int64_t>(entries);
+    found.row_pointers = detail::room<std::int64_t>(detail::count(g.get(), axis) + count + 1);
+    call(entries);
+    return found;
 }
 
+/// Operators [spans][degree + 1][degree + 1], the first control point and the domain [spans][2] of each span.
+struct Extraction {
+    std::vector<double> operators;    ///< [spans][degree + 1][degree + 1]
+    std::vector<std::int64_t> firsts; ///< The first control point of each span.
+    std::vector<double> domains;      ///< The ends of each span.
+};
+
+/// The operators that take Bernstein polynomials to the basis functions of each span.
 inline Returned<Extraction> bezier_extraction(const Spline &g, std::int32_t axis) {
-    auto spans = detail::result_of<std::int64_t>(
-        [&](auto *v) { return nurbs_bezier_extraction(g.get(), axis, 0, nullptr, nullptr, nullptr, v); });
-    const std::int64_t width = detail::degree(g.get(), axis) + 1;
-    Extraction result{std::vector<double>(detail::to_size(spans * width * width)),
-                      std::vector<std::int64_t>(detail::to_size(spans)),
-                      std::vector<double>(detail::to_size(2 * spans))};
-    detail::call(nurbs_bezier_extraction, g.get(), axis, spans, result.operators.data(), result.firsts.data(),
-                 result.domains.data(), &spans);
-    return result;
+    Extraction found{};
+    std::int64_t count = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_bezier_extraction, g.get(), axis, cap, found.operators.data(), found.firsts.data(),
+                     found.domains.data(), &count);
+    };
+    call(0);
+    found.operators =
+        detail::room(count, detail::degree(g.get(), axis) + 1, detail::degree(g.get(), axis) + 1);
+    found.firsts = detail::room<std::int64_t>(count);
+    found.domains = detail::room(count, 2);
+    call(count);
+    return found;
 }
+
+/// Gradients [N][dim], [N] and [n][axes].
+struct Gradients {
+    std::vector<double> points;  ///< With respect to the control points, [N][dim].
+    std::vector<double> weights; ///< With respect to the weights, [N].
+    std::vector<double> params;  ///< With respect to the parameters, [n][axes].
+};
 
 /// Gradients of a function of points and derivatives, from its cotangents [n][slots][dim]. An output without
 /// elements is not wanted.
 inline Returned<void> eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
                                    Output grad_points, Output grad_weights, Output grad_params,
                                    std::uint32_t flags = 0) {
-    const std::int32_t axes = detail::axes(g.get());
+    const std::int64_t axes = detail::axes(g.get());
     const std::int64_t n = detail::records(params, axes, "params");
-    cotangents.require(n, detail::derivative_slots(axes, order) * detail::dimension(g.get()), "cotangents");
-    double *points =
-        detail::wanted(grad_points, detail::point_count(g.get()), detail::dimension(g.get()), "grad_points");
-    double *weights = detail::wanted(grad_weights, detail::point_count(g.get()), 1, "grad_weights");
-    double *to_params = detail::wanted(grad_params, n, axes, "grad_params");
+    const std::int64_t dim = detail::dimension(g.get());
+    cotangents.require(n, detail::slots(g.get(), order) * dim, "cotangents");
+    const std::int64_t net_size = detail::point_count(g.get());
+    detail::require_wanted(grad_points, net_size, dim, "grad_points");
+    detail::require_wanted(grad_weights, net_size, 1, "grad_weights");
+    detail::require_wanted(grad_params, n, axes, "grad_params");
     return detail::call(nurbs_eval_adjoint, g.get(), order, n, params.data(), params.stride(),
                         params.component_stride(), cotangents.data(), cotangents.stride(),
-                        cotangents.component_stride(), points, grad_points.stride(),
-                        grad_points.component_stride(), weights, grad_weights.step(), to_params,
-                        grad_params.stride(), grad_params.component_stride(), flags);
+                        cotangents.component_stride(), detail::pointer(grad_points), grad_points.stride(),
+                        grad_points.component_stride(), detail::pointer(grad_weights), grad_weights.step(),
+                        detail::pointer(grad_params), grad_params.stride(), grad_params.component_stride(),
+                        flags);
 }
-inline Returned<Gradients> eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
-                                        std::uint32_t flags = 0) {
-    const std::int64_t n = detail::records(params, detail::axes(g.get()), "params");
-    Gradients result{
-        std::vector<double>(detail::to_size(detail::point_count(g.get()) * detail::dimension(g.get()))),
-        std::vector<double>(detail::to_size(detail::point_count(g.get()))),
-        std::vector<double>(detail::to_size(n * detail::axes(g.get())))};
+/// The same, as vectors.
+[[nodiscard]] inline Returned<Gradients> eval_adjoint(const Spline &g, std::int32_t order, Input params,
+                                                      Input cotangents, std::uint32_t flags = 0) {
+    const std::int64_t axes = detail::axes(g.get());
+    const std::int64_t n = detail::records(params, axes, "params");
+    const std::int64_t dim = detail::dimension(g.get());
+    cotangents.require(n, detail::slots(g.get(), order) * dim, "cotangents");
+    const std::int64_t net_size = detail::point_count(g.get());
+    Gradients found{detail::room(net_size, dim), detail::room(net_size), detail::room(n, axes)};
     detail::run([&] {
-        return eval_adjoint(g, order, params, cotangents, result.points, result.weights, result.params,
-                            flags);
+        return eval_adjoint(g, order, params, cotangents, found.points, found.weights, found.params, flags);
     });
-    return result;
+    return found;
 }
 
 } // namespace NURBS_CPP_POLICY

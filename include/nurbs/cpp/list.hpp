@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file list.hpp
 /// \brief Reading files: the splines that a file held, their names, and notes on the rest.
 #ifndef NURBS_CPP_LIST_HPP
 #define NURBS_CPP_LIST_HPP
 
-#include <nurbs/cpp/arrays.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
-/// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of them: where
-/// libraries that were compiled with two versions meet in one program, each has to say its own size, and none the other's.
+/// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of
+/// them: where libraries that were compiled with two versions meet in one program, each has to say its own
+/// size, and none the other's.
 struct ReadOptions : nurbs_read_options {
     [[gnu::always_inline]] ReadOptions() : nurbs_read_options{} {
         detail::call(nurbs_read_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_read_options)));
@@ -26,74 +26,63 @@ struct ReadOptions : nurbs_read_options {
 
 /// An entity of a file that did not become a spline.
 struct Note {
-    std::int32_t entity_type;
-    std::int64_t line;
-    Status reason;
-    std::string text;
+    std::int32_t entity_type; ///< Its number in the format of the file.
+    std::int64_t line;        ///< Its line in the directory of the file.
+    Status reason;            ///< Why not: a status.
+    std::string text;         ///< The same in words.
 };
 
-class List {
+/// Splines in an order: the parts of one, or what a file held. It cannot be copied.
+class List : public detail::ListHandle {
 public:
-    List() noexcept = default;
-    explicit List(nurbs_list *owned) noexcept : handle_(owned) {}
-    List(const List &) = delete;
-    List(List &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
-    List &operator=(List other) noexcept {
-        std::swap(handle_, other.handle_);
-        return *this;
-    }
-    ~List() { nurbs_list_destroy(handle_); }
+    using ListHandle::ListHandle;
 
-    [[nodiscard]] const nurbs_list *get() const noexcept { return handle_; }
-    [[nodiscard]] nurbs_list *release() noexcept { return std::exchange(handle_, nullptr); }
+    // Reading files: the splines that a file held, their names, and notes on the rest
 
+    /// Reads the contents of a file from memory.
     [[nodiscard]] static Returned<List> read(std::span<const std::byte> bytes,
                                              const ReadOptions &options = {}) {
-        List result;
-        detail::call(nurbs_read, bytes.data(), detail::length(bytes), &options, &result.handle_);
-        return result;
+        return detail::made<List>(nurbs_read, bytes.data(), detail::length(bytes), &options);
     }
+    /// Reads a file by its path.
     [[nodiscard]] static Returned<List> read_file(const std::string &path, const ReadOptions &options = {}) {
-        List result;
         if (path.find('\0') != std::string::npos) {
             detail::fail(Status::file, "path contains a zero byte");
         }
-        detail::call(nurbs_read_file, path.c_str(), &options, &result.handle_);
-        return result;
+        return detail::made<List>(nurbs_read_file, path.c_str(), &options);
     }
-
+    /// Number of splines.
     [[nodiscard]] Returned<std::int64_t> size() const {
-        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_count(handle_, v); });
+        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_count(get(), v); });
     }
+    /// Spline `index`; it outlives the list.
     [[nodiscard]] Returned<Spline> operator[](std::int64_t index) const {
-        nurbs *spline = nullptr;
-        detail::call(nurbs_list_get, handle_, index, &spline);
-        return Spline(spline);
+        return detail::made<Spline>(nurbs_list_get, get(), index);
     }
+    /// The name of a spline.
     [[nodiscard]] Returned<std::string> name(std::int64_t index) const {
         return detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
-            return nurbs_list_name(handle_, index, buf, cap, length);
+            return nurbs_list_name(get(), index, buf, cap, length);
         });
     }
+    /// Number of notes.
     [[nodiscard]] Returned<std::int64_t> note_count() const {
-        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_note_count(handle_, v); });
+        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_note_count(get(), v); });
     }
+    /// A note.
     [[nodiscard]] Returned<Note> note(std::int64_t index) const {
-        Note note{};
+        Note found{};
         nurbs_status reason = NURBS_OK;
-        note.text = detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
-            return nurbs_list_note(handle_, index, &note.entity_type, &note.line, &reason, buf, cap, length);
+        found.text = detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
+            return nurbs_list_note(get(), index, &found.entity_type, &found.line, &reason, buf, cap, length);
         });
-        note.reason = static_cast<Status>(reason);
-        return note;
+        found.reason = static_cast<Status>(reason);
+        return found;
     }
     /// Metres per unit of length; 0 if the file does not say.
     [[nodiscard]] Returned<double> unit() const {
-        return detail::result_of<double>([&](auto *v) { return nurbs_list_unit(handle_, v); });
+        return detail::result_of<double>([&](auto *v) { return nurbs_list_unit(get(), v); });
     }
-
-private:
-    nurbs_list *handle_ = nullptr;
 };
 
 } // namespace NURBS_CPP_POLICY

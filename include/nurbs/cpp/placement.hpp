@@ -4,12 +4,10 @@
 #ifndef NURBS_CPP_PLACEMENT_HPP
 #define NURBS_CPP_PLACEMENT_HPP
 
-#include <nurbs/cpp/spline.hpp>
+#include <nurbs/cpp/sizes.hpp>
 
 #include <cstdint>
-#include <initializer_list>
 #include <numbers>
-#include <string>
 #include <vector>
 
 namespace libnurbs {
@@ -33,47 +31,12 @@ struct Placement {
 
 namespace detail {
 
-inline const double *pointer(View<double> values) noexcept {
-    return values.empty() ? nullptr : values.data();
-}
-
-// The length of the first vector that is not empty, or another dimension if all are; the rest must have it
-// too.
-inline std::int32_t dimension_of(std::initializer_list<View<double>> vectors, std::int32_t dim) {
-    bool known = false;
-    for (const View<double> &vector : vectors) {
-        if (!vector.empty() && !known) {
-            dim = static_cast<std::int32_t>(vector.size());
-            known = true;
-        }
-        if (!vector.empty() && vector.size() != to_size(dim)) {
-            wrong_size("vector", vector.size(), std::to_string(dim));
-        }
-    }
-    return dim;
-}
-
-inline std::int32_t dimension_of(const Placement &at, std::int32_t otherwise) {
-    return dimension_of({at.origin, at.axis, at.x}, otherwise);
-}
-
-// All vectors, none of them empty, have `dim` components.
-inline void require_length(std::int32_t dim, std::initializer_list<View<double>> vectors) {
-    for (const View<double> &vector : vectors) {
-        if (vector.size() != to_size(dim)) {
-            wrong_size("vector", vector.size(), std::to_string(dim));
-        }
-    }
-}
-
 // The arguments origin, axis and x of a shape in space.
 struct Space {
     const double *origin, *axis, *x;
     explicit Space(const Placement &at)
         : origin(pointer(at.origin)), axis(pointer(at.axis)), x(pointer(at.x)) {
-        if (dimension_of(at, 3) != 3) {
-            wrong_size("placement", to_size(dimension_of(at, 3)), "3");
-        }
+        require_space({at.origin, at.axis, at.x}, "placement");
     }
 };
 
@@ -82,8 +45,8 @@ struct Place {
     std::int32_t dim;
     const double *origin, *axis, *x;
     explicit Place(const Placement &at, std::int32_t otherwise = 2)
-        : dim(dimension_of(at, otherwise)), origin(pointer(at.origin)), axis(pointer(at.axis)),
-          x(pointer(at.x)) {}
+        : dim(dimension_of({at.origin, at.axis, at.x}, otherwise)), origin(pointer(at.origin)),
+          axis(pointer(at.axis)), x(pointer(at.x)) {}
 };
 
 } // namespace detail

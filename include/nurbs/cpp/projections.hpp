@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file projections.hpp
 /// \brief Reflections and projections.
 #ifndef NURBS_CPP_PROJECTIONS_HPP
@@ -6,49 +7,46 @@
 
 #include <nurbs/cpp/spline.hpp>
 
-#include <initializer_list>
-#include <string>
+#include <cstdint>
 
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
-namespace detail {
-
-inline void check_dimension(const Spline &g, std::initializer_list<View<double>> vectors) {
-    const auto dim = static_cast<std::size_t>(detail::dimension(g.get()));
-    for (const View<double> &vector : vectors) {
-        if (vector.size() != dim) {
-            wrong_size("vector", vector.size(), std::to_string(dim));
-        }
-    }
-}
-
-} // namespace detail
-
 /// The mirror image in the plane (line, hyperplane) through a point.
 inline Returned<Spline> mirror(const Spline &g, View<double> point, View<double> normal) {
-    detail::check_dimension(g, {point, normal});
-    return detail::spline_of(nurbs_mirror, g.get(), point.data(), normal.data());
+    const std::int64_t dim = detail::dimension(g.get());
+    detail::require(point, dim, "vector");
+    detail::require(normal, dim, "vector");
+    return detail::made<Spline>(nurbs_mirror, g.get(), point.data(), normal.data());
 }
 
-/// Along the normal.
+/// Projected along the normal.
 inline Returned<Spline> project_to_plane(const Spline &g, View<double> point, View<double> normal) {
-    detail::check_dimension(g, {point, normal});
-    return detail::spline_of(nurbs_project_to_plane, g.get(), point.data(), normal.data(), nullptr);
+    const std::int64_t dim = detail::dimension(g.get());
+    detail::require(point, dim, "vector");
+    detail::require(normal, dim, "vector");
+    return detail::made<Spline>(nurbs_project_to_plane, g.get(), point.data(), normal.data(), nullptr);
 }
 
-/// Along a direction.
+/// Projected along a direction.
 inline Returned<Spline> project_to_plane(const Spline &g, View<double> point, View<double> normal,
                                          View<double> direction) {
-    detail::check_dimension(g, {point, normal, direction});
-    return detail::spline_of(nurbs_project_to_plane, g.get(), point.data(), normal.data(), direction.data());
+    const std::int64_t dim = detail::dimension(g.get());
+    detail::require(point, dim, "vector");
+    detail::require(normal, dim, "vector");
+    detail::require(direction, dim, "vector");
+    return detail::made<Spline>(nurbs_project_to_plane, g.get(), point.data(), normal.data(),
+                                direction.data());
 }
 
-/// From an eye.
+/// Projected from an eye.
 inline Returned<Spline> project_from(const Spline &g, View<double> eye, View<double> point,
                                      View<double> normal) {
-    detail::check_dimension(g, {eye, point, normal});
-    return detail::spline_of(nurbs_project_from, g.get(), eye.data(), point.data(), normal.data());
+    const std::int64_t dim = detail::dimension(g.get());
+    detail::require(eye, dim, "vector");
+    detail::require(point, dim, "vector");
+    detail::require(normal, dim, "vector");
+    return detail::made<Spline>(nurbs_project_from, g.get(), eye.data(), point.data(), normal.data());
 }
 
 } // namespace NURBS_CPP_POLICY

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file recognize.hpp
 /// \brief Recognition of shapes.
 #ifndef NURBS_CPP_RECOGNIZE_HPP
@@ -30,12 +31,12 @@ inline constexpr std::int32_t shape_torus = NURBS_SHAPE_TORUS;
 /// A shape, its placement and sizes as nurbs_recognize() describes them, and a proven bound of the distance
 /// from it.
 struct Recognized {
-    std::int32_t shape;
-    std::array<double, 3> origin;
-    std::array<double, 3> axis;
-    std::array<double, 3> x;
-    std::array<double, 3> sizes;
-    double deviation;
+    std::int32_t shape;           ///< One of the shape_ constants.
+    std::array<double, 3> origin; ///< Centre, vertex, apex or another point.
+    std::array<double, 3> axis;   ///< Normal or axis.
+    std::array<double, 3> x;      ///< The direction where angles start.
+    std::array<double, 3> sizes;  ///< Radii, semi-axes, a focal length or half an opening angle.
+    double deviation;             ///< A proven bound of the distance from it.
 };
 
 /// The first shape of the list from which no point is farther than the tolerance.

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file reduce.hpp
 /// \brief Operations that move the shape, each with a proven bound.
 #ifndef NURBS_CPP_REDUCE_HPP
@@ -13,62 +14,58 @@ inline namespace NURBS_CPP_POLICY {
 
 /// Proven bounds of a largest distance.
 struct Deviation {
-    double at_least;
-    double at_most;
+    double at_least; ///< A lower one.
+    double at_most;  ///< An upper one.
 };
 
-/// Of two splines over the same domain.
+/// Proven bounds of the largest distance of two splines over the same domain.
 inline Returned<Deviation> deviation(const Spline &f, const Spline &g) {
-    Deviation result{};
-    detail::call(nurbs_deviation, f.get(), g.get(), &result.at_least, &result.at_most);
-    return result;
+    Deviation found{};
+    detail::call(nurbs_deviation, f.get(), g.get(), &found.at_least, &found.at_most);
+    return found;
 }
 
 /// A spline, how often a knot was removed, and a bound of the distance to what was given.
 struct KnotRemoval {
-    Spline spline;
-    std::int32_t removed;
-    double bound;
+    Spline spline;        ///< The spline.
+    std::int32_t removed; ///< How often the knot was removed.
+    double bound;         ///< A proven bound of how far it is from the one given.
 };
 
 /// Copies of a knot removed, as many as the tolerance allows.
 inline Returned<KnotRemoval> remove_knot(const Spline &g, std::int32_t axis, double knot, std::int32_t times,
                                          double tolerance) {
-    nurbs *made = nullptr;
-    std::int32_t removed = 0;
-    double bound = 0;
-    detail::call(nurbs_remove_knot, g.get(), axis, knot, times, tolerance, &removed, &bound, &made);
-    return KnotRemoval{Spline(made), removed, bound};
+    KnotRemoval made{};
+    made.spline = detail::made<Spline>(nurbs_remove_knot, g.get(), axis, knot, times, tolerance,
+                                       &made.removed, &made.bound);
+    return made;
 }
 
 /// A spline within `bound` of the one it was made from.
 struct Reduced {
-    Spline spline;
-    double bound;
+    Spline spline; ///< The spline.
+    double bound;  ///< A proven bound of how far it is from the one given.
 };
 
 /// As few knots as the tolerance allows, on one axis or on every one (-1).
 inline Returned<Reduced> reduce_knots(const Spline &g, std::int32_t axis, double tolerance) {
-    nurbs *made = nullptr;
-    double bound = 0;
-    detail::call(nurbs_reduce_knots, g.get(), axis, tolerance, &bound, &made);
-    return Reduced{Spline(made), bound};
+    Reduced made{};
+    made.spline = detail::made<Spline>(nurbs_reduce_knots, g.get(), axis, tolerance, &made.bound);
+    return made;
 }
 
 /// The closest spline of lower degree.
 inline Returned<Reduced> reduce_degree(const Spline &g, std::int32_t axis, std::int32_t times) {
-    nurbs *made = nullptr;
-    double bound = 0;
-    detail::call(nurbs_reduce_degree, g.get(), axis, times, &bound, &made);
-    return Reduced{Spline(made), bound};
+    Reduced made{};
+    made.spline = detail::made<Spline>(nurbs_reduce_degree, g.get(), axis, times, &made.bound);
+    return made;
 }
 
 /// The simplest spline within the tolerance.
 inline Returned<Reduced> simplify(const Spline &g, double tolerance) {
-    nurbs *made = nullptr;
-    double bound = 0;
-    detail::call(nurbs_simplify, g.get(), tolerance, &bound, &made);
-    return Reduced{Spline(made), bound};
+    Reduced made{};
+    made.spline = detail::made<Spline>(nurbs_simplify, g.get(), tolerance, &made.bound);
+    return made;
 }
 
 } // namespace NURBS_CPP_POLICY

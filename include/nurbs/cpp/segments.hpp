@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file segments.hpp
 /// \brief Hermite data, the power basis of pieces, and the matrices between bases of a segment.
 #ifndef NURBS_CPP_SEGMENTS_HPP
@@ -6,9 +7,7 @@
 
 #include <nurbs/cpp/spline.hpp>
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace libnurbs {
@@ -23,78 +22,80 @@ inline constexpr std::int32_t basis_bspline = NURBS_BASIS_BSPLINE;
 /// The piecewise cubic through points with tangents, both packed.
 inline Returned<Spline> create_hermite(View<double> params, std::int32_t dim, View<double> points,
                                        View<double> tangents) {
-    const auto wanted = params.size() * static_cast<std::size_t>(dim < 0 ? 0 : dim);
-    for (const View<double> &values : {points, tangents}) {
-        if (values.size() != wanted) {
-            detail::wrong_size("points and tangents", values.size(), std::to_string(wanted));
-        }
-    }
-    return detail::spline_of(nurbs_create_hermite, static_cast<std::int64_t>(params.size()), params.data(),
-                             dim, points.data(), 0, 0, tangents.data(), 0, 0);
+    const std::int64_t n = detail::length(params);
+    detail::require(points, n * detail::positive(dim), "points and tangents");
+    detail::require(tangents, n * detail::positive(dim), "points and tangents");
+    return detail::made<Spline>(nurbs_create_hermite, n, params.data(), dim, points.data(), 0, 0,
+                                tangents.data(), 0, 0);
 }
 
 /// Points and tangents, packed, of a piecewise cubic at its breaks.
 struct Hermite {
-    std::vector<double> params;
-    std::vector<double> points;
-    std::vector<double> tangents;
+    std::vector<double> params;   ///< Breaks.
+    std::vector<double> points;   ///< Points at them, packed.
+    std::vector<double> tangents; ///< Derivatives at them, packed.
 };
 
 /// The data from which create_hermite() makes a C^1 piecewise cubic again.
 inline Returned<Hermite> to_hermite(const Spline &g) {
-    const auto n = detail::result_of<std::int64_t>(
-        [&](auto *v) { return nurbs_to_hermite(g.get(), 0, nullptr, nullptr, nullptr, v); });
-    std::vector<double> values(detail::to_size(n * detail::dimension(g.get())));
-    Hermite result{std::vector<double>(detail::to_size(n)), values, values};
-    detail::call(nurbs_to_hermite, g.get(), n, result.params.data(), result.points.data(),
-                 result.tangents.data(), nullptr);
-    return result;
+    Hermite found{};
+    std::int64_t count = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_to_hermite, g.get(), cap, found.params.data(), found.points.data(),
+                     found.tangents.data(), &count);
+    };
+    call(0);
+    found.params = detail::room(count);
+    const std::int64_t dim = detail::dimension(g.get());
+    found.points = detail::room(count, dim);
+    found.tangents = detail::room(count, dim);
+    call(count);
+    return found;
 }
 
 /// The power basis of all pieces, packed, and the breaks of the axes one after the other.
 struct PowerForm {
-    std::vector<double> coefficients;
-    std::vector<double> breaks;
-    std::vector<std::int64_t> piece_counts;
+    std::vector<double> coefficients;       ///< Of all pieces, packed.
+    std::vector<double> breaks;             ///< Of the axes one after the other.
+    std::vector<std::int64_t> piece_counts; ///< Of each axis.
 };
 
 /// The power basis of every piece, of homogeneous points if the spline is rational.
 inline Returned<PowerForm> to_power(const Spline &g) {
-    PowerForm form{{}, {}, std::vector<std::int64_t>(detail::to_size(detail::axes(g.get())))};
-    const auto n = detail::result_of<std::int64_t>(
-        [&](auto *v) { return nurbs_to_power(g.get(), 0, nullptr, nullptr, form.piece_counts.data(), v); });
-    form.coefficients.resize(detail::to_size(n));
-    form.breaks.resize(detail::to_size(detail::sum(form.piece_counts)) + form.piece_counts.size());
-    detail::call(nurbs_to_power, g.get(), n, form.coefficients.data(), form.breaks.data(), nullptr, nullptr);
-    return form;
+    const std::int64_t axes = detail::axes(g.get());
+    PowerForm found{{}, {}, detail::room<std::int64_t>(axes)};
+    std::int64_t count = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_to_power, g.get(), cap, found.coefficients.data(), found.breaks.data(),
+                     found.piece_counts.data(), &count);
+    };
+    call(0);
+    found.coefficients = detail::room(count);
+    found.breaks = detail::room(detail::sum(found.piece_counts) + axes);
+    call(count);
+    return found;
 }
 
 /// The spline of pieces in the power basis; flags: homogeneous_records.
 inline Returned<Spline> create_power(View<std::int32_t> degrees, std::int32_t dim, const PowerForm &form,
                                      std::uint32_t flags = 0) {
-    std::vector<std::int64_t> factors = form.piece_counts;
-    for (const std::int32_t p : degrees) {
-        factors.push_back(std::int64_t{p} + 1);
-    }
-    factors.push_back(std::int64_t{dim} + ((flags & homogeneous_records) != 0 ? 1 : 0));
-    if (form.piece_counts.size() != degrees.size()) {
-        detail::wrong_size("piece_counts", form.piece_counts.size(), std::to_string(degrees.size()));
-    }
-    const std::int64_t wanted = detail::product(std::span<const std::int64_t>(factors));
-    if (wanted >= 0 && wanted != detail::length(form.coefficients)) {
-        detail::wrong_size("coefficients", form.coefficients.size(), std::to_string(wanted));
-    }
-    return detail::spline_of(nurbs_create_power, static_cast<std::int32_t>(degrees.size()), degrees.data(),
-                             form.piece_counts.data(), form.breaks.data(), detail::length(form.breaks), dim,
-                             form.coefficients.data(), 0, 0, flags);
+    detail::require(form.piece_counts, detail::length(degrees), "piece_counts");
+    detail::require_unless_negative(form.coefficients,
+                                    detail::times(detail::product<std::int64_t>(form.piece_counts),
+                                                  detail::piece_points(degrees),
+                                                  std::int64_t{dim} + detail::homogeneous(flags)),
+                                    "coefficients");
+    return detail::made<Spline>(nurbs_create_power, detail::axes_of(degrees), degrees.data(),
+                                form.piece_counts.data(), form.breaks.data(), detail::length(form.breaks),
+                                dim, form.coefficients.data(), 0, 0, flags);
 }
 
 /// The matrix, row by row, that takes coefficients of one basis to those of another.
 inline Returned<std::vector<double>> basis_matrix(std::int32_t from, std::int32_t to, std::int32_t degree) {
-    const std::int64_t size = degree < 0 || degree > NURBS_MAX_DEGREE ? 0 : (degree + 1) * (degree + 1);
-    std::vector<double> matrix(static_cast<std::size_t>(size));
-    detail::call(nurbs_basis_matrix, from, to, degree, size, matrix.data());
-    return matrix;
+    const std::int64_t size = detail::matrix_size(degree);
+    std::vector<double> values = detail::room(size);
+    detail::call(nurbs_basis_matrix, from, to, degree, size, values.data());
+    return values;
 }
 
 } // namespace NURBS_CPP_POLICY
