@@ -10,13 +10,14 @@ With --check nothing is written: the exit code is 1 if a file is not what would 
 import sys
 from pathlib import Path
 
+import calls
 import exports
 import fortran
 import header
 import python
 import rust
 
-BACKENDS = (fortran, python, rust, exports)
+BACKENDS = (fortran, python, rust, exports, calls)
 
 
 def contents(manual):
