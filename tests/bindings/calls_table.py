@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The reader of the good calls (cmake/interface/calls_reader.py): what it makes of an entry, and what it says of a wrong one.
+"""The good calls (cmake/interface/calls_reader.py): what becomes of an entry, and what is said of a wrong one.
 
     calls_table.py TOP     TOP is the folder of the project
 """
@@ -16,8 +16,8 @@ sys.path.insert(0, str(TOP / "cmake/interface"))
 import calls  # noqa: E402 - from the project
 import calls_reader  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
-from calls_model import (Bytes, CallsError, Handle, Handles, Items, NewHandle, NewStruct, Null, Number, Numbers, Path, Slot,  # noqa: E402
-                         Struct, StructSize)
+from calls_model import (Bytes, CallsError, Handle, Handles, Items, NewHandle, NewStruct, Null, Number,  # noqa: E402
+                         Numbers, Path, Slot, Struct, StructSize)
 
 MANUAL = header.read(TOP)
 INPUTS = tomllib.loads((TOP / "tests/capi/calls/inputs.toml").read_text(encoding="utf-8"))
@@ -112,10 +112,10 @@ class Messages(unittest.TestCase):
                    "some.toml: eval: nurbs_eval has no parameter parms; it has g, n, params")
         self.check('clone = {g = "curv"}', "clone: g: 'curv' is no spline of inputs.toml, which has curve, loop")
         self.check('clone = {g = "list"}', "'list' is no spline")
-        self.check('eval = {g = "curve", params = "parms"}', "params: 'parms' is no array of inputs.toml, which has new_knots")
-        self.check('eval = {g = "curve", params = "curve.knot"}', "params: curve is made without an array knot; it has degrees")
-        self.check('iso = {g = "surface", axis = 0, param = 0, flags = "NURBS_CLAMPED"}', "there is no constant NURBS_CLAMPED")
-        self.check('read = {bytes = "file", options = {units = 1}}', "options: nurbs_read_options has no field units; it has")
+        self.check('eval = {g = "curve", params = "parms"}', "params: 'parms' is no array of inputs.toml")
+        self.check('eval = {g = "curve", params = "curve.knot"}', "params: curve is made without an array knot; it has")
+        self.check('iso = {g = "surface", axis = 0, param = 0, flags = "NURBS_CLAMPED"}', "no constant NURBS_CLAMPED")
+        self.check('read = {bytes = "file", options = {units = 1}}', "options: nurbs_read_options has no field units")
         self.check('read = {bytes = "files"}', "bytes: 'files' is no text")
         self.check("axes = 1", "some.toml: axes is no table")
 
@@ -128,7 +128,7 @@ class Messages(unittest.TestCase):
         self.check('mirror = {g = "curve", point = [1], normal = [1, 0]}',
                    "point: has 1 elements, but [dim] asks for 2 here")
         self.check('eval = {g = "curve", n = 7, params = "params"}', "params: has 6 elements, but [n][axes] asks for 7 here")
-        self.check('extract = {g = "half", lower = [0], upper = [1]}', "a length depends on half, which only the library knows")
+        self.check('extract = {g = "half", lower = [0], upper = [1]}', "a length depends on half, which only the library")
         self.check('eval_derivs = {g = "volume", order = 30, params = "center"}', "do not fit into Output::values")
 
     def test_types(self):

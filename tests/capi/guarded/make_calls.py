@@ -10,7 +10,6 @@ Running, which lives as long as a call, and Array, which gives the function the 
 the shapes of the comments in nurbs.h ask for.
 """
 
-import re
 import sys
 from pathlib import Path
 
