@@ -10,6 +10,7 @@ With --check nothing is written: the exit code is 1 if a file is not what would 
 import sys
 from pathlib import Path
 
+import calls
 import cpp
 import exports
 import formatting
@@ -19,7 +20,7 @@ import python
 import rust
 import table
 
-DECLARATIONS = (fortran, python, rust, exports)  # FILES: {path: what makes the text of the header}
+DECLARATIONS = (fortran, python, rust, exports, calls)  # FILES: {path: what makes the text of the header}
 WRAPPERS = (cpp,)  # files(binding): {path: text}, of the header and the table
 
 

@@ -163,6 +163,7 @@ class Entry:
     methods: dict = field(default_factory=dict)  # language -> [Method]
     by_hand: str = ""
     watched: object = None  # header.Function: nurbs_X_with, the form of this one that takes nurbs_call_options
+    packed: bool = False  # nurbs_X_with takes structs: the core has a function of that name with all arguments
 
     @property
     def name(self):

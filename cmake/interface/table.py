@@ -24,6 +24,7 @@ ENTRY_KEYS = {"call", "doc", "section", "where", "shape", "into", "space_only", 
 LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "by_hand", "dim_of"}
 RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand", "of_splines"}
 RECORD_LANGUAGE_KEYS = {"name", "outputs", "rename"}
+MOST_PARAMETERS = 12  # of a new function
 
 
 class TableError(Exception):
@@ -147,7 +148,8 @@ class Reader:
             self.report(f"{place}: {language + '.' if own else ''}call", str(error))
 
     def add_watched(self, entry, place):
-        """nurbs_X_with has the parameters of nurbs_X and one more."""
+        """nurbs_X_with has the parameters of nurbs_X and one more, which stands last or before a new handle. Where that
+        would be too many it takes structs, and the core of each language has a function with all of them."""
         name = f"{entry.name}_with"
         form = self.functions.get(name)
         if form is None:
@@ -155,9 +157,12 @@ class Reader:
             return
         own = [(parameter.c_type, parameter.name) for parameter in entry.function.parameters]
         others = [(parameter.c_type, parameter.name) for parameter in form.parameters]
-        if others != [*own, ("const nurbs_call_options *", "call")]:
-            self.report(place, f"watched: {name} has to have the parameters of {entry.name}, and last "
-                               "const nurbs_call_options *call")
+        end = len(own) - (own[-1][1] == "out")
+        wanted = [*own[:end], ("const nurbs_call_options *", "call"), *own[end:]]
+        entry.packed = others != wanted and len(wanted) > MOST_PARAMETERS
+        if others != wanted and not entry.packed:
+            self.report(place, f"watched: {name} has to have the parameters of {entry.name}, and "
+                               "const nurbs_call_options *call last or before out")
             return
         entry.watched = form
 

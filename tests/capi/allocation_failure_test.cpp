@@ -5,6 +5,7 @@
 #include "calls/calls.h"
 
 #include "allocations.h"
+#include "shapes.h"
 
 #include <cstdio>
 #include <vector>

@@ -121,17 +121,16 @@ void replace(Random &random, nurbs *&g) {
 calls::Inputs extreme_inputs(uint64_t seed) {
     Random random(seed);
     calls::Inputs in = calls::make_inputs();
-    for (nurbs **g :
-         {&in.curve, &in.loop, &in.surface, &in.volume, &in.homogeneous, &in.twist, &in.segment}) {
-        replace(random, *g);
+    for (const auto spline : calls::splines) {
+        replace(random, in.*spline);
     }
     return in;
 }
 
 std::vector<std::vector<double>> all_numbers(const calls::Inputs &in) {
     std::vector<std::vector<double>> all;
-    for (const nurbs *g : {in.curve, in.loop, in.surface, in.volume, in.homogeneous, in.twist, in.segment}) {
-        all.push_back(calls::numbers_of(g));
+    for (const auto spline : calls::splines) {
+        all.push_back(calls::numbers_of(in.*spline));
     }
     return all;
 }

@@ -4,7 +4,6 @@
 // are compiled with functions that move all arrays there; all functions are called, and every array of each
 // is there in some call.
 #include "guarded/batches.h"
-#include "guarded/complete_calls.h"
 
 #include <csignal>
 #include <cstdio>
@@ -35,11 +34,6 @@ void all_calls() {
     calls::for_each_allocating([&](const calls::Call &call) { run(call, in); });
     for (const calls::Call &call : calls::scalar_calls()) {
         run(call, in);
-    }
-    for (const auto group : calls::complete_calls()) {
-        for (const calls::Call &call : group) {
-            run(call, in);
-        }
     }
     evaluate_nothing(in);
     evaluate_batches();

@@ -4,6 +4,7 @@
 #include "calls/calls.h"
 
 #include "iges_text.h"
+#include "shapes.h"
 
 #include <array>
 #include <atomic>
@@ -273,8 +274,10 @@ public:
             add_numbers(g);
             nurbs_destroy(g);
         }
-        if (o_.out != check_poison()) {
-            add_numbers(o_.out);
+        for (const nurbs *g : {o_.out, o_.other}) {
+            if (g != check_poison()) {
+                add_numbers(g);
+            }
         }
         calls::destroy(o_);
     }

@@ -14,6 +14,8 @@ class Body:
         self.method, self.binding, self.watched = method, binding, watched
         self.entry, self.values = method.entry, method.values
         self.function = self.entry.watched.name if watched else self.entry.name
+        if watched and self.entry.packed:
+            self.function = f"detail::{self.function}"
         self.inputs = Inputs(method, binding)
         self.terms = self.inputs.terms
         self.targets = {}  # output: C++ expressions that are passed for it
@@ -259,12 +261,9 @@ class Body:
         return next(extent for value in self.values.values() for extent in value.extents if extent.name == "dim")
 
     def making(self, value):
-        """The expression of a new Spline or List; the handle is the last argument but in a watched form."""
+        """The expression of a new Spline or List; the handle is the last argument."""
         kind = "Spline" if value.kind == "spline" else "List"
-        if not self.watched:
-            return f"detail::made<{kind}>({self.call(without=value)})"
-        self.targets[value.name] = [value.name]
-        return f"detail::made<{kind}>([&]({value.base} **{value.name}) {{ return {self.plain_call()}; }})"
+        return f"detail::made<{kind}>({self.call(without=value)})"
 
     def call(self, without=None):
         """nurbs_x, argument, ..."""
@@ -274,7 +273,11 @@ class Body:
         return f"{self.function}({', '.join(self.arguments(None))})"
 
     def arguments(self, without):
+        waiting = self.watched
         for value in self.values.values():
+            if waiting and value.name == "out":
+                yield "watch.get()"
+                waiting = False
             if value is without:
                 continue
             if value.kind in ("cap", "count") and value.name not in self.targets:
@@ -283,5 +286,5 @@ class Body:
                 yield from self.inputs.passed(value)
             else:
                 yield from self.targets.get(value.name, ["nullptr"])
-        if self.watched:
+        if waiting:
             yield "watch.get()"

@@ -62,6 +62,26 @@ inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds) {
     found.complete = complete != 0;
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds, const CallOptions &call) {
+    CurveFeatures found{};
+    const detail::Watch watch(call);
+    std::vector<std::int32_t> found_bits;
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_curve_features_with, g.get(), kinds, cap, found.params.data(), found_bits.data(),
+                     found.values.data(), &count, &complete, watch.get());
+    };
+    call(0);
+    found.params = detail::room(count);
+    found_bits = detail::room<std::int32_t>(count);
+    found.values = detail::room(count);
+    call(count);
+    found.found.assign(found_bits.begin(), found_bits.end());
+    found.complete = complete != 0;
+    return found;
+}
 
 /// Lower ends of pieces, and 1, -1 or 0 where the curve rises, falls or stays.
 struct MonotonePieces {
@@ -181,6 +201,16 @@ inline Returned<Fold> fold_test(const Spline &g, View<double> reference = {}) {
     Fold found{0, detail::room(axes), detail::room(axes)};
     detail::call(nurbs_fold_test, g.get(), detail::pointer(reference), &found.result, found.positive.data(),
                  found.negative.data());
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Fold> fold_test(const Spline &g, View<double> reference, const CallOptions &call) {
+    detail::require_given(reference, 3, "reference");
+    const std::int64_t axes = detail::axes(g.get());
+    Fold found{0, detail::room(axes), detail::room(axes)};
+    const detail::Watch watch(call);
+    detail::call(nurbs_fold_test_with, g.get(), detail::pointer(reference), &found.result,
+                 found.positive.data(), found.negative.data(), watch.get());
     return found;
 }
 

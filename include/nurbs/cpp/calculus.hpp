@@ -38,10 +38,21 @@ inline Returned<Spline> antiderivative(const Spline &g, std::int32_t axis) {
 inline Returned<Spline> product(const Spline &a, const Spline &b, std::uint32_t flags = 0) {
     return detail::made<Spline>(nurbs_product, a.get(), b.get(), flags);
 }
+/// The same; `call` can watch and end it.
+inline Returned<Spline> product(const Spline &a, const Spline &b, std::uint32_t flags,
+                                const CallOptions &call) {
+    const detail::Watch watch(call);
+    return detail::made<Spline>(nurbs_product_with, a.get(), b.get(), flags, watch.get());
+}
 
 /// g(f(t)) for a curve f in the parameter space of g.
 inline Returned<Spline> compose(const Spline &g, const Spline &f) {
     return detail::made<Spline>(nurbs_compose, g.get(), f.get());
+}
+/// The same; `call` can watch and end it.
+inline Returned<Spline> compose(const Spline &g, const Spline &f, const CallOptions &call) {
+    const detail::Watch watch(call);
+    return detail::made<Spline>(nurbs_compose_with, g.get(), f.get(), watch.get());
 }
 
 /// alpha a(t) + beta b(t).

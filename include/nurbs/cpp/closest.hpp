@@ -86,6 +86,40 @@ inline Returned<void> closest_points(const Spline &g, Input points, const Closes
     });
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<void> closest_points(const Spline &g, Input points, const ClosestOutputs &out,
+                                     const Search &how, const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    const detail::Watch watch(call);
+    detail::require_wanted(out.params, n, axes, "params");
+    detail::require_wanted(out.points, n, dim, "points");
+    detail::require_wanted(out.distances, n, 1, "distances");
+    detail::require_given(out.status, n, "status");
+    return detail::call(detail::nurbs_closest_points_with, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), detail::pointer(how.range), how.tolerance, how.budget,
+                        detail::pointer(out.params), out.params.stride(), out.params.component_stride(),
+                        detail::pointer(out.points), out.points.stride(), out.points.component_stride(),
+                        detail::pointer(out.distances), out.distances.step(), detail::pointer(out.status),
+                        how.flags, watch.get());
+}
+/// The same; `call` can watch and end it.
+[[nodiscard]] inline Returned<ClosestPoints> closest_points(const Spline &g, Input points, const Search &how,
+                                                            const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    ClosestPoints found{detail::room(n, axes), detail::room(n, dim), detail::room(n),
+                        detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return closest_points(g, points, {found.params, found.points, found.distances, found.status}, how,
+                              call);
+    });
+    return found;
+}
 
 /// The farthest points of a spline.
 inline Returned<void> farthest_points(const Spline &g, Input points, const ClosestOutputs &out,
@@ -116,6 +150,40 @@ inline Returned<void> farthest_points(const Spline &g, Input points, const Close
                         detail::room<std::int32_t>(n)};
     detail::run([&] {
         return farthest_points(g, points, {found.params, found.points, found.distances, found.status}, how);
+    });
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<void> farthest_points(const Spline &g, Input points, const ClosestOutputs &out,
+                                      const Search &how, const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    const detail::Watch watch(call);
+    detail::require_wanted(out.params, n, axes, "params");
+    detail::require_wanted(out.points, n, dim, "points");
+    detail::require_wanted(out.distances, n, 1, "distances");
+    detail::require_given(out.status, n, "status");
+    return detail::call(detail::nurbs_farthest_points_with, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), detail::pointer(how.range), how.tolerance, how.budget,
+                        detail::pointer(out.params), out.params.stride(), out.params.component_stride(),
+                        detail::pointer(out.points), out.points.stride(), out.points.component_stride(),
+                        detail::pointer(out.distances), out.distances.step(), detail::pointer(out.status),
+                        how.flags, watch.get());
+}
+/// The same; `call` can watch and end it.
+[[nodiscard]] inline Returned<ClosestPoints> farthest_points(const Spline &g, Input points, const Search &how,
+                                                             const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    ClosestPoints found{detail::room(n, axes), detail::room(n, dim), detail::room(n),
+                        detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return farthest_points(g, points, {found.params, found.points, found.distances, found.status}, how,
+                               call);
     });
     return found;
 }
@@ -153,6 +221,40 @@ inline Returned<void> closest_local(const Spline &g, Input points, Input guesses
     });
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<void> closest_local(const Spline &g, Input points, Input guesses, const ClosestOutputs &out,
+                                    std::uint32_t flags, const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    guesses.require(n, axes, "guesses");
+    const detail::Watch watch(call);
+    detail::require_wanted(out.params, n, axes, "params");
+    detail::require_wanted(out.points, n, dim, "points");
+    detail::require_wanted(out.distances, n, 1, "distances");
+    detail::require_given(out.status, n, "status");
+    return detail::call(detail::nurbs_closest_local_with, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), guesses.data(), guesses.stride(),
+                        guesses.component_stride(), detail::pointer(out.params), out.params.stride(),
+                        out.params.component_stride(), detail::pointer(out.points), out.points.stride(),
+                        out.points.component_stride(), detail::pointer(out.distances), out.distances.step(),
+                        detail::pointer(out.status), flags, watch.get());
+}
+/// The same; `call` can watch and end it.
+[[nodiscard]] inline Returned<ClosestPoints> closest_local(const Spline &g, Input points, Input guesses,
+                                                           std::uint32_t flags, const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    guesses.require(n, axes, "guesses");
+    ClosestPoints found{detail::room(n, axes), detail::room(n, dim), detail::room(n),
+                        detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return closest_local(g, points, guesses, {found.params, found.points, found.distances, found.status},
+                             flags, call);
+    });
+    return found;
+}
 
 /// Points as near as the nearest one to the tolerance: parameters [n][axes], and the status of the search.
 struct ClosestAll {
@@ -171,6 +273,26 @@ inline Returned<ClosestAll> closest_all(const Spline &g, View<double> point, con
     const auto call = [&](std::int64_t cap) {
         detail::call(nurbs_closest_all, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
                      how.budget, cap, found.params.data(), found.distances.data(), &count, &found.status);
+    };
+    call(0);
+    found.params = detail::room(count, axes);
+    found.distances = detail::room(count);
+    call(count);
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<ClosestAll> closest_all(const Spline &g, View<double> point, const Search &how,
+                                        const CallOptions &call) {
+    detail::require(point, detail::dimension(g.get()), "point");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    ClosestAll found{};
+    const detail::Watch watch(call);
+    std::int64_t count = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_closest_all_with, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
+                     how.budget, cap, found.params.data(), found.distances.data(), &count, &found.status,
+                     watch.get());
     };
     call(0);
     found.params = detail::room(count, axes);
@@ -198,6 +320,27 @@ inline Returned<CriticalPoints> critical_points(const Spline &g, View<double> po
         detail::call(nurbs_critical_points, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
                      how.budget, cap, found.params.data(), found.distances.data(), found.kinds.data(), &count,
                      &found.status);
+    };
+    call(0);
+    found.params = detail::room(count, axes);
+    found.distances = detail::room(count);
+    found.kinds = detail::room<std::int32_t>(count);
+    call(count);
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<CriticalPoints> critical_points(const Spline &g, View<double> point, const Search &how,
+                                                const CallOptions &call) {
+    detail::require(point, detail::dimension(g.get()), "point");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require_given(how.range, 2 * axes, "range");
+    CriticalPoints found{};
+    const detail::Watch watch(call);
+    std::int64_t count = 0;
+    const auto call = [&](std::int64_t cap) {
+        detail::call(nurbs_critical_points_with, g.get(), point.data(), detail::pointer(how.range),
+                     how.tolerance, how.budget, cap, found.params.data(), found.distances.data(),
+                     found.kinds.data(), &count, &found.status, watch.get());
     };
     call(0);
     found.params = detail::room(count, axes);
@@ -244,6 +387,29 @@ inline Returned<void> signed_distances(const Spline &g, Input points, const Sign
     });
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<void> signed_distances(const Spline &g, Input points, const SignedOutputs &out,
+                                       const Search &how, const CallOptions &call) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    const detail::Watch watch(call);
+    out.distances.require(n, 1, "distances");
+    detail::require_wanted(out.params, n, 1, "params");
+    detail::require_given(out.status, n, "status");
+    return detail::call(detail::nurbs_curve_signed_distances_with, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), how.tolerance, how.budget, out.distances.data(),
+                        out.distances.step(), detail::pointer(out.params), out.params.step(),
+                        detail::pointer(out.status), how.flags, watch.get());
+}
+/// The same; `call` can watch and end it.
+[[nodiscard]] inline Returned<SignedDistances> signed_distances(const Spline &g, Input points,
+                                                                const Search &how, const CallOptions &call) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    SignedDistances found{detail::room(n), detail::room(n), detail::room<std::int32_t>(n)};
+    detail::run([&] {
+        return signed_distances(g, points, {found.distances, found.params, found.status}, how, call);
+    });
+    return found;
+}
 
 /// Bounds of a distance, and the parameters of a point of each spline.
 struct Distance {
@@ -260,6 +426,15 @@ inline Returned<Distance> distance(const Spline &a, const Spline &b, double tole
     Distance found{0, 0, detail::room(detail::axes(a.get())), detail::room(detail::axes(b.get())), 0};
     detail::call(nurbs_distance, a.get(), b.get(), tolerance, budget, &found.at_least, &found.at_most,
                  found.params_a.data(), found.params_b.data(), &found.status);
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Distance> distance(const Spline &a, const Spline &b, double tolerance, std::int64_t budget,
+                                   const CallOptions &call) {
+    Distance found{0, 0, detail::room(detail::axes(a.get())), detail::room(detail::axes(b.get())), 0};
+    const detail::Watch watch(call);
+    detail::call(nurbs_distance_with, a.get(), b.get(), tolerance, budget, &found.at_least, &found.at_most,
+                 found.params_a.data(), found.params_b.data(), &found.status, watch.get());
     return found;
 }
 
@@ -280,6 +455,17 @@ inline Returned<HausdorffDistance> hausdorff_distance(const Spline &a, const Spl
         {}, {}, detail::room(detail::axes(a.get())), detail::room(detail::axes(b.get())), 0};
     detail::call(nurbs_hausdorff_distance, a.get(), b.get(), tolerance, budget, found.at_least.data(),
                  found.at_most.data(), found.params_a.data(), found.params_b.data(), &found.status);
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<HausdorffDistance> hausdorff_distance(const Spline &a, const Spline &b, double tolerance,
+                                                      std::int64_t budget, const CallOptions &call) {
+    HausdorffDistance found{
+        {}, {}, detail::room(detail::axes(a.get())), detail::room(detail::axes(b.get())), 0};
+    const detail::Watch watch(call);
+    detail::call(nurbs_hausdorff_distance_with, a.get(), b.get(), tolerance, budget, found.at_least.data(),
+                 found.at_most.data(), found.params_a.data(), found.params_b.data(), &found.status,
+                 watch.get());
     return found;
 }
 

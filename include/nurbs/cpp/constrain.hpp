@@ -67,6 +67,27 @@ inline Returned<Constrained> constrain(const Spline &g, const Constraints &given
         made.residuals.data(), &made.rank, &made.moved, &made.optimality);
     return made;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Constrained> constrain(const Spline &g, const Constraints &given,
+                                       const ConstrainOptions &options, const CallOptions &call) {
+    const std::int64_t axes = detail::axes(g.get());
+    const std::int64_t count = detail::records(given.params, axes, "params");
+    detail::require(given.targets, count * detail::dimension(g.get()), "targets");
+    detail::require_given(given.kinds, count, "kinds");
+    detail::require_given(given.orders, count * axes, "orders");
+    detail::require_given(options.keep, 2 * axes, "keep");
+    const std::int64_t net_size = detail::point_count(g.get());
+    detail::require_given(options.costs, net_size, "costs");
+    detail::require_given(options.weight_costs, net_size, "weight_costs");
+    Constrained made{{}, detail::room(count), 0, 0, 0};
+    const detail::Watch watch(call);
+    made.spline = detail::made<Spline>(
+        detail::nurbs_constrain_with, g.get(), count, detail::pointer(given.kinds),
+        detail::pointer(given.orders), given.params.data(), given.targets.data(),
+        detail::pointer(options.keep), detail::pointer(options.costs), detail::pointer(options.weight_costs),
+        options.tolerance, made.residuals.data(), &made.rank, &made.moved, &made.optimality, watch.get());
+    return made;
+}
 
 } // namespace NURBS_CPP_POLICY
 } // namespace libnurbs

@@ -72,6 +72,21 @@ inline Returned<Deformed> bend(const Spline &g, const Bend &how, double toleranc
     made.proven = proven != 0;
     return made;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Deformed> bend(const Spline &g, const Bend &how, double tolerance, const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    detail::require(how.origin, dim, "origin");
+    detail::require(how.along, dim, "along");
+    detail::require(how.across, dim, "across");
+    Deformed made{};
+    const detail::Watch watch(call);
+    std::int32_t proven = 0;
+    made.spline = detail::made<Spline>(nurbs_bend_with, g.get(), how.origin.data(), how.along.data(),
+                                       how.across.data(), how.curvature, how.lower, how.upper, tolerance,
+                                       &made.deviation, &proven, watch.get());
+    made.proven = proven != 0;
+    return made;
+}
 
 /// A shape in the box from `lower` to `upper` mapped by a volume.
 inline Returned<Deformed> free_form_deform(const Spline &g, const Spline &volume, View<double> lower,
@@ -83,6 +98,20 @@ inline Returned<Deformed> free_form_deform(const Spline &g, const Spline &volume
     std::int32_t proven = 0;
     made.spline = detail::made<Spline>(nurbs_free_form_deform, g.get(), volume.get(), lower.data(),
                                        upper.data(), tolerance, &made.deviation, &proven);
+    made.proven = proven != 0;
+    return made;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Deformed> free_form_deform(const Spline &g, const Spline &volume, View<double> lower,
+                                           View<double> upper, double tolerance, const CallOptions &call) {
+    const std::int64_t axes_of_volume = detail::axes(volume.get());
+    detail::require(lower, axes_of_volume, "lower");
+    detail::require(upper, axes_of_volume, "upper");
+    Deformed made{};
+    const detail::Watch watch(call);
+    std::int32_t proven = 0;
+    made.spline = detail::made<Spline>(nurbs_free_form_deform_with, g.get(), volume.get(), lower.data(),
+                                       upper.data(), tolerance, &made.deviation, &proven, watch.get());
     made.proven = proven != 0;
     return made;
 }
@@ -102,6 +131,16 @@ inline Returned<Faired> fair(const Spline &g, std::int32_t order, double toleran
     Faired made{};
     made.spline = detail::made<Spline>(nurbs_fair, g.get(), order, detail::pointer(keep), tolerance,
                                        made.energies.data(), &made.bound);
+    return made;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Faired> fair(const Spline &g, std::int32_t order, double tolerance, View<std::int32_t> keep,
+                             const CallOptions &call) {
+    detail::require_given(keep, 2 * detail::axes(g.get()), "keep");
+    Faired made{};
+    const detail::Watch watch(call);
+    made.spline = detail::made<Spline>(nurbs_fair_with, g.get(), order, detail::pointer(keep), tolerance,
+                                       made.energies.data(), &made.bound, watch.get());
     return made;
 }
 

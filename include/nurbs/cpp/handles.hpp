@@ -5,6 +5,7 @@
 #define NURBS_CPP_HANDLES_HPP
 
 #include <nurbs/cpp/arrays.hpp>
+#include <nurbs/cpp/calls.hpp>
 
 #include <optional>
 #include <utility>

@@ -44,12 +44,28 @@ public:
                                              const ReadOptions &options = {}) {
         return detail::made<List>(nurbs_read, bytes.data(), detail::length(bytes), &options);
     }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<List> read(std::span<const std::byte> bytes, const ReadOptions &options,
+                                             const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<List>(nurbs_read_with, bytes.data(), detail::length(bytes), &options,
+                                  watch.get());
+    }
     /// Reads a file by its path.
     [[nodiscard]] static Returned<List> read_file(const std::string &path, const ReadOptions &options = {}) {
         if (path.find('\0') != std::string::npos) {
             detail::fail(Status::file, "path contains a zero byte");
         }
         return detail::made<List>(nurbs_read_file, path.c_str(), &options);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<List> read_file(const std::string &path, const ReadOptions &options,
+                                                  const CallOptions &call) {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        const detail::Watch watch(call);
+        return detail::made<List>(nurbs_read_file_with, path.c_str(), &options, watch.get());
     }
     /// Number of splines.
     [[nodiscard]] Returned<std::int64_t> size() const {

@@ -29,6 +29,16 @@ inline Returned<Measured> length(const Spline &g, double relative_tolerance = 0,
                  &found.error);
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Measured> length(const Spline &g, double relative_tolerance, View<double> range,
+                                 const CallOptions &call) {
+    detail::require_given(range, 2 * detail::axes(g.get()), "range");
+    Measured found{};
+    const detail::Watch watch(call);
+    detail::call(nurbs_curve_length_with, g.get(), detail::pointer(range), relative_tolerance, &found.value,
+                 &found.error, watch.get());
+    return found;
+}
 
 /// Lengths from the start of the domain to parameters.
 inline Returned<void> lengths(const Spline &g, Input params, Output lengths, double relative_tolerance = 0) {
@@ -43,6 +53,23 @@ inline Returned<void> lengths(const Spline &g, Input params, Output lengths, dou
     const std::int64_t n = detail::records(params, 1, "params");
     std::vector<double> values = detail::room(n);
     detail::run([&] { return lengths(g, params, values, relative_tolerance); });
+    return values;
+}
+/// The same; `call` can watch and end it.
+inline Returned<void> lengths(const Spline &g, Input params, Output lengths, double relative_tolerance,
+                              const CallOptions &call) {
+    const std::int64_t n = detail::records(params, 1, "params");
+    const detail::Watch watch(call);
+    lengths.require(n, 1, "lengths");
+    return detail::call(nurbs_curve_lengths_with, g.get(), n, params.data(), params.step(),
+                        relative_tolerance, lengths.data(), lengths.step(), watch.get());
+}
+/// The same; `call` can watch and end it.
+[[nodiscard]] inline Returned<std::vector<double>>
+lengths(const Spline &g, Input params, double relative_tolerance, const CallOptions &call) {
+    const std::int64_t n = detail::records(params, 1, "params");
+    std::vector<double> values = detail::room(n);
+    detail::run([&] { return lengths(g, params, values, relative_tolerance, call); });
     return values;
 }
 
@@ -62,6 +89,26 @@ params_at_lengths(const Spline &g, Input lengths, double relative_tolerance = 0,
     detail::run([&] { return params_at_lengths(g, lengths, values, relative_tolerance, flags); });
     return values;
 }
+/// The same; `call` can watch and end it.
+inline Returned<void> params_at_lengths(const Spline &g, Input lengths, Output params,
+                                        double relative_tolerance, std::uint32_t flags,
+                                        const CallOptions &call) {
+    const std::int64_t n = detail::records(lengths, 1, "lengths");
+    const detail::Watch watch(call);
+    params.require(n, 1, "params");
+    return detail::call(nurbs_curve_params_at_lengths_with, g.get(), n, lengths.data(), lengths.step(),
+                        relative_tolerance, params.data(), params.step(), flags, watch.get());
+}
+/// The same; `call` can watch and end it.
+[[nodiscard]] inline Returned<std::vector<double>> params_at_lengths(const Spline &g, Input lengths,
+                                                                     double relative_tolerance,
+                                                                     std::uint32_t flags,
+                                                                     const CallOptions &call) {
+    const std::int64_t n = detail::records(lengths, 1, "lengths");
+    std::vector<double> values = detail::room(n);
+    detail::run([&] { return params_at_lengths(g, lengths, values, relative_tolerance, flags, call); });
+    return values;
+}
 
 /// Parameters [parts + 1], and the length or chord of a part.
 struct Division {
@@ -78,6 +125,16 @@ inline Returned<Division> divide(const Spline &g, std::int64_t parts, double rel
                  found.params.data(), &found.size);
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Division> divide(const Spline &g, std::int64_t parts, double relative_tolerance,
+                                 std::uint32_t flags, View<double> range, const CallOptions &call) {
+    detail::require_given(range, 2 * detail::axes(g.get()), "range");
+    Division found{detail::room(detail::positive(parts) + 1), 0};
+    const detail::Watch watch(call);
+    detail::call(nurbs_curve_divide_with, g.get(), detail::pointer(range), parts, relative_tolerance, flags,
+                 found.params.data(), &found.size, watch.get());
+    return found;
+}
 
 /// Area of a surface over a range [2][2] of its domain, or all of it.
 inline Returned<Measured> area(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
@@ -85,6 +142,16 @@ inline Returned<Measured> area(const Spline &g, double relative_tolerance = 0, V
     Measured found{};
     detail::call(nurbs_surface_area, g.get(), detail::pointer(range), relative_tolerance, &found.value,
                  &found.error);
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Measured> area(const Spline &g, double relative_tolerance, View<double> range,
+                               const CallOptions &call) {
+    detail::require_given(range, 2 * detail::axes(g.get()), "range");
+    Measured found{};
+    const detail::Watch watch(call);
+    detail::call(nurbs_surface_area_with, g.get(), detail::pointer(range), relative_tolerance, &found.value,
+                 &found.error, watch.get());
     return found;
 }
 
@@ -110,6 +177,19 @@ inline Returned<Moments> moments(const Spline &g, double relative_tolerance = 0)
         found.centroid, found.inertia);
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Moments> moments(const Spline &g, double relative_tolerance, const CallOptions &call) {
+    const std::int64_t dim = detail::dimension(g.get());
+    Moments found{0, detail::room(dim), detail::room(dim, dim), 0};
+    const detail::Watch watch(call);
+    detail::call_moments(
+        [&](double *centroid, double *inertia) {
+            return nurbs_moments_with(g.get(), relative_tolerance, &found.content, centroid, inertia,
+                                      &found.error, watch.get());
+        },
+        found.centroid, found.inertia);
+    return found;
+}
 
 /// What curves in the plane enclose.
 struct EnclosedArea {
@@ -127,6 +207,20 @@ inline Returned<EnclosedArea> enclosed_area(std::span<const Spline> curves, doub
         [&](double *centroid, double *inertia) {
             return nurbs_enclosed_area(detail::length(curves), detail::handle_list(curves).data(), tolerance,
                                        relative_tolerance, &found.area, centroid, inertia, &found.error);
+        },
+        found.centroid, {detail::flat(found.inertia), 4});
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<EnclosedArea> enclosed_area(std::span<const Spline> curves, double tolerance,
+                                            double relative_tolerance, const CallOptions &call) {
+    EnclosedArea found{};
+    const detail::Watch watch(call);
+    detail::call_moments(
+        [&](double *centroid, double *inertia) {
+            return nurbs_enclosed_area_with(detail::length(curves), detail::handle_list(curves).data(),
+                                            tolerance, relative_tolerance, &found.area, centroid, inertia,
+                                            &found.error, watch.get());
         },
         found.centroid, {detail::flat(found.inertia), 4});
     return found;
@@ -150,6 +244,20 @@ inline Returned<EnclosedVolume> enclosed_volume(std::span<const Spline> surfaces
             return nurbs_enclosed_volume(detail::length(surfaces), detail::handle_list(surfaces).data(),
                                          relative_tolerance, &found.volume, centroid, inertia,
                                          &found.openness, &found.error);
+        },
+        found.centroid, {detail::flat(found.inertia), 9});
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<EnclosedVolume> enclosed_volume(std::span<const Spline> surfaces, double relative_tolerance,
+                                                const CallOptions &call) {
+    EnclosedVolume found{};
+    const detail::Watch watch(call);
+    detail::call_moments(
+        [&](double *centroid, double *inertia) {
+            return nurbs_enclosed_volume_with(detail::length(surfaces), detail::handle_list(surfaces).data(),
+                                              relative_tolerance, &found.volume, centroid, inertia,
+                                              &found.openness, &found.error, watch.get());
         },
         found.centroid, {detail::flat(found.inertia), 9});
     return found;

@@ -50,6 +50,18 @@ inline Returned<Recognized> recognize(const Spline &g, double tolerance) {
     std::copy_n(placement.begin() + 6, 3, found.x.begin());
     return found;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Recognized> recognize(const Spline &g, double tolerance, const CallOptions &call) {
+    Recognized found{};
+    const detail::Watch watch(call);
+    std::array<double, 9> placement{};
+    detail::call(nurbs_recognize_with, g.get(), tolerance, &found.shape, placement.data(), found.sizes.data(),
+                 &found.deviation, watch.get());
+    std::copy_n(placement.begin(), 3, found.origin.begin());
+    std::copy_n(placement.begin() + 3, 3, found.axis.begin());
+    std::copy_n(placement.begin() + 6, 3, found.x.begin());
+    return found;
+}
 
 } // namespace NURBS_CPP_POLICY
 } // namespace libnurbs

@@ -53,6 +53,15 @@ inline Returned<Reduced> reduce_knots(const Spline &g, std::int32_t axis, double
     made.spline = detail::made<Spline>(nurbs_reduce_knots, g.get(), axis, tolerance, &made.bound);
     return made;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Reduced> reduce_knots(const Spline &g, std::int32_t axis, double tolerance,
+                                      const CallOptions &call) {
+    Reduced made{};
+    const detail::Watch watch(call);
+    made.spline =
+        detail::made<Spline>(nurbs_reduce_knots_with, g.get(), axis, tolerance, &made.bound, watch.get());
+    return made;
+}
 
 /// The closest spline of lower degree.
 inline Returned<Reduced> reduce_degree(const Spline &g, std::int32_t axis, std::int32_t times) {
@@ -60,11 +69,27 @@ inline Returned<Reduced> reduce_degree(const Spline &g, std::int32_t axis, std::
     made.spline = detail::made<Spline>(nurbs_reduce_degree, g.get(), axis, times, &made.bound);
     return made;
 }
+/// The same; `call` can watch and end it.
+inline Returned<Reduced> reduce_degree(const Spline &g, std::int32_t axis, std::int32_t times,
+                                       const CallOptions &call) {
+    Reduced made{};
+    const detail::Watch watch(call);
+    made.spline =
+        detail::made<Spline>(nurbs_reduce_degree_with, g.get(), axis, times, &made.bound, watch.get());
+    return made;
+}
 
 /// The simplest spline within the tolerance.
 inline Returned<Reduced> simplify(const Spline &g, double tolerance) {
     Reduced made{};
     made.spline = detail::made<Spline>(nurbs_simplify, g.get(), tolerance, &made.bound);
+    return made;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Reduced> simplify(const Spline &g, double tolerance, const CallOptions &call) {
+    Reduced made{};
+    const detail::Watch watch(call);
+    made.spline = detail::made<Spline>(nurbs_simplify_with, g.get(), tolerance, &made.bound, watch.get());
     return made;
 }
 

@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -186,7 +187,31 @@ void run(F &&f, Arguments &&...arguments) {
 
 namespace detail {
 
+#ifdef __cpp_exceptions
+#ifdef NURBS_CPP_RESULTS
+inline void keep(const std::exception_ptr &) noexcept {}
+inline void rethrow_kept() noexcept {}
+#else
+// What the callback of a long call threw, until the call has ended.
+inline thread_local std::exception_ptr kept;
+
+inline void keep(std::exception_ptr thrown) noexcept {
+    kept = std::move(thrown);
+}
+inline void rethrow_kept() {
+    if (kept != nullptr) {
+        std::rethrow_exception(std::exchange(kept, nullptr));
+    }
+}
+#endif
+#endif
+
 inline void check(nurbs_status status) {
+#ifdef __cpp_exceptions
+    if (status == NURBS_ERROR_CANCELLED) {
+        rethrow_kept();
+    }
+#endif
     if (status != NURBS_OK) {
         fail(static_cast<Status>(status), last_error());
     }

@@ -78,6 +78,8 @@ enum class Status : nurbs_status {
     memory = NURBS_ERROR_MEMORY,
     file = NURBS_ERROR_FILE,
     too_large = NURBS_ERROR_TOO_LARGE,
+    cancelled = NURBS_ERROR_CANCELLED,
+    work = NURBS_ERROR_WORK,
     format = NURBS_ERROR_FORMAT,
     truncated = NURBS_ERROR_TRUNCATED,
     syntax = NURBS_ERROR_SYNTAX,

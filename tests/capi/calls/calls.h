@@ -1,25 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 // One good call, or a few, of every function of the library, for the tests whose laws all of them keep: when
 // memory runs out, when threads share a handle, when numbers are extreme, and when arrays end where memory
-// does. The outputs of two builds are compared for the same calls.
+// does. The outputs of two builds are compared for the same calls. README.md describes the table that they
+// are generated from.
 #ifndef NURBS_TESTS_CAPI_CALLS_H
 #define NURBS_TESTS_CAPI_CALLS_H
 
 #include "check.h"
 
-#include "shapes.h"
+#include "calls/generated/table.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace calls {
 
-// What the calls are given, made afresh with make_inputs(), because tables are built at first use.
-struct Inputs {
-    nurbs *curve, *loop, *surface, *volume, *homogeneous, *twist, *segment;
-    nurbs_list *list;
-};
-
+// What the calls are given, made afresh, because tables are built at first use.
 Inputs make_inputs();
 void destroy(const Inputs &in);
 void check_intact(const Inputs &in); // they hold what fresh ones hold
@@ -28,10 +25,10 @@ void check_intact(const Inputs &in); // they hold what fresh ones hold
 std::vector<double> numbers_of(const nurbs *g);
 bool same_bits(std::span<const double> a, std::span<const double> b);
 
-// Where a call writes: the arrays are long enough for all. A call makes a handle, or a list, or neither.
+// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, or none.
 struct Output {
     Output();
-    nurbs *out = check_poison();
+    nurbs *out = check_poison(), *other = check_poison();
     nurbs_list *list = nullptr;
     double values[1024];
     float singles[64];
@@ -49,32 +46,70 @@ struct Call {
     bool can_do_without = false; // buffers of the C library for files, tables of evaluation
 };
 
-// Those of one kind, each in a file of its own.
-std::span<const Call> scalar_calls(); // fixed-size answers, for which nothing is allocated
-std::span<const Call> data_calls();
-std::span<const Call> evaluation_calls();
-std::span<const Call> form_calls();
-std::span<const Call> query_calls();
-std::span<const Call> shape_calls();
-std::span<const Call> edit_calls();
+// All calls but scalar_calls(), for whose answers of a fixed size nothing is allocated.
+std::vector<std::span<const Call>> allocating_groups();
 
-// All of those that may allocate.
 template <class Visit>
 void for_each_allocating(Visit &&visit) {
-    for (const std::span<const Call> group :
-         {data_calls(), evaluation_calls(), form_calls(), query_calls(), shape_calls(), edit_calls()}) {
+    for (const std::span<const Call> group : allocating_groups()) {
         for (const Call &call : group) {
             visit(call);
         }
     }
 }
 
+inline void destroy(nurbs *g) {
+    nurbs_destroy(g);
+}
+inline void destroy(nurbs_list *list) {
+    nurbs_list_destroy(list);
+}
+
+// An input that is made for one call.
+template <class Handle>
+class Made {
+public:
+    Made(const Inputs &in, nurbs_status (*make)(const Inputs &, Handle **)) : status_(make(in, &handle_)) {}
+    Made(const Made &) = delete;
+    Made &operator=(const Made &) = delete;
+    ~Made() { destroy(handle_); }
+    [[nodiscard]] nurbs_status status() const { return status_; }
+    operator const Handle *() const { return handle_; }
+    // For a call that destroys it.
+    Handle *release() { return std::exchange(handle_, nullptr); }
+
+private:
+    Handle *handle_ = nullptr;
+    nurbs_status status_;
+};
+
+// The first n splines of a list, as an array.
+template <int64_t n>
+class Items {
+public:
+    explicit Items(const nurbs_list *list) {
+        for (int64_t i = 0; i < n && status_ == NURBS_OK; ++i) {
+            status_ = nurbs_list_get(list, i, &items_[i]);
+        }
+    }
+    Items(const Items &) = delete;
+    Items &operator=(const Items &) = delete;
+    ~Items() {
+        for (nurbs *g : items_) {
+            nurbs_destroy(g);
+        }
+    }
+    [[nodiscard]] nurbs_status status() const { return status_; }
+    operator const nurbs * const *() const { return items_; }
+
+private:
+    nurbs *items_[n] = {};
+    nurbs_status status_ = NURBS_OK;
+};
+
 // The file that nurbs_read_file() is called for; each program writes its own.
 extern const char *file_path;
 bool write_file(const char *path);
-
-inline constexpr double new_knots[] = {0.3, 0.6};
-inline constexpr double params[] = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6};
 
 } // namespace calls
 

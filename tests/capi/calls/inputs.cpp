@@ -2,46 +2,28 @@
 // The splines that the calls share, and the arrays that they write to.
 #include "calls/calls.h"
 
-#include "iges_text.h"
-
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 namespace calls {
 
 namespace {
 
-nurbs *make_homogeneous() {
-    static const int32_t degree = 2;
-    static const int64_t count = 3;
-    static const double knots[] = {0, 0, 0, 1, 1, 1}, records[] = {1, 0, 1, 0, 1, 0, -1, 0, 1};
-    nurbs *g = nullptr;
-    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 2, records, 0, 0, 0, &g));
-    return g;
-}
-
-// One conic piece over knots that are not clamped.
-nurbs *make_segment() {
-    static const int32_t degree = 2;
-    static const int64_t count = 3;
-    static const double knots[] = {0, 1, 2, 3, 4, 5}, points[] = {0, 0, 1, 1, 2, 0}, weights[] = {1, 3, 5};
-    nurbs *g = nullptr;
-    CHECK_OK(nurbs_create(1, &degree, &count, knots, 6, 2, points, 0, 0, weights, 0, 0, &g));
-    return g;
-}
-
-// The splines of the inputs, those of the list behind the others, each to be destroyed.
+// The splines of the inputs, those of the lists behind the others, each to be destroyed.
 std::vector<nurbs *> splines_of(const Inputs &in) {
     std::vector<nurbs *> all;
-    for (const nurbs *g : {in.curve, in.loop, in.surface, in.volume, in.homogeneous, in.twist, in.segment}) {
-        CHECK_OK(nurbs_clone(g, &all.emplace_back(nullptr)));
+    for (const auto spline : splines) {
+        CHECK_OK(nurbs_clone(in.*spline, &all.emplace_back(nullptr)));
     }
-    int64_t count = 0;
-    CHECK_OK(nurbs_list_count(in.list, &count));
-    for (int64_t i = 0; i < count; ++i) {
-        CHECK_OK(nurbs_list_get(in.list, i, &all.emplace_back(nullptr)));
+    for (const auto list : lists) {
+        int64_t count = 0;
+        CHECK_OK(nurbs_list_count(in.*list, &count));
+        for (int64_t i = 0; i < count; ++i) {
+            CHECK_OK(nurbs_list_get(in.*list, i, &all.emplace_back(nullptr)));
+        }
     }
     return all;
 }
@@ -63,26 +45,19 @@ std::vector<double> all_numbers(const Inputs &in) {
 const char *file_path = nullptr;
 
 bool write_file(const char *path) {
-    const IgesText file = small_file();
     file_path = path;
     std::FILE *f = std::fopen(path, "wb");
-    const auto size = static_cast<size_t>(file.size);
-    return f != nullptr && std::fwrite(file.bytes, 1, size, f) == size && std::fclose(f) == 0;
-}
-
-Inputs make_inputs() {
-    const IgesText file = small_file();
-    Inputs in{make(circle()),     make(loop()),  make(trough()), make(cube()),
-              make_homogeneous(), make(twist()), make_segment(), nullptr};
-    CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
-    return in;
+    const size_t size = std::strlen(texts::file);
+    return f != nullptr && std::fwrite(texts::file, 1, size, f) == size && std::fclose(f) == 0;
 }
 
 void destroy(const Inputs &in) {
-    for (nurbs *g : {in.curve, in.loop, in.surface, in.volume, in.homogeneous, in.twist, in.segment}) {
-        nurbs_destroy(g);
+    for (const auto spline : splines) {
+        nurbs_destroy(in.*spline);
     }
-    nurbs_list_destroy(in.list);
+    for (const auto list : lists) {
+        nurbs_list_destroy(in.*list);
+    }
 }
 
 void check_intact(const Inputs &in) {
@@ -122,12 +97,16 @@ Output::Output() {
 }
 
 void destroy(const Output &o) {
-    nurbs_destroy(o.out == check_poison() ? nullptr : o.out);
+    for (nurbs *g : {o.out, o.other}) {
+        nurbs_destroy(g == check_poison() ? nullptr : g);
+    }
     nurbs_list_destroy(o.list);
 }
 
 void check_nothing_written(const Output &o) {
-    CHECK(o.out == nullptr || o.out == check_poison());
+    for (const nurbs *g : {o.out, o.other}) {
+        CHECK(g == nullptr || g == check_poison());
+    }
     CHECK(o.list == nullptr);
     CHECK_UNTOUCHED(o.values);
     CHECK_UNTOUCHED(o.singles);

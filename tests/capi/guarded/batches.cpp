@@ -3,6 +3,8 @@
 // the rows of a table, and as columns.
 #include "guarded/batches.h"
 
+#include "shapes.h"
+
 #include <array>
 #include <cmath>
 

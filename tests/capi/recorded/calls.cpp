@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "guarded/batches.h"
-#include "guarded/complete_calls.h"
 #include "recorded/batteries/batteries.h"
 #include "recorded/sections.h"
 
@@ -26,11 +25,6 @@ void record_calls(const std::string &path) {
     calls::for_each_allocating([&](const calls::Call &call) { section_of("call", call, in); });
     for (const calls::Call &call : calls::scalar_calls()) {
         section_of("scalar", call, in);
-    }
-    for (const auto group : calls::complete_calls()) {
-        for (const calls::Call &call : group) {
-            section_of("complete", call, in);
-        }
     }
     record.section("nothing", [&] { evaluate_nothing(in); });
     if (!record.quick()) {

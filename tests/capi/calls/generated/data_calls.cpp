@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: MIT */
+// Generated from tests/capi/calls/*.toml and include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
+// clang-format off
+#include "calls/calls.h"
+
+namespace calls {
+
+namespace {
+
+const Call group[] = {
+    {"clone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_clone(in.curve, &o.out);
+     }},
+    {"destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_copy(in, make_copy);
+         if (made_copy.status() != NURBS_OK) {
+             return made_copy.status();
+         }
+         nurbs_destroy(made_copy.release());
+         return NURBS_OK;
+     }},
+    {"with_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+         return nurbs_with_points(in.curve, points, 0, 0, nullptr, 0, &o.out);
+     }},
+    {"with_points rational",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+         static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476, 1,
+             0.7071067811865476, 1, 0.7071067811865476, 1};
+         return nurbs_with_points(in.curve, points, 0, 0, weights, 0, &o.out);
+     }},
+    {"create_bezier",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3};
+         static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
+         return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, &o.out);
+     }},
+    {"create_hermite",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9, 0.3, 0.7};
+         static constexpr double tangents[] = {0.1, 0.9, 0.3, 0.7};
+         return nurbs_create_hermite(2, arrays::new_knots, 2, points, 0, 0, tangents, 0, 0, &o.out);
+     }},
+    {"read",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_read(texts::file, 1134, nullptr, &o.list);
+     }},
+    {"read in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         return nurbs_read(texts::file, 1134, &options, &o.list);
+     }},
+    {"read_file",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_read_file(file_path, nullptr, &o.list);
+     }, true},
+    {"read_file in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         return nurbs_read_file(file_path, &options, &o.list);
+     }, true},
+    {"list_get",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_list_get(in.list, 0, &o.out);
+     }},
+    {"list_destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         nurbs_list_destroy(made_edges.release());
+         return NURBS_OK;
+     }},
+    {"knots_uniform",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_knots_uniform(2, 5, 0, 1, 8, o.values);
+     }},
+    {"knots_open_uniform",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_knots_open_uniform(2, 5, 0, 1, 8, o.values);
+     }},
+    {"knots_bezier",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_knots_bezier(2, 2, nullptr, 8, o.values);
+     }},
+    {"knots_bezier with breaks",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_knots_bezier(2, 1, arrays::new_knots, 6, o.values);
+     }},
+    {"knots_averaged",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 1, 2, 3, 4};
+         return nurbs_knots_averaged(2, 5, params, 8, o.values);
+     }},
+    {"knots_periodic",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double breaks[] = {0, 1, 2, 3};
+         return nurbs_knots_periodic(2, 4, breaks, nullptr, 8, o.values);
+     }},
+    {"knots_periodic twice",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t multiplicities[] = {2, 2};
+         return nurbs_knots_periodic(2, 2, arrays::new_knots, multiplicities, 7, o.values);
+     }},
+    {"knots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_knots(in.curve, 0, 12, o.values);
+     }},
+    {"distinct_knots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_distinct_knots(in.curve, 0, 5, o.values, o.states, o.spans);
+     }},
+    {"greville",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_greville(in.curve, 0, 9, o.values);
+     }},
+    {"points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_points(in.homogeneous, 3, o.values, 0, 0);
+     }},
+    {"weights",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_weights(in.curve, 9, o.values, 0);
+     }},
+    {"homogeneous_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_homogeneous_points(in.curve, 9, o.values, 0, 0);
+     }},
+    {"detect_periodic",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_detect_periodic(in.curve, 0, o.states);
+     }},
+    {"to_hermite",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_to_hermite(in.twist, 2, o.values, o.values + 2, o.values + 8, o.spans);
+     }},
+    {"to_power",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_to_power(in.curve, 36, o.values, o.values + 36, o.spans, o.spans + 1);
+     }},
+    {"to_power surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_to_power(in.surface, 54, o.values, o.values + 54, o.spans, o.spans + 2);
+     }},
+    {"bezier_extraction",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_extraction(in.curve, 0, 4, o.values, o.spans, o.values + 36, o.spans + 4);
+     }},
+    {"refinement_matrix",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_refinement_matrix(in.curve, 0, 2, arrays::new_knots, 33, o.values, o.spans, o.spans + 33,
+             o.spans + 45);
+     }},
+    {"basis_matrix",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_basis_matrix(NURBS_BASIS_POWER, NURBS_BASIS_BSPLINE, 3, 16, o.values);
+     }},
+    {"decompose",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_decompose(in.surface, &o.list);
+     }},
+    {"split_at_knots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_split_at_knots(in.curve, 0, 1, &o.list);
+     }},
+    {"boundaries",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_boundaries(in.volume, &o.list);
+     }},
+    {"create curve",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {9};
+         static constexpr double knots[] = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
+         static constexpr double points[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+         static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476, 1,
+             0.7071067811865476, 1, 0.7071067811865476, 1};
+         return nurbs_create(1, degrees, counts, knots, 12, 2, points, 0, 0, weights, 0, 0, &o.out);
+     }},
+    {"create loop",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {6};
+         static constexpr double knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+         static constexpr double points[] = {1, 1, -1, 1, -1, -1, 1, -1, 1, 1, -1, 1};
+         return nurbs_create(1, degrees, counts, knots, 9, 2, points, 0, 0, nullptr, 0, NURBS_PERIODIC,
+             &o.out);
+     }},
+    {"create volume",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {1, 1, 1};
+         static constexpr int64_t counts[] = {2, 2, 2};
+         static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+         static constexpr double points[] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0,
+             1, 0, 1, 1, 0, 0, 1, 1, 1, 1};
+         return nurbs_create(3, degrees, counts, knots, 12, 4, points, 0, 0, nullptr, 0, 0, &o.out);
+     }},
+    {"create_homogeneous",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {6};
+         static constexpr double knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+         static constexpr double points[] = {1, 1, 1, 2, -1, 1, -1, -1, 1, -1, 1, 2};
+         return nurbs_create_homogeneous(1, degrees, counts, knots, 9, 1, points, 0, 0, 0, &o.out);
+     }},
+    {"create_short",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {9};
+         static constexpr double knots[] = {0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1};
+         static constexpr double points[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+         static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476, 1,
+             0.7071067811865476, 1, 0.7071067811865476, 1};
+         return nurbs_create_short(1, degrees, counts, knots, 10, 2, points, 0, 0, weights, 0, 0, &o.out);
+     }},
+    {"create_multiplicities",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {9};
+         static constexpr int64_t distinct_counts[] = {5};
+         static constexpr double distinct_knots[] = {0, 0.25, 0.5, 0.75, 1};
+         static constexpr int32_t multiplicities[] = {3, 2, 2, 2, 3};
+         static constexpr double points[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+         static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476, 1,
+             0.7071067811865476, 1, 0.7071067811865476, 1};
+         return nurbs_create_multiplicities(1, degrees, counts, distinct_counts, distinct_knots,
+             multiplicities, 2, points, 0, 0, weights, 0, 0, &o.out);
+     }},
+    {"create_power",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {1, 0};
+         static constexpr int64_t piece_counts[] = {1, 1};
+         static constexpr double breaks[] = {0, 1, 0, 1};
+         static constexpr double coefficients[] = {0.1, 0.9, 0.3, 0.7};
+         return nurbs_create_power(2, degrees, piece_counts, breaks, 4, 2, coefficients, 0, 0, 0, &o.out);
+     }},
+    {"refinement_matrix size",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_refinement_matrix(in.curve, 0, 2, arrays::new_knots, 0, nullptr, nullptr, nullptr,
+             o.spans);
+     }},
+    {"create_bezier rational",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3};
+         static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
+         static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476};
+         return nurbs_create_bezier(1, degrees, 2, points, 0, 0, weights, 0, &o.out);
+     }},
+    {"read_with",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_with(texts::file, 1134, nullptr, &call, &o.list);
+     }},
+    {"read_file_with",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_file_with(file_path, nullptr, &call, &o.list);
+     }, true},
+};
+
+} // namespace
+
+std::span<const Call> data_calls() {
+    return group;
+}
+
+} // namespace calls

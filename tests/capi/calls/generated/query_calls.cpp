@@ -1,0 +1,463 @@
+/* SPDX-License-Identifier: MIT */
+// Generated from tests/capi/calls/*.toml and include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
+// clang-format off
+#include "calls/calls.h"
+
+namespace calls {
+
+namespace {
+
+const Call group[] = {
+    {"deviation",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_deviation(in.surface, in.surface, o.values, o.values + 1);
+     }},
+    {"curve_shape_factor",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_shape_factor(in.segment, o.values, o.states);
+     }},
+    {"conic_axes",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {1, 0, 4, 0, 0, -4};
+         return nurbs_conic_axes(coefficients, o.states, o.values, o.values + 2, o.values + 4);
+     }},
+    {"box",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_box(in.volume, nullptr, 0.001, o.values, o.values + 4, o.values + 8);
+     }},
+    {"box of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double range[] = {0, 1, 0, 3};
+         return nurbs_box(in.surface, range, 0.001, o.values, o.values + 3, o.values + 6);
+     }},
+    {"oriented_box",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_oriented_box(in.surface, 0.001, o.values, o.values + 3, o.values + 12);
+     }},
+    {"tangent_cone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_tangent_cone(in.segment, 0, nullptr, 0.1, o.values, o.values + 2);
+     }},
+    {"tangent_cone of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_tangent_cone(in.curve, 0, arrays::new_knots, 0.1, o.values, o.values + 2);
+     }},
+    {"normal_cone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_normal_cone(in.surface, nullptr, 0.1, o.values, o.values + 3);
+     }},
+    {"normal_cone of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double range[] = {0, 1, 0, 3};
+         return nurbs_normal_cone(in.surface, range, 0.1, o.values, o.values + 3);
+     }},
+    {"extreme_point",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0.1, 0.9};
+         return nurbs_extreme_point(in.curve, direction, nullptr, 1e-06, o.values, o.values + 1, o.values + 2);
+     }},
+    {"extreme_point of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0.1, 0.9};
+         return nurbs_extreme_point(in.curve, direction, arrays::new_knots, 1e-06, o.values, o.values + 1,
+             o.values + 2);
+     }},
+    {"closest_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         return nurbs_closest_points(in.curve, 1, points, 0, 0, nullptr, 0, 0, o.values, 0, 0, o.values + 1, 0,
+             0, o.values + 3, 0, o.states, 0);
+     }},
+    {"closest_points of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double range[] = {0, 1, 0, 3};
+         return nurbs_closest_points(in.surface, 2, arrays::params, 0, 0, range, 0, 0, o.values, 0, 0, o.values
+             + 4, 0, 0, o.values + 10, 0, o.states, 0);
+     }},
+    {"farthest_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         return nurbs_farthest_points(in.curve, 1, points, 0, 0, nullptr, 0, 0, o.values, 0, 0, o.values + 1,
+             0, 0, o.values + 3, 0, o.states, 0);
+     }},
+    {"farthest_points of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_farthest_points(in.curve, 3, arrays::params, 0, 0, arrays::new_knots, 0, 0, o.values, 0,
+             0, o.values + 3, 0, 0, o.values + 9, 0, o.states, 0);
+     }},
+    {"closest_local",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double guesses[] = {0.1, 0.9, 0.3};
+         return nurbs_closest_local(in.curve, 3, arrays::params, 0, 0, guesses, 0, 0, o.values, 0, 0, o.values
+             + 3, 0, 0, o.values + 9, 0, o.states, 0);
+     }},
+    {"closest_local params",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         static constexpr double guesses[] = {0.1};
+         return nurbs_closest_local(in.curve, 1, points, 0, 0, guesses, 0, 0, o.values, 0, 0, nullptr, 0, 0,
+             nullptr, 0, nullptr, 0);
+     }},
+    {"curve_signed_distances",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_signed_distances(in.curve, 3, arrays::params, 0, 0, 0, 0, o.values, 0, o.values +
+             3, 0, o.states, 0);
+     }},
+    {"curve_signed_distances alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         return nurbs_curve_signed_distances(in.curve, 1, points, 0, 0, 0, 0, o.values, 0, nullptr, 0, nullptr,
+             0);
+     }},
+    {"closest_all",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         return nurbs_closest_all(in.curve, point, nullptr, 0, 0, 8, o.values, o.values + 8, o.spans,
+             o.states);
+     }, true},
+    {"closest_all inside",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         static constexpr double range[] = {0, 1};
+         return nurbs_closest_all(in.curve, point, range, 0, 0, 8, o.values, o.values + 8, o.spans, o.states);
+     }, true},
+    {"critical_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         return nurbs_critical_points(in.curve, point, nullptr, 0, 0, 8, o.values, o.values + 8, o.states,
+             o.spans, o.states + 8);
+     }, true},
+    {"critical_points inside",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         static constexpr double range[] = {0, 1};
+         return nurbs_critical_points(in.curve, point, range, 0, 0, 8, o.values, o.values + 8, o.states,
+             o.spans, o.states + 8);
+     }, true},
+    {"distance",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_distance(in.curve, in.loop, 1e-06, 0, o.values, o.values + 1, o.values + 2, o.values + 3,
+             o.states);
+     }},
+    {"hausdorff_distance",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_hausdorff_distance(in.curve, in.loop, 0.1, 0, o.values, o.values + 2, o.values + 4,
+             o.values + 5, o.states);
+     }},
+    {"curve_features count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_features(in.twist, 127, 0, nullptr, nullptr, nullptr, o.spans, o.states);
+     }},
+    {"curve_features periodic",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_features(in.loop, 63, 16, o.values, o.states, o.values + 16, o.spans, o.states +
+             16);
+     }, true},
+    {"curve_monotone_pieces",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0.1, 0.9};
+         return nurbs_curve_monotone_pieces(in.curve, direction, 16, o.values, o.states, o.spans, o.states +
+             16);
+     }},
+    {"curve_convexity",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_convexity(in.curve, o.states);
+     }},
+    {"straightness",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_straightness(in.segment, o.values, o.values + 2, o.values + 4);
+     }},
+    {"planarity",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_planarity(in.surface, o.values, o.values + 3, o.values + 6);
+     }},
+    {"boundary_contacts",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_boundary_contacts(in.surface, 0.1, o.states, o.values, o.states + 2, o.values + 2);
+     }},
+    {"singular_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_singular_points(in.surface, 0.1, 8, o.values, o.values + 16, o.spans, o.states);
+     }},
+    {"fold_test",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_fold_test(in.surface, nullptr, o.states, o.values, o.values + 2);
+     }},
+    {"fold_test seen from above",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_fold_test(in.surface, arrays::center, o.states, o.values, o.values + 2);
+     }},
+    {"recognize curve",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_recognize(in.curve, 1e-09, o.states, o.values, o.values + 9, o.values + 12);
+     }},
+    {"recognize surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_recognize(in.surface, 0.2, o.states, o.values, o.values + 9, o.values + 12);
+     }},
+    {"curve_length",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_length(in.curve, nullptr, 1e-09, o.values, o.values + 1);
+     }},
+    {"curve_length of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_length(in.curve, arrays::new_knots, 1e-09, o.values, o.values + 1);
+     }},
+    {"curve_lengths",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double params[] = {4};
+         return nurbs_curve_lengths(in.loop, 1, params, 0, 1e-09, o.values, 0);
+     }},
+    {"curve_params_at_lengths",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double lengths[] = {4};
+         return nurbs_curve_params_at_lengths(in.curve, 1, lengths, 0, 1e-09, o.values, 0, 0);
+     }},
+    {"curve_divide",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_divide(in.curve, nullptr, 5, 1e-09, 0, o.values, o.values + 6);
+     }},
+    {"curve_divide a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_divide(in.curve, arrays::new_knots, 5, 1e-09, 0, o.values, o.values + 6);
+     }},
+    {"curve_divide chords",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_divide(in.curve, nullptr, 5, 1e-09, NURBS_EQUAL_CHORDS, o.values, o.values + 6);
+     }},
+    {"surface_area",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_surface_area(in.surface, nullptr, 1e-09, o.values, o.values + 1);
+     }},
+    {"surface_area of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double range[] = {0, 1, 0, 3};
+         return nurbs_surface_area(in.surface, range, 1e-09, o.values, o.values + 1);
+     }},
+    {"moments",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_moments(in.surface, 1e-09, o.values, o.values + 1, o.values + 4, o.values + 13);
+     }},
+    {"enclosed_area",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const curves[] = {in.loop};
+         return nurbs_enclosed_area(1, curves, 1e-09, 1e-09, o.values, o.values + 1, o.values + 3, o.values +
+             7);
+     }},
+    {"enclosed_volume",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const surfaces[] = {in.surface};
+         return nurbs_enclosed_volume(1, surfaces, 1e-09, o.values, nullptr, nullptr, o.values + 1, o.values +
+             2);
+     }},
+    {"enclosed_volume sphere",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         const nurbs *const surfaces[] = {made_sphere};
+         return nurbs_enclosed_volume(1, surfaces, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13,
+             o.values + 14);
+     }},
+    {"coons_gaps",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const boundaries[] = {in.curve, in.curve, in.loop, in.loop};
+         const nurbs *const cross[] = {in.curve, in.curve, in.loop, in.loop};
+         return nurbs_coons_gaps(boundaries, cross, o.values, o.values + 4, o.values + 12);
+     }},
+    {"continuity",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_continuity(in.curve, 0, 0, 0, 0, 5, o.values, o.states, o.states + 5, o.states + 10,
+             o.values + 5, o.values + 10, o.values + 15, o.spans);
+     }},
+    {"continuity count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_continuity(in.surface, 1, 0, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr,
+             nullptr, nullptr, o.spans);
+     }},
+    {"continuity_between",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_continuity_between(in.curve, NURBS_END, in.curve, NURBS_START, 0, 0, 0, o.states,
+             o.states + 1, o.values, o.values + 1, o.values + 2);
+     }},
+    {"closest_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 1;
+         query.points = points;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values;
+         answer.feet = o.values + 1;
+         answer.distances = o.values + 3;
+         answer.status = o.states;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_closest_points_with(in.curve, &query, &answer, &call);
+     }},
+    {"farthest_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 1;
+         query.points = points;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values;
+         answer.feet = o.values + 1;
+         answer.distances = o.values + 3;
+         answer.status = o.states;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_farthest_points_with(in.curve, &query, &answer, &call);
+     }},
+    {"closest_local_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double guesses[] = {0.1, 0.9, 0.3};
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 3;
+         query.points = arrays::params;
+         query.guesses = guesses;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values;
+         answer.feet = o.values + 3;
+         answer.distances = o.values + 9;
+         answer.status = o.states;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_closest_local_with(in.curve, &query, &answer, &call);
+     }},
+    {"curve_signed_distances_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 3;
+         query.points = arrays::params;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values + 3;
+         answer.distances = o.values;
+         answer.status = o.states;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_signed_distances_with(in.curve, &query, &answer, &call);
+     }},
+    {"closest_all_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_closest_all_with(in.curve, point, nullptr, 0, 0, 8, o.values, o.values + 8, o.spans,
+             o.states, &call);
+     }, true},
+    {"critical_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_critical_points_with(in.curve, point, nullptr, 0, 0, 8, o.values, o.values + 8, o.states,
+             o.spans, o.states + 8, &call);
+     }, true},
+    {"distance_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_distance_with(in.curve, in.loop, 1e-06, 0, o.values, o.values + 1, o.values + 2, o.values
+             + 3, o.states, &call);
+     }},
+    {"hausdorff_distance_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_hausdorff_distance_with(in.curve, in.loop, 0.1, 0, o.values, o.values + 2, o.values + 4,
+             o.values + 5, o.states, &call);
+     }},
+    {"curve_features_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_features_with(in.twist, 127, 0, nullptr, nullptr, nullptr, o.spans, o.states,
+             &call);
+     }},
+    {"fold_test_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fold_test_with(in.surface, nullptr, o.states, o.values, o.values + 2, &call);
+     }},
+    {"recognize_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_recognize_with(in.curve, 1e-09, o.states, o.values, o.values + 9, o.values + 12, &call);
+     }},
+    {"curve_length_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_length_with(in.curve, nullptr, 1e-09, o.values, o.values + 1, &call);
+     }},
+    {"curve_lengths_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double params[] = {4};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_lengths_with(in.loop, 1, params, 0, 1e-09, o.values, 0, &call);
+     }},
+    {"curve_params_at_lengths_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double lengths[] = {4};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_params_at_lengths_with(in.curve, 1, lengths, 0, 1e-09, o.values, 0, 0, &call);
+     }},
+    {"curve_divide_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_divide_with(in.curve, nullptr, 5, 1e-09, 0, o.values, o.values + 6, &call);
+     }},
+    {"surface_area_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_area_with(in.surface, nullptr, 1e-09, o.values, o.values + 1, &call);
+     }},
+    {"moments_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_moments_with(in.surface, 1e-09, o.values, o.values + 1, o.values + 4, o.values + 13,
+             &call);
+     }},
+    {"enclosed_area_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const curves[] = {in.loop};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_enclosed_area_with(1, curves, 1e-09, 1e-09, o.values, o.values + 1, o.values + 3,
+             o.values + 7, &call);
+     }},
+    {"enclosed_volume_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const surfaces[] = {in.surface};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_enclosed_volume_with(1, surfaces, 1e-09, o.values, nullptr, nullptr, o.values + 1,
+             o.values + 2, &call);
+     }},
+};
+
+} // namespace
+
+std::span<const Call> query_calls() {
+    return group;
+}
+
+} // namespace calls

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+// Generated from tests/capi/calls/*.toml and include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
+// clang-format off
+#include "calls/calls.h"
+
+namespace calls {
+
+static_assert(sizeof(Output::values) == 1024 * sizeof(double));
+static_assert(sizeof(Output::singles) == 64 * sizeof(float));
+static_assert(sizeof(Output::spans) == 64 * sizeof(int64_t));
+static_assert(sizeof(Output::states) == 64 * sizeof(int32_t));
+static_assert(sizeof(Output::states) == 64 * sizeof(nurbs_status));
+static_assert(sizeof(Output::text) == 64 * sizeof(char));
+
+nurbs_status make_curve(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr int64_t counts[] = {9};
+    static constexpr double knots[] = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
+    static constexpr double points[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+    static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476, 1,
+        0.7071067811865476, 1, 0.7071067811865476, 1};
+    return nurbs_create(1, degrees, counts, knots, 12, 2, points, 0, 0, weights, 0, 0, out);
+}
+
+nurbs_status make_loop(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr int64_t counts[] = {6};
+    static constexpr double knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+    static constexpr double points[] = {1, 1, -1, 1, -1, -1, 1, -1, 1, 1, -1, 1};
+    return nurbs_create(1, degrees, counts, knots, 9, 2, points, 0, 0, nullptr, 0, NURBS_PERIODIC, out);
+}
+
+nurbs_status make_surface(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2, 1};
+    static constexpr int64_t counts[] = {3, 4};
+    static constexpr double knots[] = {0, 0, 0, 1, 1, 1, 0, 0, 1, 2, 3, 3};
+    static constexpr double points[] = {0, 0, 0, 0, 1, 1, 0, 2, 2, 0, 3, 3, 0.5, 0, 0, 0.5, 1, 1, 0.5, 2,
+        2, 0.5, 3, 3, 1, 0, 1, 1, 1, 2, 1, 2, 3, 1, 3, 4};
+    return nurbs_create(2, degrees, counts, knots, 12, 3, points, 0, 0, nullptr, 0, 0, out);
+}
+
+nurbs_status make_volume(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1, 1, 1};
+    static constexpr int64_t counts[] = {2, 2, 2};
+    static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+    static constexpr double points[] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0,
+        1, 0, 1, 1, 0, 0, 1, 1, 1, 1};
+    return nurbs_create(3, degrees, counts, knots, 12, 4, points, 0, 0, nullptr, 0, 0, out);
+}
+
+nurbs_status make_homogeneous(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr int64_t counts[] = {3};
+    static constexpr double knots[] = {0, 0, 0, 1, 1, 1};
+    static constexpr double points[] = {1, 0, 1, 0, 1, 0, -1, 0, 1};
+    return nurbs_create_homogeneous(1, degrees, counts, knots, 6, 2, points, 0, 0, 0, out);
+}
+
+nurbs_status make_twist(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {3};
+    static constexpr int64_t counts[] = {4};
+    static constexpr double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    static constexpr double points[] = {0, 0, 0, 1, 0, 0, 2, 1, 0, 3, 3, 3};
+    return nurbs_create(1, degrees, counts, knots, 8, 3, points, 0, 0, nullptr, 0, 0, out);
+}
+
+nurbs_status make_segment(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr int64_t counts[] = {3};
+    static constexpr double knots[] = {0, 1, 2, 3, 4, 5};
+    static constexpr double points[] = {0, 0, 1, 1, 2, 0};
+    static constexpr double weights[] = {1, 3, 5};
+    return nurbs_create(1, degrees, counts, knots, 6, 2, points, 0, 0, weights, 0, 0, out);
+}
+
+nurbs_status make_list(const Inputs &, nurbs_list **out) {
+    return nurbs_read(texts::file, 1134, nullptr, out);
+}
+
+nurbs_status make_copy(const Inputs &in, nurbs **out) {
+    return nurbs_clone(in.curve, out);
+}
+
+nurbs_status make_half(const Inputs &in, nurbs **out) {
+    return nurbs_reparametrize_moebius(in.curve, 0, 2, out);
+}
+
+nurbs_status make_ramp(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr double points[] = {0, 0.25, 1};
+    return nurbs_create_bezier(1, degrees, 1, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_round(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr double points[] = {0, 2, 9};
+    return nurbs_create_bezier(1, degrees, 1, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_diagonal(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr double points[] = {0, 0, 1, 0, 1, 1};
+    return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_square(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1, 1};
+    static constexpr double points[] = {0, 0, 0, 1, 1, 0, 1, 2};
+    return nurbs_create_bezier(2, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_sphere(const Inputs &, nurbs **out) {
+    return nurbs_surface_sphere(nullptr, nullptr, nullptr, 1, NURBS_ARC_QUARTERS, out);
+}
+
+nurbs_status make_edges(const Inputs &in, nurbs_list **out) {
+    return nurbs_boundaries(in.surface, out);
+}
+
+nurbs_status make_faces(const Inputs &in, nurbs_list **out) {
+    return nurbs_boundaries(in.volume, out);
+}
+
+Inputs make_inputs() {
+    Inputs in{};
+    CHECK_OK(make_curve(in, &in.curve));
+    CHECK_OK(make_loop(in, &in.loop));
+    CHECK_OK(make_surface(in, &in.surface));
+    CHECK_OK(make_volume(in, &in.volume));
+    CHECK_OK(make_homogeneous(in, &in.homogeneous));
+    CHECK_OK(make_twist(in, &in.twist));
+    CHECK_OK(make_segment(in, &in.segment));
+    CHECK_OK(make_list(in, &in.list));
+    return in;
+}
+
+std::vector<std::span<const Call>> allocating_groups() {
+    return {data_calls(), edit_calls(), evaluation_calls(), form_calls(), query_calls(), shape_calls()};
+}
+
+} // namespace calls

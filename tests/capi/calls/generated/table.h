@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+// Generated from tests/capi/calls/*.toml and include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
+// clang-format off
+#ifndef NURBS_TESTS_CAPI_CALLS_GENERATED_TABLE_H
+#define NURBS_TESTS_CAPI_CALLS_GENERATED_TABLE_H
+
+#include <nurbs/nurbs.h>
+
+#include <span>
+
+namespace calls {
+
+// What is made once for all calls.
+struct Inputs {
+    nurbs *curve, *loop, *surface, *volume, *homogeneous, *twist, *segment;
+    nurbs_list *list;
+};
+
+inline constexpr nurbs *Inputs::*const splines[] = {&Inputs::curve, &Inputs::loop, &Inputs::surface,
+    &Inputs::volume, &Inputs::homogeneous, &Inputs::twist, &Inputs::segment};
+inline constexpr nurbs_list *Inputs::*const lists[] = {&Inputs::list};
+
+namespace arrays {
+inline constexpr double new_knots[] = {0.3, 0.6};
+inline constexpr double params[] = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6};
+inline constexpr double center[] = {1, 2, 3};
+inline constexpr double axis[] = {0, 1, 0};
+inline constexpr double side[] = {1, 0, 0};
+} // namespace arrays
+
+namespace texts {
+inline constexpr char file[] =
+    "a file of the test programs                                             S      1\n"
+    "1H,,1H;,4Htest,8Htest.igs,4Hnone,4Hnone,32,38,6,308,15,4Htest,1.,2,2HMM,G      1\n"
+    "1,0.01,15H20260101.000000,1.E-6,10.,2Hme,4Hhere,11,0,15H20260101.000000;G      2\n"
+    "     126       1       0       1       0       0       0       000000000D      1\n"
+    "     126       0       0       2       0                                D      2\n"
+    "     110       3       0       1       0       0       0       000000000D      3\n"
+    "     110       0       0       1       0                                D      4\n"
+    "     126       4       0       1       0       0       0       000000000D      5\n"
+    "     126       0       0       1       0                     BOW        D      6\n"
+    "126,3,3,0,0,1,0,0,0,0,0,1,1,1,1,1,1,1,1,                               1P      1\n"
+    "0,0,0,1,2,0,3,2,0,4,0,0,0,1;                                           1P      2\n"
+    "110,0,0,0,1,1,1;                                                       3P      3\n"
+    "126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4\n"
+    "S      1G      2D      6P      4                                        T      1\n";
+} // namespace texts
+
+nurbs_status make_curve(const Inputs &in, nurbs **out);
+nurbs_status make_loop(const Inputs &in, nurbs **out);
+nurbs_status make_surface(const Inputs &in, nurbs **out);
+nurbs_status make_volume(const Inputs &in, nurbs **out);
+nurbs_status make_homogeneous(const Inputs &in, nurbs **out);
+nurbs_status make_twist(const Inputs &in, nurbs **out);
+nurbs_status make_segment(const Inputs &in, nurbs **out);
+nurbs_status make_list(const Inputs &in, nurbs_list **out);
+nurbs_status make_copy(const Inputs &in, nurbs **out);
+nurbs_status make_half(const Inputs &in, nurbs **out);
+nurbs_status make_ramp(const Inputs &in, nurbs **out);
+nurbs_status make_round(const Inputs &in, nurbs **out);
+nurbs_status make_diagonal(const Inputs &in, nurbs **out);
+nurbs_status make_square(const Inputs &in, nurbs **out);
+nurbs_status make_sphere(const Inputs &in, nurbs **out);
+nurbs_status make_edges(const Inputs &in, nurbs_list **out);
+nurbs_status make_faces(const Inputs &in, nurbs_list **out);
+
+// Those of one kind.
+struct Call;
+std::span<const Call> data_calls();
+std::span<const Call> edit_calls();
+std::span<const Call> evaluation_calls();
+std::span<const Call> form_calls();
+std::span<const Call> query_calls();
+std::span<const Call> scalar_calls();
+std::span<const Call> shape_calls();
+
+} // namespace calls
+
+#endif
