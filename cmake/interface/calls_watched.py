@@ -10,14 +10,12 @@ OPTIONS = "nurbs_call_options"
 
 
 def watched_calls(manual, calls):
-    """One for each function, of the first call of its plain form."""
+    """One for each call of the plain form."""
     forms = {function.name: function for function in manual.functions}
     structs = {struct.name: struct for struct in manual.structs}
-    seen = set()
     for call in calls:
         form = forms.get(call.function.name + "_with")
-        if form is not None and form.name not in seen:
-            seen.add(form.name)
+        if form is not None:
             yield watched(call, form, structs)
 
 
@@ -25,7 +23,8 @@ def watched(call, form, structs):
     known = {entry.name: value for entry, value in call.arguments}
     arguments = [(entry, known[entry.name] if entry.name in known else packed(entry, known, structs))
                  for entry in form.parameters]
-    return Call(form.name.removeprefix("nurbs_"), form, arguments, None, call.made, call.can_do_without)
+    plain, _, words = call.name.partition(" ")
+    return Call(f"{plain}_with {words}".strip(), form, arguments, None, call.made, call.can_do_without)
 
 
 def packed(entry, known, structs):

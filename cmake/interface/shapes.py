@@ -37,7 +37,7 @@ class Shapes:
         self.spline = (splines[0].name + "[0]" * (splines[0].pointers - 1)) if splines else None
 
     def letter(self, name):
-        own = LETTERS.get(self.function.name, {})
+        own = LETTERS.get(self.function.name.removesuffix("_with"), {})
         if name in own:
             return own[name]
         if name.isdigit() or name in self.numbers:

@@ -31,7 +31,8 @@ def read(entry, inputs=""):
 
 
 def call(entry, inputs=""):
-    return read(entry, inputs).groups["some"][-1]
+    """The call itself; what follows it is its watched form."""
+    return read(entry, inputs).groups["some"][0]
 
 
 def values(entry):

@@ -55,6 +55,7 @@ def problems(manual):
     rust = sources(manual, "capi/bindings/rust/src/*.rs")
     tests = sources(manual, "tests/capi/*.c", "tests/capi/*.h")
     calls = calls_reader.read(manual, TOP).calls()
+    tests += "".join(f" nurbs_{name}_with(" for name in re.findall(r"\bLONG_(?:HANDLE|QUERY|BATCH)\((\w+)", tests))
     yield from lacking("tests/capi", tests, r"\b{}\(", functions)
     yield from lacking("tests/capi/calls", " ".join(call.function.name for call in calls), r"\b{}\b", functions)
     yield from lacking("C++", cpp, r"\b{}\b", [*functions, *manual.constants, *macros])

@@ -43,8 +43,8 @@ MORE/** @} */
 """
 WITH = """/** \\brief The same, watched.
  * \\return NURBS_OK */
-NURBS_API nurbs_status nurbs_add_with(const nurbs *a, const nurbs *b, double scale, nurbs **out,
-    const nurbs_call_options *call);
+NURBS_API nurbs_status nurbs_add_with(const nurbs *a, const nurbs *b, double scale,
+    const nurbs_call_options *call, nurbs **out);
 """
 GOOD = """
 [group]
@@ -145,8 +145,8 @@ class Mistakes(unittest.TestCase):
                     "put watched = true into the entry of nurbs_add", more=WITH)
         watched = changed("[nurbs_add]", "[nurbs_add]\nwatched = true")
         self.expect("some.toml: nurbs_add: watched: nurbs.h has no function nurbs_add_with", watched)
-        self.expect("some.toml: nurbs_add: watched: nurbs_add_with has to have the parameters of nurbs_add, and last const "
-                    "nurbs_call_options *call", watched, more=WITH.replace("double scale, ", ""))
+        self.expect("some.toml: nurbs_add: watched: nurbs_add_with has to have the parameters of nurbs_add, and const "
+                    "nurbs_call_options *call last or before out", watched, more=WITH.replace("double scale,", ""))
 
     def test_all_problems_are_told(self):
         with self.assertRaises(table.TableError) as caught:
@@ -211,8 +211,8 @@ class Cplusplus(unittest.TestCase):
     def test_a_form_with_call_options(self):
         text = self.text(changed("[nurbs_add]", "[nurbs_add]\nwatched = true"), WITH)
         self.assertIn("inline Returned<Spline> add(const Spline &a, const Spline &b, double scale, const CallOptions &call) "
-                      "{ const detail::Watch watch(call); return detail::made<Spline>([&](nurbs **out) { return "
-                      "nurbs_add_with(a.get(), b.get(), scale, out, watch.get()); }); }", text)
+                      "{ const detail::Watch watch(call); return detail::made<Spline>(nurbs_add_with, a.get(), b.get(), scale, "
+                      "watch.get()); }", text)
 
 
 if __name__ == "__main__":

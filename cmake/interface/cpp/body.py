@@ -239,8 +239,8 @@ class Body:
         call = self.call()
         rooms = [f"{self.targets[name][0].removesuffix('.data()')} = {self.room(self.values[name])};"
                  for name in self.method.returned if self.is_deferred(self.values[name])]
-        return [f"{base} {count} = 0;", f"const auto call = [&](std::int64_t cap) {{ detail::call({call}); }};",
-                "call(0);", *rooms, f"call({count});"]
+        return [f"{base} {count} = 0;", f"const auto ask = [&](std::int64_t cap) {{ detail::call({call}); }};",
+                "ask(0);", *rooms, f"ask({count});"]
 
     def is_deferred(self, value):
         """Whether an array gets its room after a first call: all of them but those that lengths depend on."""

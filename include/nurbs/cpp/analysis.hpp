@@ -49,15 +49,15 @@ inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds) {
     std::vector<std::int32_t> found_bits;
     std::int32_t complete = 0;
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_curve_features, g.get(), kinds, cap, found.params.data(), found_bits.data(),
                      found.values.data(), &count, &complete);
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count);
     found_bits = detail::room<std::int32_t>(count);
     found.values = detail::room(count);
-    call(count);
+    ask(count);
     found.found.assign(found_bits.begin(), found_bits.end());
     found.complete = complete != 0;
     return found;
@@ -69,15 +69,15 @@ inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds, co
     std::vector<std::int32_t> found_bits;
     std::int32_t complete = 0;
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_curve_features_with, g.get(), kinds, cap, found.params.data(), found_bits.data(),
                      found.values.data(), &count, &complete, watch.get());
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count);
     found_bits = detail::room<std::int32_t>(count);
     found.values = detail::room(count);
-    call(count);
+    ask(count);
     found.found.assign(found_bits.begin(), found_bits.end());
     found.complete = complete != 0;
     return found;
@@ -96,14 +96,14 @@ inline Returned<MonotonePieces> monotone_pieces(const Spline &g, View<double> di
     MonotonePieces found{};
     std::int32_t complete = 0;
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_curve_monotone_pieces, g.get(), direction.data(), cap, found.starts.data(),
                      found.signs.data(), &count, &complete);
     };
-    call(0);
+    ask(0);
     found.starts = detail::room(count);
     found.signs = detail::room<std::int32_t>(count);
-    call(count);
+    ask(count);
     found.complete = complete != 0;
     return found;
 }
@@ -173,15 +173,15 @@ inline Returned<SingularPoints> singular_points(const Spline &g, double toleranc
     SingularPoints found{};
     std::int32_t complete = 0;
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_singular_points, g.get(), tolerance, cap, found.params.data(), found.boxes.data(),
                      &count, &complete);
     };
-    call(0);
+    ask(0);
     const std::int64_t axes = detail::axes(g.get());
     found.params = detail::room(count, axes);
     found.boxes = detail::room(count, axes, 2);
-    call(count);
+    ask(count);
     found.complete = complete != 0;
     return found;
 }

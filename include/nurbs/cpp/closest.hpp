@@ -270,14 +270,14 @@ inline Returned<ClosestAll> closest_all(const Spline &g, View<double> point, con
     detail::require_given(how.range, 2 * axes, "range");
     ClosestAll found{};
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_closest_all, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
                      how.budget, cap, found.params.data(), found.distances.data(), &count, &found.status);
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count, axes);
     found.distances = detail::room(count);
-    call(count);
+    ask(count);
     return found;
 }
 /// The same; `call` can watch and end it.
@@ -289,15 +289,15 @@ inline Returned<ClosestAll> closest_all(const Spline &g, View<double> point, con
     ClosestAll found{};
     const detail::Watch watch(call);
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_closest_all_with, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
                      how.budget, cap, found.params.data(), found.distances.data(), &count, &found.status,
                      watch.get());
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count, axes);
     found.distances = detail::room(count);
-    call(count);
+    ask(count);
     return found;
 }
 
@@ -316,16 +316,16 @@ inline Returned<CriticalPoints> critical_points(const Spline &g, View<double> po
     detail::require_given(how.range, 2 * axes, "range");
     CriticalPoints found{};
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_critical_points, g.get(), point.data(), detail::pointer(how.range), how.tolerance,
                      how.budget, cap, found.params.data(), found.distances.data(), found.kinds.data(), &count,
                      &found.status);
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count, axes);
     found.distances = detail::room(count);
     found.kinds = detail::room<std::int32_t>(count);
-    call(count);
+    ask(count);
     return found;
 }
 /// The same; `call` can watch and end it.
@@ -337,16 +337,16 @@ inline Returned<CriticalPoints> critical_points(const Spline &g, View<double> po
     CriticalPoints found{};
     const detail::Watch watch(call);
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_critical_points_with, g.get(), point.data(), detail::pointer(how.range),
                      how.tolerance, how.budget, cap, found.params.data(), found.distances.data(),
                      found.kinds.data(), &count, &found.status, watch.get());
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count, axes);
     found.distances = detail::room(count);
     found.kinds = detail::room<std::int32_t>(count);
-    call(count);
+    ask(count);
     return found;
 }
 

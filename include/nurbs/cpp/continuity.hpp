@@ -36,13 +36,13 @@ inline Returned<KnotContinuity> continuity(const Spline &g, std::int32_t axis,
                                            const ContinuityTolerances &allowed = {}) {
     KnotContinuity found{};
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_continuity, g.get(), axis, allowed.position, allowed.derivative, allowed.angle,
                      cap, found.knots.data(), found.knot_orders.data(), found.orders.data(),
                      found.geometric_orders.data(), found.position_gaps.data(), found.angles.data(),
                      found.curvature_gaps.data(), &count);
     };
-    call(0);
+    ask(0);
     found.knots = detail::room(count);
     found.knot_orders = detail::room<std::int32_t>(count);
     found.orders = detail::room<std::int32_t>(count);
@@ -50,7 +50,7 @@ inline Returned<KnotContinuity> continuity(const Spline &g, std::int32_t axis,
     found.position_gaps = detail::room(count);
     found.angles = detail::room(count);
     found.curvature_gaps = detail::room(count);
-    call(count);
+    ask(count);
     return found;
 }
 

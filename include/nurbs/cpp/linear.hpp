@@ -31,17 +31,17 @@ inline Returned<SparseMatrix> collocation(View<std::int32_t> degrees, View<std::
     detail::require_given(orders, axes, "orders");
     SparseMatrix found{};
     std::int64_t entries = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_collocation, detail::axes_of(degrees), degrees.data(), counts.data(), knots.data(),
                      detail::length(knots), detail::pointer(orders), n, params.data(), params.stride(),
                      params.component_stride(), cap, found.values.data(), found.columns.data(),
                      found.row_pointers.data(), &entries, flags);
     };
-    call(0);
+    ask(0);
     found.values = detail::room(entries);
     found.columns = detail::room<std::int64_t>(entries);
     found.row_pointers = detail::room<std::int64_t>(n + 1);
-    call(entries);
+    ask(entries);
     return found;
 }
 
@@ -53,16 +53,16 @@ inline Returned<SparseMatrix> rational_collocation(const Spline &g, Input params
     detail::require_given(orders, axes, "orders");
     SparseMatrix found{};
     std::int64_t entries = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_rational_collocation, g.get(), detail::pointer(orders), n, params.data(),
                      params.stride(), params.component_stride(), cap, found.values.data(),
                      found.columns.data(), found.row_pointers.data(), &entries, flags);
     };
-    call(0);
+    ask(0);
     found.values = detail::room(entries);
     found.columns = detail::room<std::int64_t>(entries);
     found.row_pointers = detail::room<std::int64_t>(n + 1);
-    call(entries);
+    ask(entries);
     return found;
 }
 
@@ -71,15 +71,15 @@ inline Returned<SparseMatrix> refinement_matrix(const Spline &g, std::int32_t ax
     const std::int64_t count = detail::length(knots);
     SparseMatrix found{};
     std::int64_t entries = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_refinement_matrix, g.get(), axis, count, knots.data(), cap, found.values.data(),
                      found.columns.data(), found.row_pointers.data(), &entries);
     };
-    call(0);
+    ask(0);
     found.values = detail::room(entries);
     found.columns = detail::room<std::int64_t>(entries);
     found.row_pointers = detail::room<std::int64_t>(detail::count(g.get(), axis) + count + 1);
-    call(entries);
+    ask(entries);
     return found;
 }
 
@@ -94,16 +94,16 @@ struct Extraction {
 inline Returned<Extraction> bezier_extraction(const Spline &g, std::int32_t axis) {
     Extraction found{};
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_bezier_extraction, g.get(), axis, cap, found.operators.data(), found.firsts.data(),
                      found.domains.data(), &count);
     };
-    call(0);
+    ask(0);
     found.operators =
         detail::room(count, detail::degree(g.get(), axis) + 1, detail::degree(g.get(), axis) + 1);
     found.firsts = detail::room<std::int64_t>(count);
     found.domains = detail::room(count, 2);
-    call(count);
+    ask(count);
     return found;
 }
 

@@ -40,16 +40,16 @@ struct Hermite {
 inline Returned<Hermite> to_hermite(const Spline &g) {
     Hermite found{};
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_to_hermite, g.get(), cap, found.params.data(), found.points.data(),
                      found.tangents.data(), &count);
     };
-    call(0);
+    ask(0);
     found.params = detail::room(count);
     const std::int64_t dim = detail::dimension(g.get());
     found.points = detail::room(count, dim);
     found.tangents = detail::room(count, dim);
-    call(count);
+    ask(count);
     return found;
 }
 
@@ -65,14 +65,14 @@ inline Returned<PowerForm> to_power(const Spline &g) {
     const std::int64_t axes = detail::axes(g.get());
     PowerForm found{{}, {}, detail::room<std::int64_t>(axes)};
     std::int64_t count = 0;
-    const auto call = [&](std::int64_t cap) {
+    const auto ask = [&](std::int64_t cap) {
         detail::call(nurbs_to_power, g.get(), cap, found.coefficients.data(), found.breaks.data(),
                      found.piece_counts.data(), &count);
     };
-    call(0);
+    ask(0);
     found.coefficients = detail::room(count);
     found.breaks = detail::room(detail::sum(found.piece_counts) + axes);
-    call(count);
+    ask(count);
     return found;
 }
 

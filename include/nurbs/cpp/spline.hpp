@@ -167,14 +167,14 @@ public:
     [[nodiscard]] Returned<DistinctKnots> distinct_knots(std::int32_t axis) const {
         DistinctKnots found{};
         std::int64_t count = 0;
-        const auto call = [&](std::int64_t cap) {
+        const auto ask = [&](std::int64_t cap) {
             detail::call(nurbs_distinct_knots, get(), axis, cap, found.knots.data(),
                          found.multiplicities.data(), &count);
         };
-        call(0);
+        ask(0);
         found.knots = detail::room(count);
         found.multiplicities = detail::room<std::int32_t>(count);
-        call(count);
+        ask(count);
         return found;
     }
     /// The Greville abscissa of each control point along an axis.

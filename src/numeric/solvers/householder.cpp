@@ -25,9 +25,15 @@ Householder::Householder(Eigen::MatrixXd a, Pivoting pivoting)
 }
 
 Eigen::Index Householder::rank(double threshold) const noexcept {
-    const Eigen::VectorXd sizes = a_.diagonal().cwiseAbs();
-    const double least = sizes.size() == 0 ? 0 : threshold * sizes.maxCoeff();
-    return std::count_if(sizes.begin(), sizes.end(), [least](double size) { return size > least; });
+    double largest = 0;
+    for (Eigen::Index k = 0; k < coefficients_.size(); ++k) {
+        largest = std::max(largest, std::abs(a_(k, k)));
+    }
+    Eigen::Index found = 0;
+    for (Eigen::Index k = 0; k < coefficients_.size(); ++k) {
+        found += std::abs(a_(k, k)) > threshold * largest ? 1 : 0;
+    }
+    return found;
 }
 
 // The reflection that leaves only the diagonal element of column k, applied to the columns up to `end`.

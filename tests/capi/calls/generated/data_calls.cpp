@@ -261,11 +261,29 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_with(texts::file, 1134, nullptr, &call, &o.list);
      }},
+    {"read_with in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_with(texts::file, 1134, &options, &call, &o.list);
+     }},
     {"read_file_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_file_with(file_path, nullptr, &call, &o.list);
+     }, true},
+    {"read_file_with in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_file_with(file_path, &options, &call, &o.list);
      }, true},
 };
 

@@ -231,6 +231,77 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fair_with(in.curve, 2, nullptr, 1000.0, o.values, o.values + 2, &call, &o.out);
      }},
+    {"fair_with surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t keep[] = {-1, -1, -1, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fair_with(in.surface, 1, keep, 1000.0, o.values, o.values + 2, &call, &o.out);
+     }},
+    {"constrain_with directions",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t kinds[] = {NURBS_CONSTRAIN_NORMAL, NURBS_CONSTRAIN_VALUE};
+         static constexpr double params[] = {0.1, 0.9, 0.3, 0.7};
+         nurbs_constraints constraints = {};
+         constraints.struct_size = sizeof(nurbs_constraints);
+         constraints.count = 2;
+         constraints.kinds = kinds;
+         constraints.params = params;
+         constraints.targets = arrays::params;
+         nurbs_constraint_report report = {};
+         report.struct_size = sizeof(nurbs_constraint_report);
+         report.residuals = o.values;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_constrain_with(in.surface, &constraints, &report, &call, &o.out);
+     }},
+    {"constrain_with curvature",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t kinds[] = {NURBS_CONSTRAIN_CURVATURE};
+         static constexpr double params[] = {0.1};
+         static constexpr double targets[] = {-1, 0.1};
+         static constexpr double weight_costs[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+         nurbs_constraints constraints = {};
+         constraints.struct_size = sizeof(nurbs_constraints);
+         constraints.count = 1;
+         constraints.kinds = kinds;
+         constraints.params = params;
+         constraints.targets = targets;
+         constraints.weight_costs = weight_costs;
+         constraints.tolerance = 1e-09;
+         nurbs_constraint_report report = {};
+         report.struct_size = sizeof(nurbs_constraint_report);
+         report.residuals = o.values;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_constrain_with(in.curve, &constraints, &report, &call, &o.out);
+     }},
+    {"constrain_with with costs",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t kinds[] = {NURBS_CONSTRAIN_VALUE, NURBS_CONSTRAIN_VALUE};
+         static constexpr int32_t orders[] = {0, 1};
+         static constexpr double targets[] = {0.1, 0.9, 0.3, 0.7};
+         static constexpr int32_t keep[] = {0, 0};
+         static constexpr double costs[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+         static constexpr double weight_costs[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+         nurbs_constraints constraints = {};
+         constraints.struct_size = sizeof(nurbs_constraints);
+         constraints.count = 2;
+         constraints.kinds = kinds;
+         constraints.orders = orders;
+         constraints.params = arrays::new_knots;
+         constraints.targets = targets;
+         constraints.keep = keep;
+         constraints.costs = costs;
+         constraints.weight_costs = weight_costs;
+         constraints.tolerance = 1e-06;
+         nurbs_constraint_report report = {};
+         report.struct_size = sizeof(nurbs_constraint_report);
+         report.residuals = o.values;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_constrain_with(in.curve, &constraints, &report, &call, &o.out);
+     }},
     {"bend_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double origin[] = {0.1, 0.9};

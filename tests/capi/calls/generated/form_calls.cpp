@@ -226,6 +226,18 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_product_with(in.curve, in.curve, 0, &call, &o.out);
      }},
+    {"product_with periodic",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_product_with(in.loop, in.loop, 0, &call, &o.out);
+     }},
+    {"product_with volume",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_product_with(in.volume, in.volume, NURBS_PRODUCT_DOT, &call, &o.out);
+     }},
     {"compose_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_ramp(in, make_ramp);
@@ -235,6 +247,26 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_compose_with(in.curve, made_ramp, &call, &o.out);
+     }},
+    {"compose_with around a loop",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_round(in, make_round);
+         if (made_round.status() != NURBS_OK) {
+             return made_round.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_compose_with(in.loop, made_round, &call, &o.out);
+     }},
+    {"compose_with on a surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_diagonal(in, make_diagonal);
+         if (made_diagonal.status() != NURBS_OK) {
+             return made_diagonal.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_compose_with(in.surface, made_diagonal, &call, &o.out);
      }},
 };
 

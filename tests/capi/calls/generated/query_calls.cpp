@@ -298,6 +298,24 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_closest_points_with(in.curve, &query, &answer, &call);
      }},
+    {"closest_points_with of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double range[] = {0, 1, 0, 3};
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 2;
+         query.points = arrays::params;
+         query.range = range;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values;
+         answer.feet = o.values + 4;
+         answer.distances = o.values + 10;
+         answer.status = o.states;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_closest_points_with(in.surface, &query, &answer, &call);
+     }},
     {"farthest_points_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double points[] = {0.1, 0.9};
@@ -310,6 +328,23 @@ const Call group[] = {
          answer.params = o.values;
          answer.feet = o.values + 1;
          answer.distances = o.values + 3;
+         answer.status = o.states;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_farthest_points_with(in.curve, &query, &answer, &call);
+     }},
+    {"farthest_points_with of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 3;
+         query.points = arrays::params;
+         query.range = arrays::new_knots;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values;
+         answer.feet = o.values + 3;
+         answer.distances = o.values + 9;
          answer.status = o.states;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
@@ -333,6 +368,22 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_closest_local_with(in.curve, &query, &answer, &call);
      }},
+    {"closest_local_with params",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         static constexpr double guesses[] = {0.1};
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 1;
+         query.points = points;
+         query.guesses = guesses;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.params = o.values;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_closest_local_with(in.curve, &query, &answer, &call);
+     }},
     {"curve_signed_distances_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_closest_query query = {};
@@ -348,6 +399,20 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_curve_signed_distances_with(in.curve, &query, &answer, &call);
      }},
+    {"curve_signed_distances_with alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         nurbs_closest_query query = {};
+         query.struct_size = sizeof(nurbs_closest_query);
+         query.n = 1;
+         query.points = points;
+         nurbs_closest_answer answer = {};
+         answer.struct_size = sizeof(nurbs_closest_answer);
+         answer.distances = o.values;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_signed_distances_with(in.curve, &query, &answer, &call);
+     }},
     {"closest_all_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double point[] = {0.1, 0.9};
@@ -356,12 +421,30 @@ const Call group[] = {
          return nurbs_closest_all_with(in.curve, point, nullptr, 0, 0, 8, o.values, o.values + 8, o.spans,
              o.states, &call);
      }, true},
+    {"closest_all_with inside",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         static constexpr double range[] = {0, 1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_closest_all_with(in.curve, point, range, 0, 0, 8, o.values, o.values + 8, o.spans,
+             o.states, &call);
+     }, true},
     {"critical_points_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double point[] = {0.1, 0.9};
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_critical_points_with(in.curve, point, nullptr, 0, 0, 8, o.values, o.values + 8, o.states,
+             o.spans, o.states + 8, &call);
+     }, true},
+    {"critical_points_with inside",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double point[] = {0.1, 0.9};
+         static constexpr double range[] = {0, 1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_critical_points_with(in.curve, point, range, 0, 0, 8, o.values, o.values + 8, o.states,
              o.spans, o.states + 8, &call);
      }, true},
     {"distance_with",
@@ -378,30 +461,55 @@ const Call group[] = {
          return nurbs_hausdorff_distance_with(in.curve, in.loop, 0.1, 0, o.values, o.values + 2, o.values + 4,
              o.values + 5, o.states, &call);
      }},
-    {"curve_features_with",
+    {"curve_features_with count",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_curve_features_with(in.twist, 127, 0, nullptr, nullptr, nullptr, o.spans, o.states,
              &call);
      }},
+    {"curve_features_with periodic",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_features_with(in.loop, 63, 16, o.values, o.states, o.values + 16, o.spans, o.states
+             + 16, &call);
+     }, true},
     {"fold_test_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fold_test_with(in.surface, nullptr, o.states, o.values, o.values + 2, &call);
      }},
-    {"recognize_with",
+    {"fold_test_with seen from above",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fold_test_with(in.surface, arrays::center, o.states, o.values, o.values + 2, &call);
+     }},
+    {"recognize_with curve",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_recognize_with(in.curve, 1e-09, o.states, o.values, o.values + 9, o.values + 12, &call);
+     }},
+    {"recognize_with surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_recognize_with(in.surface, 0.2, o.states, o.values, o.values + 9, o.values + 12, &call);
      }},
     {"curve_length_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_curve_length_with(in.curve, nullptr, 1e-09, o.values, o.values + 1, &call);
+     }},
+    {"curve_length_with of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_length_with(in.curve, arrays::new_knots, 1e-09, o.values, o.values + 1, &call);
      }},
     {"curve_lengths_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -423,11 +531,32 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_curve_divide_with(in.curve, nullptr, 5, 1e-09, 0, o.values, o.values + 6, &call);
      }},
+    {"curve_divide_with a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_divide_with(in.curve, arrays::new_knots, 5, 1e-09, 0, o.values, o.values + 6,
+             &call);
+     }},
+    {"curve_divide_with chords",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_divide_with(in.curve, nullptr, 5, 1e-09, NURBS_EQUAL_CHORDS, o.values, o.values +
+             6, &call);
+     }},
     {"surface_area_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_area_with(in.surface, nullptr, 1e-09, o.values, o.values + 1, &call);
+     }},
+    {"surface_area_with of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double range[] = {0, 1, 0, 3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_area_with(in.surface, range, 1e-09, o.values, o.values + 1, &call);
      }},
     {"moments_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -451,6 +580,18 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_enclosed_volume_with(1, surfaces, 1e-09, o.values, nullptr, nullptr, o.values + 1,
              o.values + 2, &call);
+     }},
+    {"enclosed_volume_with sphere",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         const nurbs *const surfaces[] = {made_sphere};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_enclosed_volume_with(1, surfaces, 1e-06, o.values, o.values + 1, o.values + 4, o.values +
+             13, o.values + 14, &call);
      }},
 };
 
