@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Watched calls: what the callback is told and when, and what ends them.
+#include "base/watch.h"
+
+#include "base/error.h"
+#include "base/lazy.h"
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <thread>
+#include <vector>
+
+namespace watch_test {
+
+using namespace nrb;
+
+namespace {
+
+constexpr int64_t look = 1 << 14; // work after which the clock is looked at
+
+struct Told {
+    std::vector<double> shares;
+    int32_t answer = 0;
+    Watch *inside = nullptr;
+    bool throws = false;
+};
+
+int32_t tell(double done, void *user) {
+    Told &told = *static_cast<Told *>(user);
+    told.shares.push_back(done);
+    told.inside = Watch::current();
+    if (told.throws) {
+        throw std::runtime_error("no");
+    }
+    return told.answer;
+}
+
+void pause() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(11));
+}
+
+Status end_of(const Watch::Wishes &wishes, void (*body)()) {
+    try {
+        const Watch watch(wishes);
+        body();
+        return Status::ok;
+    } catch (const CallEnded &end) {
+        return end.why.status();
+    }
+}
+
+} // namespace
+
+TEST(Watch, is_that_of_the_thread_until_it_ends) {
+    EXPECT_EQ(Watch::current(), nullptr);
+    {
+        const Watch outer({});
+        EXPECT_EQ(Watch::current(), &outer);
+        {
+            const Watch inner({});
+            EXPECT_EQ(Watch::current(), &inner);
+        }
+        EXPECT_EQ(Watch::current(), &outer);
+        std::thread([] { EXPECT_EQ(Watch::current(), nullptr); }).join();
+    }
+    EXPECT_EQ(Watch::current(), nullptr);
+}
+
+TEST(Watch, calls_back_at_most_every_ten_milliseconds_with_an_empty_slot) {
+    Told told;
+    const Watch watch({0, tell, &told});
+    count_work(look);
+    EXPECT_TRUE(told.shares.empty());
+    pause();
+    count_work(look - 1);
+    EXPECT_TRUE(told.shares.empty()) << "not before there was work";
+    count_work(1);
+    count_work(look);
+    ASSERT_EQ(told.shares.size(), 1U);
+    EXPECT_EQ(told.inside, nullptr);
+    EXPECT_EQ(Watch::current(), &watch);
+}
+
+TEST(Watch, shares_of_nested_loops_rise) {
+    Told told;
+    const Watch watch({0, tell, &told});
+    Steps outer(2);
+    for (int i = 0; i < 2; ++i, outer.next()) {
+        Steps inner(4);
+        for (int k = 0; k < 4; ++k) {
+            pause();
+            inner.next(look);
+        }
+    }
+    const std::vector<double> wanted{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
+    EXPECT_EQ(told.shares, wanted);
+}
+
+TEST(Watch, what_the_callback_returns_ends_the_call) {
+    static Told told;
+    told = {{}, 3, nullptr, false};
+    const auto body = [] {
+        pause();
+        count_work(look);
+    };
+    EXPECT_EQ(end_of({0, tell, &told}, body), Status::cancelled);
+    told = {{}, 0, nullptr, true};
+    EXPECT_EQ(end_of({0, tell, &told}, body), Status::cancelled);
+    EXPECT_EQ(Watch::current(), nullptr);
+}
+
+TEST(Watch, the_limit_ends_a_call_but_not_a_search) {
+    EXPECT_EQ(end_of({100, nullptr, nullptr}, [] { count_work(100); }), Status::ok);
+    EXPECT_EQ(end_of({100, nullptr, nullptr}, [] { count_work(101); }), Status::work);
+    EXPECT_EQ(end_of({100, nullptr, nullptr},
+                     [] {
+                         const LimitedSearch search;
+                         EXPECT_FALSE(work_ended());
+                         count_work(101);
+                         EXPECT_TRUE(work_ended());
+                         count_work(1000);
+                     }),
+              Status::ok);
+    EXPECT_FALSE(work_ended());
+}
+
+TEST(Watch, tables_that_are_kept_do_not_count) {
+    EXPECT_EQ(end_of({100, nullptr, nullptr},
+                     [] {
+                         const Lazy<int> table;
+                         EXPECT_EQ(table.get([] {
+                             count_work(1000);
+                             return 7;
+                         }),
+                                   7);
+                         count_work(100);
+                     }),
+              Status::ok);
+}
+
+TEST(Watch, a_table_whose_building_is_ended_is_built_by_the_next_call) {
+    static Lazy<int> table;
+    static Told told;
+    told = {{}, 1, nullptr, false};
+    const auto build = [] {
+        table.get([] {
+            pause();
+            count_work(look);
+            return 7;
+        });
+    };
+    EXPECT_EQ(end_of({0, tell, &told}, build), Status::cancelled);
+    EXPECT_EQ(table.peek(), nullptr);
+    build();
+    ASSERT_NE(table.peek(), nullptr);
+    EXPECT_EQ(*table.peek(), 7);
+}
+
+TEST(Watch, memory_in_parts_is_the_same_memory) {
+    const Watch watch({});
+    std::vector<double> values{1, 2};
+    grow_watched(values, 100000);
+    EXPECT_EQ(values.size(), 100000U);
+    EXPECT_EQ(values[1], 2);
+    EXPECT_EQ(values.back(), 0);
+}
+
+} // namespace watch_test
