@@ -93,15 +93,15 @@ static inline nurbs *long_make(int32_t axes, int32_t degree, int64_t count, int3
     const int32_t degrees[] = {degree, degree, degree};
     const int64_t counts[] = {count, count, count}, knots = count + degree + 1;
     int64_t total = 1;
-    double *own = malloc((size_t)(axes * knots) * sizeof *own), *abscissae, *points, *weights;
+    double *own = (double *)malloc((size_t)(axes * knots) * sizeof *own), *abscissae, *points, *weights;
     nurbs *g = NULL;
     for (int32_t k = 0; k < axes; ++k) {
         CHECK_OK(nurbs_knots_open_uniform(degree, count, 0, 1, knots, own + k * knots));
         total *= count;
     }
-    abscissae = malloc((size_t)count * sizeof *abscissae);
-    points = malloc((size_t)(total * dim) * sizeof *points);
-    weights = malloc((size_t)total * sizeof *weights);
+    abscissae = (double *)malloc((size_t)count * sizeof *abscissae);
+    points = (double *)malloc((size_t)(total * dim) * sizeof *points);
+    weights = (double *)malloc((size_t)total * sizeof *weights);
     for (int64_t i = 0; i < count; ++i) {
         double sum = 0;
         for (int32_t j = 1; j <= degree; ++j) {
@@ -129,7 +129,7 @@ static inline nurbs *long_make(int32_t axes, int32_t degree, int64_t count, int3
 
 static inline nurbs *long_sphere(int64_t knots) {
     const double centre[] = {1, 2, 3}, axis[] = {0, 0, 1}, x[] = {1, 0, 0};
-    double *fresh = malloc((size_t)knots * sizeof *fresh), domain[2];
+    double *fresh = (double *)malloc((size_t)knots * sizeof *fresh), domain[2];
     nurbs *sphere = NULL;
     CHECK_OK(nurbs_surface_sphere(centre, axis, x, 2, 0, &sphere));
     for (int32_t k = 0; k < 2; ++k) {
@@ -150,7 +150,7 @@ static inline nurbs *long_sphere(int64_t knots) {
 static inline char *long_file(int64_t curves, int64_t *size) {
     const char *const global = "1H,,1H;,4HTEST,8Htest.igs,4HTEST,3H1.0,32,38,6,308,15,4HTEST,1.,2,";
     const char *const rest = "2HMM,1,1.,15H20260101.000000,1E-6,1.,4HNONE,4HNONE,11,0;";
-    char *text = malloc((size_t)(5 + 4 * curves + 1) * 81 + 1), *at = text;
+    char *text = (char *)malloc((size_t)(5 + 4 * curves + 1) * 81 + 1), *at = text;
     char line[120];
     at += sprintf(at, "%-72s%c%7d\n", "test", 'S', 1);
     at += sprintf(at, "%-72s%c%7d\n", global, 'G', 1);
@@ -175,7 +175,7 @@ static inline char *long_file(int64_t curves, int64_t *size) {
 
 /* size 1: calls of some milliseconds; work grows with it. */
 static inline LongShapes *long_shapes(double size) {
-    LongShapes *s = calloc(1, sizeof *s);
+    LongShapes *s = (LongShapes *)calloc(1, sizeof *s);
     const double side = sqrt(size);
     const int64_t many = (int64_t)(2000 * size), edge = (int64_t)(20 * side);
     s->tangled = long_make(1, 3, many, 3, 1, long_tangle);
@@ -191,7 +191,7 @@ static inline LongShapes *long_shapes(double size) {
     s->block = long_make(3, 2, 6, 3, 0, long_block);
     s->folded = long_make(3, 2, 4 + edge / 8, 3, 0, long_folds);
     s->file = long_file(many / 2, &s->file_size);
-    s->n = (int64_t)(size * 20) < long_points ? (int64_t)(size * 20) : long_points;
+    s->n = (int64_t)(size * 20) < long_points ? (int64_t)(size * 20) : (int64_t)long_points;
     for (int i = 0; i < 3 * long_points; ++i) {
         s->points[i] = long_random();
     }
