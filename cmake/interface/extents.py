@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Shapes of arrays, "[n][dim + 1]", as products of terms that a backend can write in its language.
 
-A name in a shape is, in this order: a definition of the entry (where.S = "slots(order)"), a parameter of the function that
-is a number, or a property of the spline: axes, dim, N (the number of control points), rational.
+A name in a shape is, in this order: a parameter of the function that is a number, a definition of the entry (where.S =
+"slots(order)"), or a property of the spline: axes, dim, N (the number of control points), rational.
 
 What functions a term may call is in FUNCTIONS; the core of each language has them.
 """
@@ -93,10 +93,10 @@ class Reader:
         raise ExtentError(f"cannot read {ast.unparse(node)!r}")
 
     def named(self, name):
-        if name in self.definitions:
-            return self.term(self.definitions[name])
         if name in self.numbers or name in self.arrays:
             return Term("parameter", name)
+        if name in self.definitions:
+            return self.term(self.definitions[name])
         if name in PROPERTIES and self.splines:
             return Term("property", name, self.splines[0])
         raise ExtentError(f"what is {name!r}? It is no number among the parameters; define it: where.{name} = ...")

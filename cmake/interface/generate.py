@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the files that follow from nurbs.h alone.
+"""Writes the files that follow from nurbs.h and the table of the bindings.
 
     generate.py [--check] TOP       TOP is the folder of the project
 
@@ -12,16 +12,29 @@ from pathlib import Path
 
 import exports
 import fortran
+import fortran_methods
 import header
 import python
 import rust
+import table
 
-BACKENDS = (fortran, python, rust, exports)
+DECLARATIONS = (fortran, python, rust, exports)  # FILES: {path: what makes the text of the header}
+WRAPPERS = (fortran_methods,)  # files(binding): {path: text}, of the header and the table
 
 
-def contents(manual):
-    """{path from the top folder: text}"""
-    return {path: make(manual) for backend in BACKENDS for path, make in backend.FILES.items()}
+def declarations(manual):
+    """{path from the top folder: text} of what the header alone says."""
+    return {path: make(manual) for backend in DECLARATIONS for path, make in backend.FILES.items()}
+
+
+def contents(top):
+    """The same of all files."""
+    manual = header.read(top)
+    binding = table.read(manual, top)
+    texts = declarations(manual)
+    for backend in WRAPPERS:
+        texts.update(backend.files(binding))
+    return texts
 
 
 def stale(top, wanted):
@@ -37,13 +50,17 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 2
     top = Path(arguments[-1])
-    wanted = contents(header.read(top))
+    try:
+        wanted = contents(top)
+    except table.TableError as error:
+        print(error, file=sys.stderr)
+        return 1
     changed = list(stale(top, wanted))
     for path in changed:
         if not check:
             (top / path).parent.mkdir(parents=True, exist_ok=True)
             (top / path).write_text(wanted[path], encoding="utf-8")
-        print(f"{path} " + (f"does not follow {header.PATH}" if check else "written"))
+        print(f"{path} " + (f"does not follow {header.PATH} and {table.FOLDER}" if check else "written"))
     if check and changed:
         print(f"To refresh: {header.COMMAND}")
     print(f"{len(wanted)} files, {len(changed)} " + ("stale" if check else "changed"))

@@ -85,13 +85,15 @@ class Maker:
             shape = shapes.get(value.name, value.parameter.shape)
             if value.kind in ("array", "splines", "bytes") and shape:
                 value.extents = reader.shape(shape)
+        self.definitions = {name: reader.term(text) for name, text in where.items() if name in numbers}
 
     # Methods.
 
     def method(self, line):
         parsed = signature.parse(self.whole(line))
         arguments = tuple(self.argument(argument) for argument in parsed.arguments)
-        method = model.Method(self.entry, self.language, parsed.receiver, parsed.name, arguments, None, self.values)
+        method = model.Method(self.entry, self.language, parsed.receiver, parsed.name, arguments, None, self.values,
+                              self.definitions)
         method.result = self.result(parsed, method)
         if self.language == "rust" and "call" not in self.entry.text.get("rust", {}) or "(" not in line:
             self.receive(method)
@@ -115,9 +117,7 @@ class Maker:
             method.receiver = first.pattern.name
             method.arguments = tuple(Argument("other", argument.pattern) if argument.name == "b" else argument
                                      for argument in method.arguments[1:])
-        elif method.made and isinstance(method.result, Take) and method.made[0].kind == "spline":
-            method.receiver = "Spline"
-        elif method.made and isinstance(method.result, Struct):
+        elif method.made:
             method.receiver = "Spline"
 
     # Patterns.
@@ -228,7 +228,7 @@ class Maker:
 
     def check_numbers(self, method):
         for value in method.computed:
-            if value.name in self.entry.text.get("where", {}) or method.sources(value.name):
+            if value.name in method.definitions or method.sources(value.name):
                 continue
             raise MethodError(f"nobody gives {value.name}, and no array that is given has that length; "
                               f"make it an argument, or define it: where.{value.name} = \"...\"")

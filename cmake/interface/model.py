@@ -8,7 +8,8 @@
     method.arguments           what the caller gives, in order; patterns of signature.py whose leaves are parameters
     method.result              the pattern of what comes back, or None
     method.values              {parameter of the C function: Value}, in the order of the C function
-    method.sources(name)       how a number that the caller does not give follows from the arrays that are given
+    method.computed            numbers that the caller does not give: method.definitions[name], a term, or else
+    method.sources(name)       the arrays that are given and have the number in their shapes
 """
 
 from dataclasses import dataclass, field
@@ -71,6 +72,7 @@ class Record:
     sources: dict = field(default_factory=dict)  # name -> parameter, where they differ
     options: dict = field(default_factory=dict)  # language -> {"name": ..., "outputs": ..., "rename": {...}}
     struct: str = ""  # the struct of nurbs.h that it holds
+    splines: int = 0  # it is an array of so many splines
     by_hand: str = ""
     uses: dict = field(default_factory=dict)  # language -> [(method, signature.Struct, whether it is a result)]
 
@@ -80,6 +82,9 @@ class Record:
     def outputs(self, language):
         """The name of the struct of arrays of the caller that are filled, or ""."""
         return self.options.get(language, {}).get("outputs", "")
+
+    def is_used(self, language):
+        return bool(self.uses.get(language)) or self.struct != "" or self.splines > 0
 
     def renamed(self, language, name):
         return self.options.get(language, {}).get("rename", {}).get(name, name)
@@ -101,6 +106,7 @@ class Method:
     arguments: tuple  # of signature.Argument, records with all their fields
     result: object
     values: dict = field(default_factory=dict)  # {name: Value}
+    definitions: dict = field(default_factory=dict)  # {name of a number that the caller does not give: Term}
 
     @property
     def given(self):
@@ -170,9 +176,10 @@ class Entry:
         """What a language says for itself, or what holds for all."""
         return self.text.get(language, {}).get(key, self.text.get(key, otherwise))
 
-    def doc(self, language):
-        """Its own text, that of all languages, or the first sentence of the header."""
-        return self.option(language, "doc", self.function.brief)
+    def doc(self, language, method=None):
+        """Its own text, that of all languages, or the first sentence of the header. Of overloads each may have one."""
+        texts = self.option(language, "doc", self.function.brief)
+        return texts if isinstance(texts, str) else texts[self.methods[language].index(method)]
 
     def fills(self, language):
         """Whether there is a second form that writes to arrays of the caller."""
@@ -202,13 +209,18 @@ class Group:
         return self.text.get("constants", {})
 
     def records(self, language):
-        return [record for record in self.all_records if record.uses.get(language) and not record.by_hand]
+        return [record for record in self.all_records if record.is_used(language) and not record.by_hand]
 
 
 @dataclass
 class Binding:
     manual: object  # header.Header
     groups: list
+    general: dict = field(default_factory=dict)  # general.toml
+
+    def is_unsigned(self, constant):
+        """Whether it is one of bits, with the u in the header or not."""
+        return constant.literal.endswith("u") or any(constant.name.startswith(name) for name in self.general["unsigned"])
 
     @property
     def entries(self):

@@ -20,10 +20,10 @@ FOLDER = "capi/bindings/table"
 GENERAL = "general.toml"
 GROUP_KEYS = {"doc", "constants", *model.LANGUAGES}
 ENTRY_KEYS = {"call", "doc", "section", "where", "shape", "into", "space_only", "otherwise", "called", "through", "packed",
-              "by_hand", "watched"}
-LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "by_hand"}
-RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand"}
-RECORD_LANGUAGE_KEYS = {"name", "outputs", "rename"}
+              "by_hand", "watched", "lenient"}
+LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "failing", "by_hand", "dim_of"}
+RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand", "of_splines"}
+RECORD_LANGUAGE_KEYS = {"name", "outputs", "rename", "initial"}
 
 
 class TableError(Exception):
@@ -61,7 +61,7 @@ class Reader:
         self.check_complete(groups)
         if self.problems:
             raise TableError("\n".join(self.problems))
-        return model.Binding(self.manual, groups)
+        return model.Binding(self.manual, groups, self.general)
 
     def order(self):
         """Names of the files in the order that general.toml gives."""
@@ -118,7 +118,7 @@ class Reader:
             self.report(place, f"is also in {self.records[key].group.name}.toml")
         options = {language: text[language] for language in model.LANGUAGES if language in text}
         record = model.Record(key, group, text.get("doc", ""), fields, text.get("defaults", {}), text.get("from", {}),
-                              options, text.get("struct", ""), text.get("by_hand", ""))
+                              options, text.get("struct", ""), text.get("of_splines", 0), text.get("by_hand", ""))
         self.records[key] = record
         group.all_records.append(record)
 
@@ -175,12 +175,13 @@ class Reader:
             if function.name not in entries.keys() | watched:
                 self.report(f"nurbs.h: {function.name}", self.advice(function.name))
         for record in self.records.values():
-            if not record.uses and not record.struct:
+            if not record.uses and not record.struct and not record.splines:
                 self.report(f"{record.group.name}.toml: [{record.key}]", "no call uses it")
 
     def advice(self, name):
         """Of a function that is nowhere."""
         base = name.removesuffix("_with")
         if base != name and base in self.functions:
-            return f"has no entry in {FOLDER}; if it is {base} with call options, put watched = true into the entry of {base}"
+            return (f"has no entry in {FOLDER}; if it is {base} with call options, put watched = true into the entry of "
+                    f"{base}")
         return f"has no entry in {FOLDER}: add [{name}] with call = \"...\" to a file there"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every function, constant and macro of nurbs.h can be reached from the layers that are written by hand, and every
-function is called by a test in C, and by those of memory and threads.
+"""Every function, constant and macro of nurbs.h can be reached from the layers above the declarations, and every function
+is called by a test in C, and by those of memory and threads.
 
     check_coverage.py TOP     TOP is the folder of the project
 
 Declarations and constants are generated from the header, and bindings.generated compares them; here it is seen that the
-layers above use them all.
+layers above use them all, those that are generated from the table and those that are written by hand.
 """
 
 import pathlib
@@ -18,7 +18,7 @@ BINDINGS = TOP / "capi/bindings"
 sys.path.insert(0, str(TOP / "cmake/interface"))
 
 import header  # noqa: E402 - from the project
-from generate import contents  # noqa: E402 - from the project
+from generate import declarations  # noqa: E402 - from the project
 
 COMMENT = r"/\*.*?\*/|//[^\n]*"
 COMMENTS = {".c": COMMENT, ".cpp": COMMENT, ".h": COMMENT, ".hpp": COMMENT, ".rs": COMMENT,
@@ -26,8 +26,8 @@ COMMENTS = {".c": COMMENT, ".cpp": COMMENT, ".h": COMMENT, ".hpp": COMMENT, ".rs
 
 
 def sources(manual, *patterns):
-    """Text of the files written by hand, without comments."""
-    generated = {TOP / path for path in contents(manual)}
+    """Text of the files but the declarations, without comments."""
+    generated = {TOP / path for path in declarations(manual)}
     paths = sorted(path for pattern in patterns for path in TOP.glob(pattern) if path not in generated)
     return "\n".join(re.sub(COMMENTS[path.suffix], " ", path.read_text(), flags=re.S) for path in paths)
 
