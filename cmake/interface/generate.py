@@ -15,13 +15,14 @@ import cpp
 import exports
 import formatting
 import fortran
+import fortran_methods
 import header
 import python
 import rust
 import table
 
 DECLARATIONS = (fortran, python, rust, exports, calls)  # FILES: {path: what makes the text of the header}
-WRAPPERS = (cpp,)  # files(binding): {path: text}, of the header and the table
+WRAPPERS = (cpp, fortran_methods)  # files(binding): {path: text}, of the header and the table
 
 
 def declarations(manual):

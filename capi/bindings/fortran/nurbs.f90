@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> libnurbs for Fortran 2018: splines and lists of splines as types that clean up after themselves.
 !>
 !> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
@@ -15,26 +16,26 @@
 !>   in gfortran 12 assignments of types with splines in them; give such a type an assignment of its own, which
 !>   assigns these.
 !>
-!> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, the modules are
-!> compiled in the order of their use statements:
+!> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, nurbs_all.f90 is all
+!> modules in one file:
 !>
-!>     gfortran -c $(for f in *.f90; do sed -n "s/^ *use \(nurbs\w*\).*/\1.f90 $f/p" $f; done | tsort)
+!>     gfortran -c nurbs_all.f90
 module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
-    use nurbs_knot_vectors
+    use nurbs_handles, only: default_read_options
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
+    use nurbs_lists, only: nurbs_list
+    use nurbs_knot_vectors
     use nurbs_frames
-    use nurbs_calculus
-    use nurbs_lists, only: nurbs_list, default_read_options
     use nurbs_compatible
-    use nurbs_continuities
     use nurbs_continuation
-    use nurbs_projections
-    use nurbs_segments
+    use nurbs_calculus
+    use nurbs_continuities
     use nurbs_reduction
+    use nurbs_projections
     use nurbs_curves
     use nurbs_shapes
     use nurbs_coons
@@ -45,6 +46,7 @@ module nurbs
     use nurbs_features
     use nurbs_edits
     use nurbs_deformations
+    use nurbs_segments
     implicit none
     public
 end module nurbs

@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Boxes and cones that contain a spline, proven. range(2, axes) is a part of the domain, range(:, k) of domain(k).
 !> Conventions: see the module nurbs.
 module nurbs_bounds
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_box, nurbs_oriented_box, nurbs_tangent_cone, nurbs_normal_cone, nurbs_extreme_point
     use nurbs_support
     use nurbs_splines
     implicit none
@@ -22,7 +23,9 @@ contains
         real(c_double), intent(in), optional :: range(:, :)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([size(lower) == dim_of(g%handle), size(upper) == dim_of(g%handle), in_domain(g, range)])
+        integer(c_int64_t) :: dim
+        dim = dim_of(g%handle)
+        code = fitting([fits(lower, dim), fits(upper, dim), fits(range, 2_c_int64_t, axes_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_box(g%handle, range, tolerance, lower, upper, gap)
         call settle(code, status)
     end subroutine bounding_box
@@ -34,9 +37,9 @@ contains
         real(c_double), intent(inout) :: center(:), axes(:, :), half(:)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer :: dim
+        integer(c_int64_t) :: dim
         dim = dim_of(g%handle)
-        code = fitting([size(center) == dim, shape(axes) == dim, size(half) == dim])
+        code = fitting([fits(center, dim), fits(axes, dim, dim), fits(half, dim)])
         if (code == NURBS_OK) code = nurbs_oriented_box(g%handle, tolerance, center, axes, half)
         call settle(code, status)
     end subroutine oriented_box
@@ -50,7 +53,7 @@ contains
         real(c_double), intent(in), optional :: range(:, :)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([size(direction) == dim_of(g%handle), in_domain(g, range)])
+        code = fitting([fits(direction, dim_of(g%handle)), fits(range, 2_c_int64_t, axes_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_tangent_cone(g%handle, axis - 1, range, tolerance, direction, angle)
         call settle(code, status)
     end subroutine tangent_cone
@@ -74,15 +77,10 @@ contains
         real(c_double), intent(in), optional :: range(:, :)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([size(direction) == dim_of(g%handle), in_domain(g, range), &
-                        has_size(int(axes_of(g%handle), c_int64_t), params)])
+        integer(c_int64_t) :: axes
+        axes = axes_of(g%handle)
+        code = fitting([fits(direction, dim_of(g%handle)), fits(params, axes), fits(range, 2_c_int64_t, axes)])
         if (code == NURBS_OK) code = nurbs_extreme_point(g%handle, direction, range, tolerance, params, value, bound)
         call settle(code, status)
     end subroutine extreme_point
-
-    logical function in_domain(g, range)
-        class(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in), optional :: range(:, :)
-        in_domain = has_shape(2_c_int64_t, axes_of(g%handle), range)
-    end function in_domain
 end module nurbs_bounds

@@ -1,34 +1,35 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Derivatives, integrals, sums, products and compositions of splines, and changes of their weights. Conventions: see
 !> the module nurbs.
 module nurbs_calculus
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_blossom, nurbs_derivative, nurbs_antiderivative, nurbs_product, nurbs_compose, nurbs_sum, &
+        nurbs_normalize_weights, nurbs_reparametrize_moebius, nurbs_equalize_end_weights
     use nurbs_support
     use nurbs_splines
     implicit none
     private
-    public :: spline_blossom, spline_derivative, spline_antiderivative, spline_product, spline_sum, spline_compose
+    public :: spline_blossom, spline_derivative, spline_antiderivative, spline_product, spline_compose, spline_sum
     public :: normalize_weights, reparametrize_moebius, equalize_end_weights
 
 contains
 
-    !> The polar form of the piece at params(axes) at arguments args(sum of the degrees), in values(dim), or
-    !> values(dim + 1) if g is rational.
+    !> The polar form of the piece at params(axes) at arguments args(sum of the degrees), in values(dim), or values(dim
+    !> + 1) if g is rational.
     subroutine spline_blossom(g, params, args, values, flags, status)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: params(:), args(:)
         real(c_double), intent(inout) :: values(:)
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, axes, dim, rational
-        code = nurbs_axes(g%handle, axes)
-        if (code == NURBS_OK) code = nurbs_dimension(g%handle, dim)
-        if (code == NURBS_OK) code = nurbs_is_rational(g%handle, rational)
-        if (code == NURBS_OK .and. (size(params) /= axes .or. size(values) /= dim + rational)) code = shape_error
+        integer(c_int32_t) :: code
+        code = held(g%handle)
+        if (code == NURBS_OK) code = fitting([fits(params, axes_of(g%handle)), &
+            fits(values, dim_of(g%handle) + rational_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_blossom(g%handle, params, size(args, kind=c_int64_t), args, values, &
-            bits(flags))
+            given(flags, 0))
         call settle(code, status)
     end subroutine spline_blossom
 
@@ -66,23 +67,10 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_product(a%handle, b%handle, bits(flags), made)
+        code = nurbs_product(a%handle, b%handle, given(flags, 0), made)
         call out%replace(made)
         call settle(code, status)
     end subroutine spline_product
-
-    !> alpha a(t) + beta b(t)
-    subroutine spline_sum(a, alpha, b, beta, out, status)
-        class(nurbs_spline), intent(in) :: a, b
-        real(c_double), intent(in) :: alpha, beta
-        type(nurbs_spline), intent(inout) :: out
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_sum(a%handle, alpha, b%handle, beta, made)
-        call out%replace(made)
-        call settle(code, status)
-    end subroutine spline_sum
 
     !> g(f(t)) for a curve f in the parameter space of g.
     subroutine spline_compose(g, f, out, status)
@@ -95,6 +83,19 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine spline_compose
+
+    !> alpha a(t) + beta b(t).
+    subroutine spline_sum(a, alpha, b, beta, out, status)
+        class(nurbs_spline), intent(in) :: a, b
+        real(c_double), intent(in) :: alpha, beta
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_sum(a%handle, alpha, b%handle, beta, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_sum
 
     !> The largest weight 1; equal weights dropped.
     subroutine normalize_weights(g, out, status)

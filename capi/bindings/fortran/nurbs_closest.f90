@@ -1,13 +1,14 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Distances and closest points. states(n) receives sums of the NURBS_CLOSEST_ bits; range(2, axes) is the part of the
 !> domain that is searched, range(:, k) of domain(k). Conventions: see the module nurbs.
 module nurbs_closest
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_closest_points, nurbs_farthest_points, nurbs_closest_local, nurbs_closest_all, &
+        nurbs_critical_points, nurbs_curve_signed_distances, nurbs_distance, nurbs_hausdorff_distance
     use nurbs_support
     use nurbs_splines
-    use nurbs_placements, only: given
     implicit none
     private
     public :: closest_points, farthest_points, closest_local, closest_all, critical_points, signed_distances
@@ -23,16 +24,18 @@ contains
         real(c_double), intent(inout), optional :: params(:, :), feet(:, :), distances(:)
         integer(c_int32_t), intent(inout), optional :: states(:)
         real(c_double), intent(in), optional :: range(:, :), tolerance
-        integer, intent(in), optional :: budget
-        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(in), optional :: budget, flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: n
+        integer(c_int64_t) :: n, dim, axes
         n = size(points, 1, c_int64_t)
-        code = search_shape(g, points, params, feet, distances, states, range)
+        dim = dim_of(g%handle)
+        axes = axes_of(g%handle)
+        code = fitting([fits(points, n, dim), fits(params, n, axes), fits(feet, n, dim), fits(distances, n), &
+            fits(states, n), fits(range, 2_c_int64_t, axes)])
         if (code == NURBS_OK) code = nurbs_closest_points(g%handle, n, points, step(points), column(points), range, &
-            given(tolerance, 0d0), pieces(budget), params, apart(n), n, feet, apart(n), n, distances, 0_c_int64_t, &
-            states, bits(flags))
+            given(tolerance, 0d0), int(given(budget, 0), c_int64_t), params, step(params), column(params), feet, &
+            step(feet), column(feet), distances, 0_c_int64_t, states, given(flags, 0))
         call settle(code, status)
     end subroutine closest_points
 
@@ -43,16 +46,18 @@ contains
         real(c_double), intent(inout), optional :: params(:, :), feet(:, :), distances(:)
         integer(c_int32_t), intent(inout), optional :: states(:)
         real(c_double), intent(in), optional :: range(:, :), tolerance
-        integer, intent(in), optional :: budget
-        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(in), optional :: budget, flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: n
+        integer(c_int64_t) :: n, dim, axes
         n = size(points, 1, c_int64_t)
-        code = search_shape(g, points, params, feet, distances, states, range)
+        dim = dim_of(g%handle)
+        axes = axes_of(g%handle)
+        code = fitting([fits(points, n, dim), fits(params, n, axes), fits(feet, n, dim), fits(distances, n), &
+            fits(states, n), fits(range, 2_c_int64_t, axes)])
         if (code == NURBS_OK) code = nurbs_farthest_points(g%handle, n, points, step(points), column(points), range, &
-            given(tolerance, 0d0), pieces(budget), params, apart(n), n, feet, apart(n), n, distances, 0_c_int64_t, &
-            states, bits(flags))
+            given(tolerance, 0d0), int(given(budget, 0), c_int64_t), params, step(params), column(params), feet, &
+            step(feet), column(feet), distances, 0_c_int64_t, states, given(flags, 0))
         call settle(code, status)
     end subroutine farthest_points
 
@@ -65,13 +70,15 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: n
+        integer(c_int64_t) :: n, dim, axes
         n = size(points, 1, c_int64_t)
-        code = search_shape(g, points, params, feet, distances, states)
-        if (.not. has_shape(n, axes_of(g%handle), guesses)) code = shape_error
+        dim = dim_of(g%handle)
+        axes = axes_of(g%handle)
+        code = fitting([fits(points, n, dim), fits(guesses, n, axes), fits(params, n, axes), fits(feet, n, dim), &
+            fits(distances, n), fits(states, n)])
         if (code == NURBS_OK) code = nurbs_closest_local(g%handle, n, points, step(points), column(points), guesses, &
-            step(guesses), column(guesses), params, apart(n), n, feet, apart(n), n, distances, 0_c_int64_t, states, &
-            bits(flags))
+            step(guesses), column(guesses), params, step(params), column(params), feet, step(feet), column(feet), &
+            distances, 0_c_int64_t, states, given(flags, 0))
         call settle(code, status)
     end subroutine closest_local
 
@@ -83,20 +90,21 @@ contains
         real(c_double), allocatable, intent(inout) :: params(:, :), distances(:)
         integer(c_int32_t), intent(inout), optional :: state
         real(c_double), intent(in), optional :: range(:, :), tolerance
-        integer, intent(in), optional :: budget
+        integer(c_int32_t), intent(in), optional :: budget
         integer(c_int32_t), intent(out), optional :: status
-        real(c_double), allocatable :: columns(:, :)
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: n
+        integer(c_int64_t) :: axes, n
+        real(c_double), allocatable :: params_c(:, :)
+        axes = axes_of(g%handle)
         n = 0
-        code = point_shape(g, point, range)
-        if (code == NURBS_OK) code = nurbs_closest_all(g%handle, point, range, given(tolerance, 0d0), pieces(budget), &
-            0_c_int64_t, count=n)
+        code = fitting([fits(point, dim_of(g%handle)), fits(range, 2_c_int64_t, axes)])
+        if (code == NURBS_OK) code = nurbs_closest_all(g%handle, point, range, given(tolerance, 0d0), &
+            int(given(budget, 0), c_int64_t), 0_c_int64_t, count=n)
         if (allocated(distances)) deallocate (distances)
-        allocate (distances(n), columns(axes_of(g%handle), n))
-        if (code == NURBS_OK) code = nurbs_closest_all(g%handle, point, range, given(tolerance, 0d0), pieces(budget), &
-            n, columns, distances, status=state)
-        params = transpose(columns)
+        allocate (params_c(axes, n), distances(n))
+        if (code == NURBS_OK) code = nurbs_closest_all(g%handle, point, range, given(tolerance, 0d0), &
+            int(given(budget, 0), c_int64_t), n, params_c, distances, status=state)
+        params = transpose(params_c)
         call settle(code, status)
     end subroutine closest_all
 
@@ -108,21 +116,22 @@ contains
         integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
         integer(c_int32_t), intent(inout), optional :: state
         real(c_double), intent(in), optional :: range(:, :), tolerance
-        integer, intent(in), optional :: budget
+        integer(c_int32_t), intent(in), optional :: budget
         integer(c_int32_t), intent(out), optional :: status
-        real(c_double), allocatable :: columns(:, :)
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: n
+        integer(c_int64_t) :: axes, n
+        real(c_double), allocatable :: params_c(:, :)
+        axes = axes_of(g%handle)
         n = 0
-        code = point_shape(g, point, range)
+        code = fitting([fits(point, dim_of(g%handle)), fits(range, 2_c_int64_t, axes)])
         if (code == NURBS_OK) code = nurbs_critical_points(g%handle, point, range, given(tolerance, 0d0), &
-            pieces(budget), 0_c_int64_t, count=n)
+            int(given(budget, 0), c_int64_t), 0_c_int64_t, count=n)
         if (allocated(distances)) deallocate (distances)
         if (allocated(kinds)) deallocate (kinds)
-        allocate (distances(n), kinds(n), columns(axes_of(g%handle), n))
+        allocate (params_c(axes, n), distances(n), kinds(n))
         if (code == NURBS_OK) code = nurbs_critical_points(g%handle, point, range, given(tolerance, 0d0), &
-            pieces(budget), n, columns, distances, kinds, status=state)
-        params = transpose(columns)
+            int(given(budget, 0), c_int64_t), n, params_c, distances, kinds, status=state)
+        params = transpose(params_c)
         call settle(code, status)
     end subroutine critical_points
 
@@ -134,16 +143,15 @@ contains
         real(c_double), intent(inout), optional :: params(:)
         integer(c_int32_t), intent(inout), optional :: states(:)
         real(c_double), intent(in), optional :: tolerance
-        integer, intent(in), optional :: budget
-        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(in), optional :: budget, flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         integer(c_int64_t) :: n
         n = size(points, 1, c_int64_t)
-        code = fitting([size(points, 2) == dim_of(g%handle), has_size(n, distances), has_size(n, params), &
-                        has_length(n, states)])
+        code = fitting([fits(points, n, dim_of(g%handle)), fits(distances, n), fits(params, n), fits(states, n)])
         if (code == NURBS_OK) code = nurbs_curve_signed_distances(g%handle, n, points, step(points), column(points), &
-            given(tolerance, 0d0), pieces(budget), distances, 0_c_int64_t, params, 0_c_int64_t, states, bits(flags))
+            given(tolerance, 0d0), int(given(budget, 0), c_int64_t), distances, 0_c_int64_t, params, 0_c_int64_t, &
+            states, given(flags, 0))
         call settle(code, status)
     end subroutine signed_distances
 
@@ -154,12 +162,12 @@ contains
         real(c_double), intent(in) :: tolerance
         real(c_double), intent(inout), optional :: at_least, at_most, params_a(:), params_b(:)
         integer(c_int32_t), intent(inout), optional :: state
-        integer, intent(in), optional :: budget
+        integer(c_int32_t), intent(in), optional :: budget
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = pair_shape(a, b, params_a, params_b)
-        if (code == NURBS_OK) code = nurbs_distance(a%handle, b%handle, tolerance, pieces(budget), at_least, at_most, &
-            params_a, params_b, state)
+        code = fitting([fits(params_a, axes_of(a%handle)), fits(params_b, axes_of(b%handle))])
+        if (code == NURBS_OK) code = nurbs_distance(a%handle, b%handle, tolerance, int(given(budget, 0), c_int64_t), &
+            at_least, at_most, params_a, params_b, state)
         call settle(code, status)
     end subroutine spline_distance
 
@@ -170,46 +178,12 @@ contains
         real(c_double), intent(inout) :: at_least(2), at_most(2)
         real(c_double), intent(inout), optional :: params_a(:), params_b(:)
         integer(c_int32_t), intent(inout), optional :: state
-        integer, intent(in), optional :: budget
+        integer(c_int32_t), intent(in), optional :: budget
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = pair_shape(a, b, params_a, params_b)
-        if (code == NURBS_OK) code = nurbs_hausdorff_distance(a%handle, b%handle, tolerance, pieces(budget), at_least, &
-            at_most, params_a, params_b, state)
+        code = fitting([fits(params_a, axes_of(a%handle)), fits(params_b, axes_of(b%handle))])
+        if (code == NURBS_OK) code = nurbs_hausdorff_distance(a%handle, b%handle, tolerance, &
+            int(given(budget, 0), c_int64_t), at_least, at_most, params_a, params_b, state)
         call settle(code, status)
     end subroutine hausdorff_distance
-
-    pure integer(c_int64_t) function pieces(budget)
-        integer, intent(in), optional :: budget
-        pieces = 0
-        if (present(budget)) pieces = budget
-    end function pieces
-
-    integer(c_int32_t) function search_shape(g, points, params, feet, distances, states, range) result(code)
-        class(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in) :: points(:, :)
-        real(c_double), intent(in), optional :: params(:, :), feet(:, :), distances(:), range(:, :)
-        integer(c_int32_t), intent(in), optional :: states(:)
-        integer(c_int64_t) :: n
-        integer :: axes, dim
-        n = size(points, 1, c_int64_t)
-        axes = axes_of(g%handle)
-        dim = dim_of(g%handle)
-        code = fitting([size(points, 2) == dim, has_shape(n, axes, params), has_shape(n, dim, feet), &
-                        has_size(n, distances), has_length(n, states), has_shape(2_c_int64_t, axes, range)])
-    end function search_shape
-
-    integer(c_int32_t) function point_shape(g, point, range) result(code)
-        class(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in) :: point(:)
-        real(c_double), intent(in), optional :: range(:, :)
-        code = fitting([size(point) == dim_of(g%handle), has_shape(2_c_int64_t, axes_of(g%handle), range)])
-    end function point_shape
-
-    integer(c_int32_t) function pair_shape(a, b, params_a, params_b) result(code)
-        class(nurbs_spline), intent(in) :: a, b
-        real(c_double), intent(in), optional :: params_a(:), params_b(:)
-        code = fitting([has_size(int(axes_of(a%handle), c_int64_t), params_a), &
-                        has_size(int(axes_of(b%handle), c_int64_t), params_b)])
-    end function pair_shape
 end module nurbs_closest

@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Near-equal knots made equal, and sets of splines brought to one form. Conventions: see the module nurbs.
 module nurbs_compatible
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_snap_knots, nurbs_make_compatible
     use nurbs_support
+    use nurbs_handles
     use nurbs_splines
     use nurbs_lists
     implicit none
@@ -28,6 +30,7 @@ contains
         call settle(code, status)
     end subroutine snap_spline_knots
 
+    !> Splines brought to one degree, domain and knot vector on every axis.
     subroutine make_splines_compatible(splines, list, tolerance, flags, deviation, status)
         type(nurbs_spline), intent(in) :: splines(:)
         type(nurbs_list), intent(inout) :: list
@@ -35,17 +38,11 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         real(c_double), intent(inout), optional :: deviation
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, i
-        real(c_double) :: limit
-        type(c_ptr) :: made, handles(size(splines))
-        limit = 0
-        if (present(tolerance)) limit = tolerance
-        do i = 1, size(splines)
-            handles(i) = splines(i)%handle
-        end do
-        code = nurbs_make_compatible(size(splines, kind=c_int64_t), handles, limit, bits(flags), deviation, made)
-        call list%destroy()
-        list%handle = made
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_make_compatible(size(splines, kind=c_int64_t), handles_of(splines), given(tolerance, 0d0), &
+            given(flags, 0), deviation, made)
+        call list%replace(made)
         call settle(code, status)
     end subroutine make_splines_compatible
 end module nurbs_compatible

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Splines beyond their ends: extension, unclamped and periodic forms. Conventions: see the module nurbs.
 module nurbs_continuation
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_extend, nurbs_unclamp, nurbs_make_periodic, nurbs_detect_periodic
     use nurbs_support
     use nurbs_splines
     implicit none
@@ -33,11 +34,10 @@ contains
         type(nurbs_spline), intent(inout) :: out
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, ends
+        integer(c_int32_t) :: code
         type(c_ptr) :: made
-        ends = ior(NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END)
-        if (present(flags)) ends = flags
-        code = nurbs_unclamp(spline%handle, axis - 1, ends, made)
+        code = nurbs_unclamp(spline%handle, axis - 1, given(flags, &
+            ior(NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END)), made)
         call out%replace(made)
         call settle(code, status)
     end subroutine unclamp_spline
@@ -59,13 +59,13 @@ contains
     end subroutine make_spline_periodic
 
     !> Whether the axis is periodic in fact.
-    logical function detect_periodic(spline, axis, status)
+    logical function detect_periodic(spline, axis, status) result(value)
         class(nurbs_spline), intent(in) :: spline
         integer(c_int32_t), intent(in) :: axis
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: answer
         answer = 0
         call settle(nurbs_detect_periodic(spline%handle, axis - 1, answer), status)
-        detect_periodic = answer /= 0
+        value = answer /= 0
     end function detect_periodic
 end module nurbs_continuation

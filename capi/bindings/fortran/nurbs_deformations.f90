@@ -1,14 +1,13 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Deformations of a shape or of a region of it; range(2, axes) is a part of the domain, range(:, k) of domain(k).
 !> Conventions: see the module nurbs.
 module nurbs_deformations
     use, intrinsic :: iso_c_binding
-    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_value
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_warp, nurbs_flatten, nurbs_bend, nurbs_free_form_deform, nurbs_fair, nurbs_snap_boundary
     use nurbs_support
     use nurbs_splines
-    use nurbs_placements, only: given, hand_over
     implicit none
     private
     public :: warp, flatten, bend, free_form_deform, fair, snap_boundary
@@ -26,9 +25,10 @@ contains
         integer(c_int32_t) :: code
         type(c_ptr) :: made
         made = c_null_ptr
-        code = fitting([size(direction) == dim_of(g%handle), in_domain(g, range)])
+        code = fitting([fits(direction, dim_of(g%handle)), fits(range, 2_c_int64_t, axes_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_warp(g%handle, range, direction, distance, order, made)
-        call hand_over(code, made, out, status)
+        call out%replace(made)
+        call settle(code, status)
     end subroutine warp
 
     !> A region flattened to the plane through point(dim) with normal(dim), along a direction or else the normal.
@@ -42,11 +42,13 @@ contains
         integer(c_int32_t) :: code
         integer(c_int64_t) :: dim
         type(c_ptr) :: made
-        made = c_null_ptr
         dim = dim_of(g%handle)
-        code = fitting([has_size(dim, point), has_size(dim, normal), has_size(dim, direction), in_domain(g, range)])
+        made = c_null_ptr
+        code = fitting([fits(point, dim), fits(normal, dim), fits(direction, dim), &
+            fits(range, 2_c_int64_t, axes_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_flatten(g%handle, range, point, normal, direction, moved, made)
-        call hand_over(code, made, out, status)
+        call out%replace(made)
+        call settle(code, status)
     end subroutine flatten
 
     !> The part between lower and upper bent about an axis across the plane of along(dim) and across(dim). deviation:
@@ -62,15 +64,15 @@ contains
         integer(c_int32_t) :: code, answer
         integer(c_int64_t) :: dim
         type(c_ptr) :: made
-        made = c_null_ptr
-        answer = 0
         dim = dim_of(g%handle)
-        code = fitting([has_size(dim, origin), has_size(dim, along), has_size(dim, across)])
-        if (code == NURBS_OK) code = nurbs_bend(g%handle, origin, along, across, curvature, &
-            given(lower, ieee_value(1d0, ieee_negative_inf)), given(upper, ieee_value(1d0, ieee_positive_inf)), &
-            tolerance, deviation, answer, made)
+        answer = 0
+        made = c_null_ptr
+        code = fitting([fits(origin, dim), fits(along, dim), fits(across, dim)])
+        if (code == NURBS_OK) code = nurbs_bend(g%handle, origin, along, across, curvature, given(lower, -infinity()), &
+            given(upper, infinity()), tolerance, deviation, answer, made)
         if (present(proven)) proven = answer /= 0
-        call hand_over(code, made, out, status)
+        call out%replace(made)
+        call settle(code, status)
     end subroutine bend
 
     !> A shape in the box from lower(m) to upper(m) mapped by a volume of m axes.
@@ -82,14 +84,17 @@ contains
         logical, intent(inout), optional :: proven
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: axes_volume
         type(c_ptr) :: made
-        made = c_null_ptr
+        axes_volume = axes_of(volume%handle)
         answer = 0
-        code = fitting([size(lower) == axes_of(volume%handle), size(upper) == axes_of(volume%handle)])
+        made = c_null_ptr
+        code = fitting([fits(lower, axes_volume), fits(upper, axes_volume)])
         if (code == NURBS_OK) code = nurbs_free_form_deform(g%handle, volume%handle, lower, upper, tolerance, &
             deviation, answer, made)
         if (present(proven)) proven = answer /= 0
-        call hand_over(code, made, out, status)
+        call out%replace(made)
+        call settle(code, status)
     end subroutine free_form_deform
 
     !> Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3. keep(1, k) and keep(2, k): order of the
@@ -105,12 +110,10 @@ contains
         integer(c_int32_t) :: code
         type(c_ptr) :: made
         made = c_null_ptr
-        code = NURBS_OK
-        if (present(keep)) then
-            if (any(shape(keep) /= [2, axes_of(g%handle)])) code = shape_error
-        end if
+        code = fitting([fits(keep, 2_c_int64_t, axes_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_fair(g%handle, order, keep, tolerance, energies, bound, made)
-        call hand_over(code, made, out, status)
+        call out%replace(made)
+        call settle(code, status)
     end subroutine fair
 
     !> The boundary at an end, NURBS_START or NURBS_END, of an axis moved onto one of another spline, with order 1
@@ -124,14 +127,9 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_snap_boundary(g%handle, axis - 1, end, other%handle, other_axis - 1, other_end, bits(order), &
-            bits(flags), bound, made)
-        call hand_over(code, made, out, status)
+        code = nurbs_snap_boundary(g%handle, axis - 1, end, other%handle, other_axis - 1, other_end, given(order, 0), &
+            given(flags, 0), bound, made)
+        call out%replace(made)
+        call settle(code, status)
     end subroutine snap_boundary
-
-    logical function in_domain(g, range)
-        class(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in), optional :: range(:, :)
-        in_domain = has_shape(2_c_int64_t, axes_of(g%handle), range)
-    end function in_domain
 end module nurbs_deformations

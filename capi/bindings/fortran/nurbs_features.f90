@@ -1,12 +1,13 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Features of curves and surfaces; complete tells that nothing was missed. Conventions: see the module nurbs.
 module nurbs_features
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_curve_features, nurbs_curve_monotone_pieces, nurbs_curve_convexity, nurbs_straightness, &
+        nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_test
     use nurbs_support
     use nurbs_splines
-    use nurbs_placements, only: given
     implicit none
     private
     public :: curve_features, monotone_pieces, curve_convexity, straightness, planarity, boundary_contacts
@@ -50,7 +51,7 @@ contains
         integer(c_int64_t) :: n
         n = 0
         answer = 0
-        code = fitting([size(direction) == dim_of(g%handle)])
+        code = fitting([fits(direction, dim_of(g%handle))])
         if (code == NURBS_OK) code = nurbs_curve_monotone_pieces(g%handle, direction, 0_c_int64_t, count=n)
         if (allocated(starts)) deallocate (starts)
         if (allocated(signs)) deallocate (signs)
@@ -77,7 +78,7 @@ contains
         integer(c_int32_t) :: code
         integer(c_int64_t) :: dim
         dim = dim_of(g%handle)
-        code = fitting([has_size(dim, origin), has_size(dim, direction)])
+        code = fitting([fits(origin, dim), fits(direction, dim)])
         if (code == NURBS_OK) code = nurbs_straightness(g%handle, origin, direction, bound)
         call settle(code, status)
     end subroutine straightness
@@ -99,19 +100,18 @@ contains
         real(c_double), allocatable, intent(inout) :: gaps(:), sizes(:, :)
         real(c_double), intent(in), optional :: tolerance
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t), allocatable :: seams(:), poles(:, :)
-        integer(c_int32_t) :: code
-        integer :: axes
+        integer(c_int64_t) :: axes
+        integer(c_int32_t), allocatable :: closed_c(:), collapsed_c(:, :)
         axes = axes_of(g%handle)
         if (allocated(gaps)) deallocate (gaps)
         if (allocated(sizes)) deallocate (sizes)
-        allocate (gaps(axes), sizes(2, axes), seams(axes), poles(2, axes))
-        seams = 0
-        poles = 0
-        code = nurbs_boundary_contacts(g%handle, given(tolerance, 0d0), seams, gaps, poles, sizes)
-        closed = seams /= 0
-        collapsed = poles /= 0
-        call settle(code, status)
+        allocate (closed_c(axes), gaps(axes), collapsed_c(2, axes), sizes(2, axes))
+        closed_c = 0
+        collapsed_c = 0
+        call settle(nurbs_boundary_contacts(g%handle, given(tolerance, 0d0), closed_c, gaps, collapsed_c, sizes), &
+            status)
+        closed = closed_c /= 0
+        collapsed = collapsed_c /= 0
     end subroutine boundary_contacts
 
     !> params(n, axes) where a curve or surface is singular, and boxes(2, axes, n) in which the singular sets lie; the
@@ -122,16 +122,17 @@ contains
         real(c_double), allocatable, intent(inout) :: params(:, :), boxes(:, :, :)
         logical, intent(inout), optional :: complete
         integer(c_int32_t), intent(out), optional :: status
-        real(c_double), allocatable :: columns(:, :)
         integer(c_int32_t) :: code, answer
-        integer(c_int64_t) :: n
+        integer(c_int64_t) :: axes, n
+        real(c_double), allocatable :: params_c(:, :)
+        axes = axes_of(g%handle)
         n = 0
         answer = 0
         code = nurbs_singular_points(g%handle, tolerance, 0_c_int64_t, count=n)
         if (allocated(boxes)) deallocate (boxes)
-        allocate (boxes(2, axes_of(g%handle), n), columns(axes_of(g%handle), n))
-        if (code == NURBS_OK) code = nurbs_singular_points(g%handle, tolerance, n, columns, boxes, complete=answer)
-        params = transpose(columns)
+        allocate (params_c(axes, n), boxes(2, axes, n))
+        if (code == NURBS_OK) code = nurbs_singular_points(g%handle, tolerance, n, params_c, boxes, complete=answer)
+        params = transpose(params_c)
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine singular_points
@@ -147,7 +148,7 @@ contains
         integer(c_int32_t) :: code
         integer(c_int64_t) :: axes
         axes = axes_of(g%handle)
-        code = fitting([has_size(axes, positive), has_size(axes, negative)])
+        code = fitting([fits(positive, axes), fits(negative, axes)])
         if (code == NURBS_OK) code = nurbs_fold_test(g%handle, reference, fold, positive, negative)
         call settle(code, status)
     end subroutine fold_test

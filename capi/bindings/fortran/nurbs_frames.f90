@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Frames and curvature. Every output is optional; states(n) receives sums of the NURBS_FRAME_ bits. Conventions: see
 !> the module nurbs.
 module nurbs_frames
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_surface_eval_frames, nurbs_surface_eval_grid_frames, nurbs_surface_eval_curvatures, &
+        nurbs_curve_eval_frames, nurbs_curve_rotation_minimizing_frames
     use nurbs_support
     use nurbs_splines
     implicit none
@@ -22,13 +24,13 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: rows
-        rows = size(params, 1, c_int64_t)
-        code = fitting([has_shape(rows, 3, points), has_shape(rows, 3, du), has_shape(rows, 3, dv), &
-                        has_shape(rows, 3, normals), has_length(rows, states), size(params, 2) == 2])
-        if (code == NURBS_OK) code = nurbs_surface_eval_frames(g%handle, rows, params, step(params), &
-            column(params), points, apart(rows), rows, du, apart(rows), rows, dv, apart(rows), rows, normals, &
-            apart(rows), rows, states, bits(flags))
+        integer(c_int64_t) :: n
+        n = size(params, 1, c_int64_t)
+        code = fitting([fits(params, n, 2_c_int64_t), fits(points, n, 3_c_int64_t), fits(du, n, 3_c_int64_t), &
+            fits(dv, n, 3_c_int64_t), fits(normals, n, 3_c_int64_t), fits(states, n)])
+        if (code == NURBS_OK) code = nurbs_surface_eval_frames(g%handle, n, params, step(params), column(params), &
+            points, step(points), column(points), du, step(du), column(du), dv, step(dv), column(dv), normals, &
+            step(normals), column(normals), states, given(flags, 0))
         call settle(code, status)
     end subroutine surface_frames
 
@@ -42,14 +44,14 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: rows
-        rows = product(int(counts, c_int64_t))
-        code = fitting([has_shape(rows, 3, points), has_shape(rows, 3, du), has_shape(rows, 3, dv), &
-                        has_shape(rows, 3, normals), has_length(rows, states), &
-                        size(params, kind=c_int64_t) == sum(int(counts, c_int64_t))])
-        if (code == NURBS_OK) code = nurbs_surface_eval_grid_frames(g%handle, int(counts, c_int64_t), params, &
-            points, apart(rows), rows, du, apart(rows), rows, dv, apart(rows), rows, normals, apart(rows), rows, &
-            states, bits(flags))
+        integer(c_int64_t) :: product_counts
+        product_counts = product(int(counts, c_int64_t))
+        code = fitting([fits(params, sum(int(counts, c_int64_t))), fits(points, product_counts, 3_c_int64_t), &
+            fits(du, product_counts, 3_c_int64_t), fits(dv, product_counts, 3_c_int64_t), &
+            fits(normals, product_counts, 3_c_int64_t), fits(states, product_counts)])
+        if (code == NURBS_OK) code = nurbs_surface_eval_grid_frames(g%handle, int(counts, c_int64_t), params, points, &
+            step(points), column(points), du, step(du), column(du), dv, step(dv), column(dv), normals, step(normals), &
+            column(normals), states, given(flags, 0))
         call settle(code, status)
     end subroutine surface_grid_frames
 
@@ -63,43 +65,42 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: rows
-        rows = size(params, 1, c_int64_t)
-        code = fitting([has_shape(rows, 2, principal), has_shape(rows, 6, directions), has_size(rows, mean), &
-                        has_size(rows, gaussian), has_length(rows, states), size(params, 2) == 2])
-        if (code == NURBS_OK) code = nurbs_surface_eval_curvatures(g%handle, rows, params, step(params), &
-            column(params), principal, apart(rows), rows, directions, apart(rows), rows, mean, 0_c_int64_t, &
-            gaussian, 0_c_int64_t, states, bits(flags))
+        integer(c_int64_t) :: n
+        n = size(params, 1, c_int64_t)
+        code = fitting([fits(params, n, 2_c_int64_t), fits(principal, n, 2_c_int64_t), &
+            fits(directions, n, 6_c_int64_t), fits(mean, n), fits(gaussian, n), fits(states, n)])
+        if (code == NURBS_OK) code = nurbs_surface_eval_curvatures(g%handle, n, params, step(params), column(params), &
+            principal, step(principal), column(principal), directions, step(directions), column(directions), mean, &
+            0_c_int64_t, gaussian, 0_c_int64_t, states, given(flags, 0))
         call settle(code, status)
     end subroutine surface_curvatures
 
     !> Vectors (n, dim), curvatures(n) and torsions(n) at params(n).
-    subroutine curve_frames(g, params, points, tangents, normals, binormals, curvatures, torsions, states, &
-                            flags, status)
+    subroutine curve_frames(g, params, points, tangents, normals, binormals, curvatures, torsions, states, flags, &
+            status)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: params(:)
-        real(c_double), intent(inout), optional :: points(:, :), tangents(:, :), normals(:, :), binormals(:, :), &
-            curvatures(:), torsions(:)
+        real(c_double), intent(inout), optional :: points(:, :), tangents(:, :), normals(:, :), binormals(:, :)
+        real(c_double), intent(inout), optional :: curvatures(:), torsions(:)
         integer(c_int32_t), intent(inout), optional :: states(:)
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: rows
-        integer :: dim
-        rows = size(params, kind=c_int64_t)
+        integer(c_int64_t) :: n, dim
+        n = size(params, kind=c_int64_t)
         dim = dim_of(g%handle)
-        code = fitting([has_shape(rows, dim, points), has_shape(rows, dim, tangents), &
-                        has_shape(rows, dim, normals), has_shape(rows, 3, binormals), has_size(rows, curvatures), &
-                        has_size(rows, torsions), has_length(rows, states)])
-        if (code == NURBS_OK) code = nurbs_curve_eval_frames(g%handle, rows, params, 0_c_int64_t, points, &
-            apart(rows), rows, tangents, apart(rows), rows, normals, apart(rows), rows, binormals, apart(rows), &
-            rows, curvatures, 0_c_int64_t, torsions, 0_c_int64_t, states, bits(flags))
+        code = fitting([fits(points, n, dim), fits(tangents, n, dim), fits(normals, n, dim), &
+            fits(binormals, n, 3_c_int64_t), fits(curvatures, n), fits(torsions, n), fits(states, n)])
+        if (code == NURBS_OK) code = nurbs_curve_eval_frames(g%handle, n, params, 0_c_int64_t, points, step(points), &
+            column(points), tangents, step(tangents), column(tangents), normals, step(normals), column(normals), &
+            binormals, step(binormals), column(binormals), curvatures, 0_c_int64_t, torsions, 0_c_int64_t, states, &
+            given(flags, 0))
         call settle(code, status)
     end subroutine curve_frames
 
     !> Vectors (n, 3) along the sequence params(n).
     subroutine rotation_minimizing_frames(g, params, first_normal, points, tangents, normals, binormals, states, &
-                                          flags, status)
+            flags, status)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: params(:)
         real(c_double), intent(in), optional :: first_normal(3)
@@ -108,13 +109,13 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: rows
-        rows = size(params, kind=c_int64_t)
-        code = fitting([has_shape(rows, 3, points), has_shape(rows, 3, tangents), has_shape(rows, 3, normals), &
-                        has_shape(rows, 3, binormals), has_length(rows, states)])
-        if (code == NURBS_OK) code = nurbs_curve_rotation_minimizing_frames(g%handle, rows, params, 0_c_int64_t, &
-            first_normal, points, apart(rows), rows, tangents, apart(rows), rows, normals, apart(rows), rows, &
-            binormals, apart(rows), rows, states, bits(flags))
+        integer(c_int64_t) :: n
+        n = size(params, kind=c_int64_t)
+        code = fitting([fits(points, n, 3_c_int64_t), fits(tangents, n, 3_c_int64_t), fits(normals, n, 3_c_int64_t), &
+            fits(binormals, n, 3_c_int64_t), fits(states, n)])
+        if (code == NURBS_OK) code = nurbs_curve_rotation_minimizing_frames(g%handle, n, params, 0_c_int64_t, &
+            first_normal, points, step(points), column(points), tangents, step(tangents), column(tangents), normals, &
+            step(normals), column(normals), binormals, step(binormals), column(binormals), states, given(flags, 0))
         call settle(code, status)
     end subroutine rotation_minimizing_frames
 end module nurbs_frames

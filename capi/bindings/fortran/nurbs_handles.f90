@@ -1,202 +1,104 @@
 ! SPDX-License-Identifier: MIT
-!> What splines are before anything is done with them: a handle, its copies and its end, and questions about it.
+!> The handles that splines and lists of splines own: how they are replaced, copied and freed.
 module nurbs_handles
     use, intrinsic :: iso_c_binding
-    use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_clone, nurbs_destroy, nurbs_list_destroy, nurbs_read_options, nurbs_read_options_init
     use nurbs_support
     implicit none
     private
+    public :: handles_of, default_read_options
 
-    !> An owned handle. What extends it says what an assignment does.
+    !> The handle of a spline. An assignment makes another handle on the same data.
     type, public :: nurbs_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy, replace
-        procedure :: axes, dimension => get_dimension, degree, count => get_count, point_count
-        procedure :: is_rational, is_homogeneous, knot_form, domain, knots, distinct_knots, greville
-        procedure :: points, weights, homogeneous_points
-        final :: finish
+        procedure :: destroy => destroy_spline, replace => replace_spline
+        procedure, private :: copy
+        generic :: assignment(=) => copy
+        final :: finish_spline
     end type nurbs_handle
+
+    !> The handle of a list of splines, which cannot be copied.
+    type, public :: nurbs_list_handle
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: destroy => destroy_list, replace => replace_list
+        procedure, private :: refuse_copy
+        generic :: assignment(=) => refuse_copy
+        final :: finish_list
+    end type nurbs_list_handle
 
 contains
 
-    subroutine destroy(this)
-        class(nurbs_handle), intent(inout) :: this
-        call replace(this, c_null_ptr)
-    end subroutine destroy
+    ! Splines
 
-    impure elemental subroutine finish(this)
+    subroutine destroy_spline(this)
+        class(nurbs_handle), intent(inout) :: this
+        call replace_spline(this, c_null_ptr)
+    end subroutine destroy_spline
+
+    impure elemental subroutine finish_spline(this)
         type(nurbs_handle), intent(inout) :: this
-        call destroy(this)
-    end subroutine finish
+        call destroy_spline(this)
+    end subroutine finish_spline
 
     !> Puts a handle in place of the old one.
-    subroutine replace(this, handle)
+    subroutine replace_spline(this, handle)
         class(nurbs_handle), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
         call nurbs_destroy(this%handle)
         this%handle = handle
-    end subroutine replace
+    end subroutine replace_spline
 
-    ! Inspection
+    !> Elemental, so that arrays are not assigned bit by bit, which would free their handles twice.
+    impure elemental subroutine copy(this, other)
+        class(nurbs_handle), intent(inout) :: this
+        class(nurbs_handle), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy
 
-    integer(c_int32_t) function axes(this, status)
-        class(nurbs_handle), intent(in) :: this
+    !> As the library takes an array of splines.
+    function handles_of(splines) result(handles)
+        class(nurbs_handle), intent(in) :: splines(:)
+        type(c_ptr) :: handles(size(splines))
+        integer :: i
+        do i = 1, size(splines)
+            handles(i) = splines(i)%handle
+        end do
+    end function handles_of
+
+    ! Lists
+
+    subroutine destroy_list(this)
+        class(nurbs_list_handle), intent(inout) :: this
+        call replace_list(this, c_null_ptr)
+    end subroutine destroy_list
+
+    impure elemental subroutine finish_list(this)
+        type(nurbs_list_handle), intent(inout) :: this
+        call destroy_list(this)
+    end subroutine finish_list
+
+    subroutine replace_list(this, handle)
+        class(nurbs_list_handle), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call nurbs_list_destroy(this%handle)
+        this%handle = handle
+    end subroutine replace_list
+
+    impure elemental subroutine refuse_copy(this, other)
+        class(nurbs_list_handle), intent(inout) :: this
+        class(nurbs_list_handle), intent(in) :: other
+        if (.not. c_associated(this%handle, other%handle)) error stop 'a nurbs_list cannot be copied'
+    end subroutine refuse_copy
+
+    !> The settings that read() and read_file() have without options, to change some of them.
+    subroutine default_read_options(options, status)
+        type(nurbs_read_options), intent(out) :: options
         integer(c_int32_t), intent(out), optional :: status
-        axes = 0
-        call settle(nurbs_axes(this%handle, axes), status)
-    end function axes
-
-    integer(c_int32_t) function get_dimension(this, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(out), optional :: status
-        get_dimension = 0
-        call settle(nurbs_dimension(this%handle, get_dimension), status)
-    end function get_dimension
-
-    integer(c_int32_t) function degree(this, axis, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        integer(c_int32_t), intent(out), optional :: status
-        degree = 0
-        call settle(nurbs_degree(this%handle, axis - 1, degree), status)
-    end function degree
-
-    integer(c_int64_t) function get_count(this, axis, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        integer(c_int32_t), intent(out), optional :: status
-        get_count = 0
-        call settle(nurbs_count(this%handle, axis - 1, get_count), status)
-    end function get_count
-
-    integer(c_int64_t) function point_count(this, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(out), optional :: status
-        point_count = 0
-        call settle(nurbs_point_count(this%handle, point_count), status)
-    end function point_count
-
-    logical function is_rational(this, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: answer
-        answer = 0
-        call settle(nurbs_is_rational(this%handle, answer), status)
-        is_rational = answer /= 0
-    end function is_rational
-
-    !> Whether homogeneous points are stored, and not Cartesian ones with or without weights.
-    logical function is_homogeneous(this, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: answer
-        answer = 0
-        call settle(nurbs_is_homogeneous(this%handle, answer), status)
-        is_homogeneous = answer /= 0
-    end function is_homogeneous
-
-    !> Sum of NURBS_FORM_ bits.
-    integer(c_int32_t) function knot_form(this, axis, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        integer(c_int32_t), intent(out), optional :: status
-        knot_form = 0
-        call settle(nurbs_knot_form(this%handle, axis - 1, knot_form), status)
-    end function knot_form
-
-    function domain(this, axis, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        integer(c_int32_t), intent(out), optional :: status
-        real(c_double) :: domain(2)
-        domain = 0
-        call settle(nurbs_domain(this%handle, axis - 1, domain), status)
-    end function domain
-
-    subroutine knots(this, axis, values, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), allocatable, intent(out) :: values(:)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, p
-        integer(c_int64_t) :: n
-        n = -1
-        p = 0
-        code = nurbs_count(this%handle, axis - 1, n)
-        if (code == NURBS_OK) code = nurbs_degree(this%handle, axis - 1, p)
-        allocate (values(n + p + 1))
-        if (code == NURBS_OK) code = nurbs_knots(this%handle, axis - 1, n + p + 1, values)
-        call settle(code, status)
-    end subroutine knots
-
-    subroutine distinct_knots(this, axis, values, multiplicities, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), allocatable, intent(out) :: values(:)
-        integer(c_int32_t), allocatable, intent(out) :: multiplicities(:)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        integer(c_int64_t) :: n, found
-        n = 0
-        code = nurbs_distinct_knots(this%handle, axis - 1, 0_c_int64_t, count=n)
-        allocate (values(n), multiplicities(n))
-        if (code == NURBS_OK) code = nurbs_distinct_knots(this%handle, axis - 1, n, values, &
-            multiplicities, found)
-        call settle(code, status)
-    end subroutine distinct_knots
-
-    subroutine greville(this, axis, values, status)
-        class(nurbs_handle), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), allocatable, intent(out) :: values(:)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        integer(c_int64_t) :: n
-        n = 0
-        code = nurbs_count(this%handle, axis - 1, n)
-        allocate (values(n))
-        if (code == NURBS_OK) code = nurbs_greville(this%handle, axis - 1, n, values)
-        call settle(code, status)
-    end subroutine greville
-
-    !> Control points (n, dim).
-    subroutine points(this, values, status)
-        class(nurbs_handle), intent(in) :: this
-        real(c_double), allocatable, intent(out) :: values(:, :)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, dim
-        integer(c_int64_t) :: n
-        code = sizes_of(this%handle, n, dim)
-        allocate (values(n, dim))
-        if (code == NURBS_OK) code = nurbs_points(this%handle, n, values, step(values), column(values))
-        call settle(code, status)
-    end subroutine points
-
-    subroutine weights(this, values, status)
-        class(nurbs_handle), intent(in) :: this
-        real(c_double), allocatable, intent(out) :: values(:)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, dim
-        integer(c_int64_t) :: n
-        code = sizes_of(this%handle, n, dim)
-        allocate (values(n))
-        if (code == NURBS_OK) code = nurbs_weights(this%handle, n, values, 0_c_int64_t)
-        call settle(code, status)
-    end subroutine weights
-
-    !> Homogeneous control points (n, dim + 1), the weight last.
-    subroutine homogeneous_points(this, values, status)
-        class(nurbs_handle), intent(in) :: this
-        real(c_double), allocatable, intent(out) :: values(:, :)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, dim
-        integer(c_int64_t) :: n
-        code = sizes_of(this%handle, n, dim)
-        allocate (values(n, dim + 1))
-        if (code == NURBS_OK) &
-            code = nurbs_homogeneous_points(this%handle, n, values, step(values), column(values))
-        call settle(code, status)
-    end subroutine homogeneous_points
+        call settle(nurbs_read_options_init(options, int(c_sizeof(options), c_int64_t)), status)
+    end subroutine default_read_options
 end module nurbs_handles

@@ -1,20 +1,21 @@
 ! SPDX-License-Identifier: MIT
-!> Knot vectors, and what needs knots but no spline: spans, bases, collocation. Spans count from 1, so that the
-!> degree + 1 basis functions of span s are those from s - degree to s. Conventions: see the module nurbs.
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+!> Knot vectors, and what needs knots but no spline: spans, bases, collocation. Spans count from 1, so that the degree +
+!> 1 basis functions of span s are those from s - degree to s. Conventions: see the module nurbs.
 module nurbs_knot_vectors
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_knots_uniform, nurbs_knots_open_uniform, nurbs_knots_bezier, nurbs_knots_averaged, &
+        nurbs_knots_periodic, nurbs_find_spans, nurbs_bernstein, nurbs_basis, nurbs_collocation
     use nurbs_support
-    use nurbs_placements, only: given
     implicit none
     private
-    public :: knots_uniform, knots_open_uniform, knots_bezier, knots_averaged, knots_periodic
-    public :: find_spans, bernstein, basis, collocation
+    public :: knots_uniform, knots_open_uniform, knots_bezier, knots_averaged, knots_periodic, find_spans, bernstein
+    public :: basis, collocation
 
 contains
 
-    ! Knot vectors, of count + degree + 1 knots
+    ! Knot generators, span search and basis functions: what needs knots but no spline
 
     !> Evenly spaced, with the domain from a to b, 0 and 1 unless given.
     subroutine knots_uniform(degree, count, knots, a, b, status)
@@ -22,9 +23,11 @@ contains
         real(c_double), allocatable, intent(out) :: knots(:)
         real(c_double), intent(in), optional :: a, b
         integer(c_int32_t), intent(out), optional :: status
-        call make_room(degree, int(count, c_int64_t), knots)
-        call settle(nurbs_knots_uniform(degree, int(count, c_int64_t), given(a, 0d0), given(b, 1d0), &
-            size(knots, kind=c_int64_t), knots), status)
+        integer(c_int64_t) :: knot_count_c
+        knot_count_c = knot_count(degree, int(count, c_int64_t))
+        allocate (knots(knot_count_c))
+        call settle(nurbs_knots_uniform(degree, int(count, c_int64_t), given(a, 0d0), given(b, 1d0), knot_count_c, &
+            knots), status)
     end subroutine knots_uniform
 
     !> Clamped, and evenly spaced from a to b, 0 and 1 unless given.
@@ -33,9 +36,11 @@ contains
         real(c_double), allocatable, intent(out) :: knots(:)
         real(c_double), intent(in), optional :: a, b
         integer(c_int32_t), intent(out), optional :: status
-        call make_room(degree, int(count, c_int64_t), knots)
+        integer(c_int64_t) :: knot_count_c
+        knot_count_c = knot_count(degree, int(count, c_int64_t))
+        allocate (knots(knot_count_c))
         call settle(nurbs_knots_open_uniform(degree, int(count, c_int64_t), given(a, 0d0), given(b, 1d0), &
-            size(knots, kind=c_int64_t), knots), status)
+            knot_count_c, knots), status)
     end subroutine knots_open_uniform
 
     !> Those of joined Bezier pieces, with breaks(pieces + 1), or evenly spaced from 0 to 1.
@@ -45,10 +50,11 @@ contains
         real(c_double), intent(in), optional :: breaks(:)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        call make_room(degree, merge(int(pieces, c_int64_t), int(pieces, c_int64_t) * degree + 1, degree == 0), knots)
-        code = fitting([has_size(pieces + 1_c_int64_t, breaks)])
-        if (code == NURBS_OK) code = nurbs_knots_bezier(degree, int(pieces, c_int64_t), breaks, &
-            size(knots, kind=c_int64_t), knots)
+        integer(c_int64_t) :: knot_count_c
+        knot_count_c = knot_count(degree, bezier_count(degree, int(pieces, c_int64_t)))
+        allocate (knots(knot_count_c))
+        code = fitting([fits(breaks, pieces + 1_c_int64_t)])
+        if (code == NURBS_OK) code = nurbs_knots_bezier(degree, int(pieces, c_int64_t), breaks, knot_count_c, knots)
         call settle(code, status)
     end subroutine knots_bezier
 
@@ -58,9 +64,11 @@ contains
         real(c_double), intent(in) :: params(:)
         real(c_double), allocatable, intent(out) :: knots(:)
         integer(c_int32_t), intent(out), optional :: status
-        call make_room(degree, size(params, kind=c_int64_t), knots)
-        call settle(nurbs_knots_averaged(degree, size(params, kind=c_int64_t), params, &
-            size(knots, kind=c_int64_t), knots), status)
+        integer(c_int64_t) :: count, knot_count_c
+        count = size(params, kind=c_int64_t)
+        knot_count_c = knot_count(degree, count)
+        allocate (knots(knot_count_c))
+        call settle(nurbs_knots_averaged(degree, count, params, knot_count_c, knots), status)
     end subroutine knots_averaged
 
     !> Those of a closed spline, with breaks(n), each once or multiplicities(n) times.
@@ -71,18 +79,14 @@ contains
         integer(c_int32_t), intent(in), optional :: multiplicities(:)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        integer(c_int64_t) :: n, inner
+        integer(c_int64_t) :: n, knot_count_c
         n = size(breaks, kind=c_int64_t)
-        inner = n - 1
-        code = fitting([has_length(n, multiplicities)])
-        if (present(multiplicities) .and. code == NURBS_OK) inner = sum(int(multiplicities(:inner), c_int64_t))
-        call make_room(degree, inner + degree, knots)
-        if (code == NURBS_OK) &
-            code = nurbs_knots_periodic(degree, n, breaks, multiplicities, size(knots, kind=c_int64_t), knots)
+        knot_count_c = knot_count(degree, periodic_count(degree, breaks, multiplicities))
+        allocate (knots(knot_count_c))
+        code = fitting([fits(multiplicities, n)])
+        if (code == NURBS_OK) code = nurbs_knots_periodic(degree, n, breaks, multiplicities, knot_count_c, knots)
         call settle(code, status)
     end subroutine knots_periodic
-
-    ! Spans and bases
 
     !> spans(n) of params(n) in a full knot vector.
     subroutine find_spans(degree, knots, params, spans, flags, status)
@@ -92,9 +96,11 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([size(spans) == size(params)])
-        if (code == NURBS_OK) code = nurbs_find_spans(degree, control_points(degree, knots), knots, &
-            size(knots, kind=c_int64_t), size(params, kind=c_int64_t), params, 0_c_int64_t, spans, bits(flags))
+        integer(c_int64_t) :: n
+        n = size(params, kind=c_int64_t)
+        code = fitting([fits(spans, n)])
+        if (code == NURBS_OK) code = nurbs_find_spans(degree, size(knots, kind=c_int64_t) - degree - 1, knots, &
+            size(knots, kind=c_int64_t), n, params, 0_c_int64_t, spans, given(flags, 0))
         if (code == NURBS_OK) spans = spans + 1
         call settle(code, status)
     end subroutine find_spans
@@ -106,9 +112,11 @@ contains
         real(c_double), intent(inout) :: values(:, :, :)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([shape(values) == [size(params), degree + 1, order + 1]])
-        if (code == NURBS_OK) code = nurbs_bernstein(degree, order, size(params, kind=c_int64_t), params, &
-            0_c_int64_t, values, step(values), column(values))
+        integer(c_int64_t) :: n
+        n = size(params, kind=c_int64_t)
+        code = fitting([fits(values, n, degree + 1_c_int64_t, order + 1_c_int64_t)])
+        if (code == NURBS_OK) code = nurbs_bernstein(degree, order, n, params, 0_c_int64_t, values, step(values), &
+            column(values))
         call settle(code, status)
     end subroutine bernstein
 
@@ -122,13 +130,17 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([[size(spans), shape(values)] == [size(params), size(params), degree + 1, order + 1]])
-        if (code == NURBS_OK) code = nurbs_basis(degree, control_points(degree, knots), knots, &
-            size(knots, kind=c_int64_t), order, size(params, kind=c_int64_t), params, 0_c_int64_t, spans, values, &
-            step(values), column(values), bits(flags))
+        integer(c_int64_t) :: n
+        n = size(params, kind=c_int64_t)
+        code = fitting([fits(spans, n), fits(values, n, degree + 1_c_int64_t, order + 1_c_int64_t)])
+        if (code == NURBS_OK) code = nurbs_basis(degree, size(knots, kind=c_int64_t) - degree - 1, knots, &
+            size(knots, kind=c_int64_t), order, n, params, 0_c_int64_t, spans, values, step(values), column(values), &
+            given(flags, 0))
         if (code == NURBS_OK) spans = spans + 1
         call settle(code, status)
     end subroutine basis
+
+    ! Derivatives with respect to data: collocation matrices, Bezier extraction, gradients
 
     !> Compressed sparse rows of the derivative `orders` of products of basis functions at params(n, axes), all indices
     !> from 1; knots holds those of the first axis, then those of the next. Like the binding of a spline of that name.
@@ -139,40 +151,28 @@ contains
         integer(c_int64_t), allocatable, intent(inout) :: columns(:), row_pointers(:)
         integer(c_int32_t), intent(in), optional :: orders(:), flags
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, axes
-        integer(c_int64_t) :: n, entries
-        axes = size(degrees)
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, knot_count_c, n, entries
+        axes = size(degrees, kind=c_int64_t)
+        knot_count_c = size(knots, kind=c_int64_t)
         n = size(params, 1, c_int64_t)
-        code = fitting([size(counts) == axes, size(params, 2) == axes, has_length(int(axes, c_int64_t), orders)])
-        if (code == NURBS_OK) code = nurbs_collocation(axes, degrees, int(counts, c_int64_t), knots, &
-            size(knots, kind=c_int64_t), orders, n, params, step(params), column(params), 0_c_int64_t, &
-            entries=entries, flags=bits(flags))
+        entries = 0
+        code = fitting([fits(counts, axes), fits(params, n, axes), fits(orders, axes)])
+        if (code == NURBS_OK) code = nurbs_collocation(int(axes), degrees, int(counts, c_int64_t), knots, &
+            knot_count_c, orders, n, params, step(params), column(params), 0_c_int64_t, entries=entries, &
+            flags=given(flags, 0))
         if (code == NURBS_OK) then
-            call make_sparse(entries, n, values, columns, row_pointers)
-            code = nurbs_collocation(axes, degrees, int(counts, c_int64_t), knots, size(knots, kind=c_int64_t), &
-                orders, n, params, step(params), column(params), entries, values, columns, row_pointers, &
-                flags=bits(flags))
+            if (allocated(values)) deallocate (values)
+            if (allocated(columns)) deallocate (columns)
+            if (allocated(row_pointers)) deallocate (row_pointers)
+            allocate (values(entries), columns(entries), row_pointers(n + 1))
+            code = nurbs_collocation(int(axes), degrees, int(counts, c_int64_t), knots, knot_count_c, orders, n, &
+                params, step(params), column(params), entries, values, columns, row_pointers, flags=given(flags, 0))
+        end if
+        if (code == NURBS_OK) then
             columns = columns + 1
             row_pointers = row_pointers + 1
         end if
         call settle(code, status)
     end subroutine collocation
-
-    !> Room for the knots of `count` control points; none where the library will refuse the numbers.
-    subroutine make_room(degree, count, knots)
-        integer(c_int32_t), intent(in) :: degree
-        integer(c_int64_t), intent(in) :: count
-        real(c_double), allocatable, intent(out) :: knots(:)
-        if (degree >= 0 .and. degree <= NURBS_MAX_DEGREE .and. count >= 0) then
-            allocate (knots(count + degree + 1))
-        else
-            allocate (knots(0))
-        end if
-    end subroutine make_room
-
-    pure integer(c_int64_t) function control_points(degree, knots)
-        integer(c_int32_t), intent(in) :: degree
-        real(c_double), intent(in) :: knots(:)
-        control_points = size(knots, kind=c_int64_t) - degree - 1
-    end function control_points
 end module nurbs_knot_vectors

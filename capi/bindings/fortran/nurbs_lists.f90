@@ -1,61 +1,26 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> The type of what a file held. Conventions: see the module nurbs.
 module nurbs_lists
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_decompose, nurbs_split_at_knots, nurbs_read, nurbs_read_file, nurbs_list_count, &
+        nurbs_list_get, nurbs_list_name, nurbs_list_note_count, nurbs_list_note, nurbs_list_unit, nurbs_read_options
     use nurbs_support
+    use nurbs_handles
     use nurbs_splines
     implicit none
     private
-    public :: default_read_options
 
     !> Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied.
-    type, public :: nurbs_list
-        type(c_ptr) :: handle = c_null_ptr
+    type, extends(nurbs_list_handle), public :: nurbs_list
     contains
-        procedure :: read, read_file, decompose, split_at_knots, destroy
-        procedure :: count => get_count, get, name, note_count, note, unit
-        procedure, private :: refuse_copy
-        generic :: assignment(=) => refuse_copy
-        final :: finish
+        procedure :: decompose, split_at_knots, read, read_file, count => get_count, get, name, note_count, note, unit
     end type nurbs_list
 
 contains
 
-    !> The settings that read() and read_file() have without options, to change some of them.
-    subroutine default_read_options(options, status)
-        type(nurbs_read_options), intent(out) :: options
-        integer(c_int32_t), intent(out), optional :: status
-        call settle(nurbs_read_options_init(options, int(c_sizeof(options), c_int64_t)), status)
-    end subroutine default_read_options
-
-    !> Reads the contents of a file from memory.
-    subroutine read(this, contents, options, status)
-        class(nurbs_list), intent(inout) :: this
-        character(kind=c_char, len=*), intent(in), target :: contents
-        type(nurbs_read_options), intent(in), optional :: options
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_read(c_loc(contents), len(contents, c_int64_t), options, made)
-        call this%destroy()
-        this%handle = made
-        call settle(code, status)
-    end subroutine read
-
-    subroutine read_file(this, path, options, status)
-        class(nurbs_list), intent(inout) :: this
-        character(kind=c_char, len=*), intent(in) :: path
-        type(nurbs_read_options), intent(in), optional :: options
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_read_file(path//c_null_char, options, made)
-        call this%destroy()
-        this%handle = made
-        call settle(code, status)
-    end subroutine read_file
+    ! Splines taken apart into lists, and joined again
 
     !> The polynomial pieces of a spline as Bezier splines over their own domains, last axis fastest.
     subroutine decompose(this, spline, status)
@@ -65,8 +30,7 @@ contains
         integer(c_int32_t) :: code
         type(c_ptr) :: made
         code = nurbs_decompose(spline%handle, made)
-        call this%destroy()
-        this%handle = made
+        call this%replace(made)
         call settle(code, status)
     end subroutine decompose
 
@@ -79,39 +43,50 @@ contains
         integer(c_int32_t) :: code
         type(c_ptr) :: made
         code = nurbs_split_at_knots(spline%handle, axis - 1, order, made)
-        call this%destroy()
-        this%handle = made
+        call this%replace(made)
         call settle(code, status)
     end subroutine split_at_knots
 
-    subroutine destroy(this)
+    ! Reading files: the splines that a file held, their names, and notes on the rest
+
+    !> Reads the contents of a file from memory.
+    subroutine read(this, contents, options, status)
         class(nurbs_list), intent(inout) :: this
-        call nurbs_list_destroy(this%handle)
-        this%handle = c_null_ptr
-    end subroutine destroy
+        character(kind=c_char, len=*), intent(in), target :: contents
+        type(nurbs_read_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_read(c_loc(contents), len(contents, c_int64_t), options, made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine read
 
-    impure elemental subroutine finish(this)
-        type(nurbs_list), intent(inout) :: this
-        call destroy(this)
-    end subroutine finish
-
-    impure elemental subroutine refuse_copy(this, other)
+    !> Reads a file by its path.
+    subroutine read_file(this, path, options, status)
         class(nurbs_list), intent(inout) :: this
-        class(nurbs_list), intent(in) :: other
-        if (.not. c_associated(this%handle, other%handle)) error stop 'a nurbs_list cannot be copied'
-    end subroutine refuse_copy
+        character(kind=c_char, len=*), intent(in) :: path
+        type(nurbs_read_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_read_file(path//c_null_char, options, made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine read_file
 
-    integer(c_int64_t) function get_count(this, status)
+    !> Number of splines.
+    integer(c_int64_t) function get_count(this, status) result(value)
         class(nurbs_list), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
-        get_count = 0
-        call settle(nurbs_list_count(this%handle, get_count), status)
+        value = 0
+        call settle(nurbs_list_count(this%handle, value), status)
     end function get_count
 
     !> Spline `index` = 1, ..., count; it outlives the list.
     subroutine get(this, index, out, status)
         class(nurbs_list), intent(in) :: this
-        integer, intent(in) :: index
+        integer(c_int32_t), intent(in) :: index
         type(nurbs_spline), intent(inout) :: out
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
@@ -121,9 +96,10 @@ contains
         call settle(code, status)
     end subroutine get
 
+    !> The name of a spline.
     subroutine name(this, index, text, status)
         class(nurbs_list), intent(in) :: this
-        integer, intent(in) :: index
+        integer(c_int32_t), intent(in) :: index
         character(len=:), allocatable, intent(out) :: text
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
@@ -137,17 +113,18 @@ contains
         call settle(code, status)
     end subroutine name
 
-    integer(c_int64_t) function note_count(this, status)
+    !> Number of notes.
+    integer(c_int64_t) function note_count(this, status) result(value)
         class(nurbs_list), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
-        note_count = 0
-        call settle(nurbs_list_note_count(this%handle, note_count), status)
+        value = 0
+        call settle(nurbs_list_note_count(this%handle, value), status)
     end function note_count
 
     !> Note `index` = 1, ..., note_count: which entity, where, and why it did not become a spline.
     subroutine note(this, index, entity_type, line, reason, text, status)
         class(nurbs_list), intent(in) :: this
-        integer, intent(in) :: index
+        integer(c_int32_t), intent(in) :: index
         integer(c_int32_t), intent(out) :: entity_type, reason
         integer(c_int64_t), intent(out) :: line
         character(len=:), allocatable, intent(out) :: text
@@ -158,21 +135,20 @@ contains
         length = 0
         entity_type = 0
         line = 0
-        reason = NURBS_OK
-        code = nurbs_list_note(this%handle, index - 1_c_int64_t, entity_type, line, reason, &
-                               cap=0_c_int64_t, length=length)
+        reason = 0
+        code = nurbs_list_note(this%handle, index - 1_c_int64_t, cap=0_c_int64_t, length=length)
         allocate (buffer(length + 1))
-        if (code == NURBS_OK) &
-            code = nurbs_list_note(this%handle, index - 1_c_int64_t, buf=buffer, cap=length + 1)
+        if (code == NURBS_OK) code = nurbs_list_note(this%handle, index - 1_c_int64_t, entity_type, line, reason, &
+            buffer, length + 1)
         text = string(buffer(:length))
         call settle(code, status)
     end subroutine note
 
     !> Metres per unit of length; 0 if the file does not say.
-    real(c_double) function unit(this, status)
+    real(c_double) function unit(this, status) result(value)
         class(nurbs_list), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
-        unit = 0
-        call settle(nurbs_list_unit(this%handle, unit), status)
+        value = 0
+        call settle(nurbs_list_unit(this%handle, value), status)
     end function unit
 end module nurbs_lists

@@ -1,20 +1,23 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Lengths, areas and moments. range is a part of the domain; tolerances are relative, 0 if absent, and error receives
 !> an estimate of the absolute error. Conventions: see the module nurbs.
 module nurbs_measures
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_curve_length, nurbs_curve_lengths, nurbs_curve_params_at_lengths, nurbs_curve_divide, &
+        nurbs_surface_area, nurbs_moments, nurbs_enclosed_area, nurbs_enclosed_volume
     use nurbs_support
+    use nurbs_handles
     use nurbs_splines
-    use nurbs_placements, only: given, handles_of
     implicit none
     private
-    public :: curve_length, curve_lengths, params_at_lengths, divide_curve, surface_area, spline_moments
-    public :: enclosed_area, enclosed_volume
+    public :: curve_length, curve_lengths, params_at_lengths, divide_curve, surface_area, spline_moments, enclosed_area
+    public :: enclosed_volume
 
 contains
 
+    !> Length of a curve over a range [2] of its domain, or all of it.
     subroutine curve_length(g, length, error, range, tolerance, status)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(inout) :: length
@@ -32,9 +35,11 @@ contains
         real(c_double), intent(in), optional :: tolerance
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([size(lengths) == size(params)])
-        if (code == NURBS_OK) code = nurbs_curve_lengths(g%handle, size(params, kind=c_int64_t), params, 0_c_int64_t, &
-            given(tolerance, 0d0), lengths, 0_c_int64_t)
+        integer(c_int64_t) :: n
+        n = size(params, kind=c_int64_t)
+        code = fitting([fits(lengths, n)])
+        if (code == NURBS_OK) code = nurbs_curve_lengths(g%handle, n, params, 0_c_int64_t, given(tolerance, 0d0), &
+            lengths, 0_c_int64_t)
         call settle(code, status)
     end subroutine curve_lengths
 
@@ -47,9 +52,11 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        code = fitting([size(lengths) == size(params)])
-        if (code == NURBS_OK) code = nurbs_curve_params_at_lengths(g%handle, size(lengths, kind=c_int64_t), lengths, &
-            0_c_int64_t, given(tolerance, 0d0), params, 0_c_int64_t, bits(flags))
+        integer(c_int64_t) :: n
+        n = size(lengths, kind=c_int64_t)
+        code = fitting([fits(params, n)])
+        if (code == NURBS_OK) code = nurbs_curve_params_at_lengths(g%handle, n, lengths, 0_c_int64_t, &
+            given(tolerance, 0d0), params, 0_c_int64_t, given(flags, 0))
         call settle(code, status)
     end subroutine params_at_lengths
 
@@ -57,18 +64,16 @@ contains
     !> or chord of a part.
     subroutine divide_curve(g, parts, params, size, range, tolerance, flags, status)
         class(nurbs_spline), intent(in) :: g
-        integer, intent(in) :: parts
+        integer(c_int32_t), intent(in) :: parts
         real(c_double), allocatable, intent(inout) :: params(:)
         real(c_double), intent(inout), optional :: size
         real(c_double), intent(in), optional :: range(2), tolerance
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
         if (allocated(params)) deallocate (params)
-        allocate (params(max(parts, 0) + 1))
-        code = nurbs_curve_divide(g%handle, range, int(parts, c_int64_t), given(tolerance, 0d0), bits(flags), params, &
-            size)
-        call settle(code, status)
+        allocate (params(max(int(parts, c_int64_t), 0_c_int64_t) + 1))
+        call settle(nurbs_curve_divide(g%handle, range, int(parts, c_int64_t), given(tolerance, 0d0), given(flags, 0), &
+            params, size), status)
     end subroutine divide_curve
 
     !> range(:, k) is a part of domain(k).
@@ -91,7 +96,7 @@ contains
         integer(c_int32_t) :: code
         integer(c_int64_t) :: dim
         dim = dim_of(g%handle)
-        code = fitting([has_size(dim, centroid), has_shape(dim, int(dim), inertia)])
+        code = fitting([fits(centroid, dim), fits(inertia, dim, dim)])
         if (code == NURBS_OK) code = nurbs_moments(g%handle, given(tolerance, 0d0), content, centroid, inertia, error)
         call settle(code, status)
     end subroutine spline_moments
@@ -104,10 +109,8 @@ contains
         real(c_double), intent(inout), optional :: centroid(2), inertia(2, 2), error
         real(c_double), intent(in), optional :: gap, tolerance
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        code = nurbs_enclosed_area(size(curves, kind=c_int64_t), handles_of(curves), given(gap, 0d0), &
-            given(tolerance, 0d0), area, centroid, inertia, error)
-        call settle(code, status)
+        call settle(nurbs_enclosed_area(size(curves, kind=c_int64_t), handles_of(curves), given(gap, 0d0), &
+            given(tolerance, 0d0), area, centroid, inertia, error), status)
     end subroutine enclosed_area
 
     !> Of the body that surfaces enclose whose normals point outwards; openness: the length of the vector area, 0 of a
@@ -118,9 +121,7 @@ contains
         real(c_double), intent(inout), optional :: centroid(3), inertia(3, 3), openness, error
         real(c_double), intent(in), optional :: tolerance
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        code = nurbs_enclosed_volume(size(surfaces, kind=c_int64_t), handles_of(surfaces), given(tolerance, 0d0), &
-            volume, centroid, inertia, openness, error)
-        call settle(code, status)
+        call settle(nurbs_enclosed_volume(size(surfaces, kind=c_int64_t), handles_of(surfaces), given(tolerance, 0d0), &
+            volume, centroid, inertia, openness, error), status)
     end subroutine enclosed_volume
 end module nurbs_measures

@@ -1,21 +1,24 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Recognition of shapes. Conventions: see the module nurbs.
 module nurbs_recognition
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_recognize
     use nurbs_support
     use nurbs_splines
     implicit none
     private
     public :: recognize_spline
 
-    !> A NURBS_SHAPE_ constant, its placement and sizes, and a proven bound of the distance from it.
+    !> A shape, its placement and sizes as nurbs_recognize() describes them, and a proven bound of the distance from it.
     type, public :: recognized_shape
-        integer(c_int32_t) :: shape = NURBS_SHAPE_NONE
-        real(c_double) :: origin(3) = 0, axis(3) = 0, x(3) = 0
-        real(c_double) :: sizes(3) = 0
-        real(c_double) :: deviation = 0
+        integer(c_int32_t) :: shape = 0 ! One of the NURBS_SHAPE_ constants
+        real(c_double) :: origin(3) = 0d0 ! Centre, vertex, apex or another point
+        real(c_double) :: axis(3) = 0d0 ! Normal or axis
+        real(c_double) :: x(3) = 0d0 ! The direction where angles start
+        real(c_double) :: sizes(3) = 0d0 ! Radii, semi-axes, a focal length or half an opening angle
+        real(c_double) :: deviation = 0d0 ! A proven bound of the distance from it
     end type recognized_shape
 
 contains
@@ -27,12 +30,12 @@ contains
         type(recognized_shape), intent(inout) :: found
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        real(c_double) :: placement(3, 3)
-        code = nurbs_recognize(g%handle, tolerance, found%shape, placement, found%sizes, found%deviation)
+        real(c_double) :: placement_c(9)
+        code = nurbs_recognize(g%handle, tolerance, found%shape, placement_c, found%sizes, found%deviation)
         if (code == NURBS_OK) then
-            found%origin = placement(:, 1)
-            found%axis = placement(:, 2)
-            found%x = placement(:, 3)
+            found%origin = placement_c(1:3)
+            found%axis = placement_c(4:6)
+            found%x = placement_c(7:9)
         end if
         call settle(code, status)
     end subroutine recognize_spline

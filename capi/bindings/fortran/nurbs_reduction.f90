@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> Operations that move the shape, each with a proven bound. Conventions: see the module nurbs.
 module nurbs_reduction
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_deviation, nurbs_remove_knot, nurbs_reduce_knots, nurbs_reduce_degree, nurbs_simplify
     use nurbs_support
     use nurbs_splines
     implicit none

@@ -1,10 +1,16 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> The type of curves, surfaces and volumes. Conventions: see the module nurbs.
 module nurbs_splines
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_create, nurbs_create_homogeneous, nurbs_create_short, nurbs_create_multiplicities, &
+        nurbs_create_bezier, nurbs_with_points, nurbs_iso, nurbs_insert_knot, nurbs_refine, nurbs_refine_uniform, &
+        nurbs_split, nurbs_extract, nurbs_clamp_ends, nurbs_move_seam, nurbs_elevate, nurbs_reverse, nurbs_transpose, &
+        nurbs_reparametrize, nurbs_make_rational, nurbs_to_homogeneous, nurbs_from_homogeneous, nurbs_transform, &
+        nurbs_transform_projective, nurbs_join, nurbs_refinement_matrix
     use nurbs_support
+    use nurbs_handles
     use nurbs_evaluation
     implicit none
     private
@@ -12,29 +18,17 @@ module nurbs_splines
     !> A spline; an assignment makes another handle on the same data.
     type, extends(nurbs_shape), public :: nurbs_spline
     contains
-        procedure :: create, create_homogeneous, create_short, create_multiplicities, create_bezier
-        procedure :: with_points, iso, insert_knot
-        procedure :: elevate, reverse, transpose_axes, reparametrize, transform, transform_projective
-        procedure :: make_rational, to_homogeneous, from_homogeneous
-        procedure :: refine, refine_uniform, refinement_matrix, split, extract, clamp, move_seam, join
-        procedure, private :: copy
-        generic :: assignment(=) => copy
+        procedure :: create, create_homogeneous, create_short, create_multiplicities, create_bezier, with_points, iso
+        procedure :: insert_knot, refine, refine_uniform, split, extract, clamp, move_seam, elevate, reverse
+        procedure :: transpose_axes, reparametrize, make_rational, to_homogeneous, from_homogeneous, transform
+        procedure :: transform_projective, join, refinement_matrix
     end type nurbs_spline
 
 contains
 
-    !> Elemental, so that arrays are not assigned bit by bit, which would free their handles twice.
-    impure elemental subroutine copy(this, other)
-        class(nurbs_spline), intent(inout) :: this
-        class(nurbs_spline), intent(in) :: other
-        type(c_ptr) :: made
-        made = c_null_ptr
-        if (c_associated(other%handle)) call settle(nurbs_clone(other%handle, made))
-        call this%replace(made)
-    end subroutine copy
-
     ! Construction
 
+    !> A spline from full knot vectors, all axes one after the other; the last axis of the points is the fastest.
     subroutine create(this, degrees, counts, knots, points, weights, flags, status)
         class(nurbs_spline), intent(inout) :: this
         integer(c_int32_t), intent(in) :: degrees(:), counts(:)
@@ -43,12 +37,16 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim, product_counts
         type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        product_counts = net_size(int(counts, c_int64_t))
         made = c_null_ptr
-        code = net_shape(degrees, counts, points, weights)
-        if (code == NURBS_OK) code = nurbs_create(size(degrees), degrees, int(counts, c_int64_t), knots, &
-            size(knots, kind=c_int64_t), size(points, 2), points, step(points), column(points), weights, &
-            0_c_int64_t, bits(flags), made)
+        code = fitting([fits(counts, axes), fits(points, product_counts, dim), fits(weights, product_counts)])
+        if (code == NURBS_OK) code = nurbs_create(int(axes), degrees, int(counts, c_int64_t), knots, &
+            size(knots, kind=c_int64_t), int(dim), points, step(points), column(points), weights, 0_c_int64_t, &
+            given(flags, 0), made)
         call this%replace(made)
         call settle(code, status)
     end subroutine create
@@ -61,12 +59,14 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim
         type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t) - 1
         made = c_null_ptr
-        code = net_shape(degrees, counts, points)
-        if (code == NURBS_OK) code = nurbs_create_homogeneous(size(degrees), degrees, &
-            int(counts, c_int64_t), knots, size(knots, kind=c_int64_t), size(points, 2) - 1, points, &
-            step(points), column(points), bits(flags), made)
+        code = fitting([fits(counts, axes), fits(points, net_size(int(counts, c_int64_t)), dim + 1)])
+        if (code == NURBS_OK) code = nurbs_create_homogeneous(int(axes), degrees, int(counts, c_int64_t), knots, &
+            size(knots, kind=c_int64_t), int(dim), points, step(points), column(points), given(flags, 0), made)
         call this%replace(made)
         call settle(code, status)
     end subroutine create_homogeneous
@@ -80,18 +80,23 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim, product_counts
         type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        product_counts = net_size(int(counts, c_int64_t))
         made = c_null_ptr
-        code = net_shape(degrees, counts, points, weights)
-        if (code == NURBS_OK) code = nurbs_create_short(size(degrees), degrees, int(counts, c_int64_t), &
-            knots, size(knots, kind=c_int64_t), size(points, 2), points, step(points), column(points), &
-            weights, 0_c_int64_t, bits(flags), made)
+        code = fitting([fits(counts, axes), fits(points, product_counts, dim), fits(weights, product_counts)])
+        if (code == NURBS_OK) code = nurbs_create_short(int(axes), degrees, int(counts, c_int64_t), knots, &
+            size(knots, kind=c_int64_t), int(dim), points, step(points), column(points), weights, 0_c_int64_t, &
+            given(flags, 0), made)
         call this%replace(made)
         call settle(code, status)
     end subroutine create_short
 
-    subroutine create_multiplicities(this, degrees, counts, distinct_counts, distinct_knots, multiplicities, &
-                                     points, weights, flags, status)
+    !> A spline from distinct knots with multiplicities, one pair of vectors for each axis.
+    subroutine create_multiplicities(this, degrees, counts, distinct_counts, distinct_knots, multiplicities, points, &
+            weights, flags, status)
         class(nurbs_spline), intent(inout) :: this
         integer(c_int32_t), intent(in) :: degrees(:), counts(:), distinct_counts(:), multiplicities(:)
         real(c_double), intent(in) :: distinct_knots(:), points(:, :)
@@ -99,18 +104,24 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim, sum_distinct_counts, product_counts
         type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        sum_distinct_counts = sum(int(distinct_counts, c_int64_t))
+        product_counts = net_size(int(counts, c_int64_t))
         made = c_null_ptr
-        code = net_shape(degrees, counts, points, weights)
-        if (size(distinct_counts) /= size(degrees) .or. size(distinct_knots) /= size(multiplicities) .or. &
-            size(distinct_knots) /= sum(distinct_counts)) code = shape_error
-        if (code == NURBS_OK) code = nurbs_create_multiplicities(size(degrees), degrees, &
-            int(counts, c_int64_t), int(distinct_counts, c_int64_t), distinct_knots, multiplicities, &
-            size(points, 2), points, step(points), column(points), weights, 0_c_int64_t, bits(flags), made)
+        code = fitting([fits(counts, axes), fits(distinct_counts, axes), fits(distinct_knots, sum_distinct_counts), &
+            fits(multiplicities, sum_distinct_counts), fits(points, product_counts, dim), &
+            fits(weights, product_counts)])
+        if (code == NURBS_OK) code = nurbs_create_multiplicities(int(axes), degrees, int(counts, c_int64_t), &
+            int(distinct_counts, c_int64_t), distinct_knots, multiplicities, int(dim), points, step(points), &
+            column(points), weights, 0_c_int64_t, given(flags, 0), made)
         call this%replace(made)
         call settle(code, status)
     end subroutine create_multiplicities
 
+    !> A Bezier spline over [0, 1] on every axis.
     subroutine create_bezier(this, degrees, points, weights, status)
         class(nurbs_spline), intent(inout) :: this
         integer(c_int32_t), intent(in) :: degrees(:)
@@ -118,11 +129,14 @@ contains
         real(c_double), intent(in), optional :: weights(:)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
+        integer(c_int64_t) :: dim, product_degrees
         type(c_ptr) :: made
+        dim = size(points, 2, c_int64_t)
+        product_degrees = net_size(degrees + 1_c_int64_t)
         made = c_null_ptr
-        code = net_shape(degrees, degrees + 1, points, weights)
-        if (code == NURBS_OK) code = nurbs_create_bezier(size(degrees), degrees, size(points, 2), points, &
-            step(points), column(points), weights, 0_c_int64_t, made)
+        code = fitting([fits(points, product_degrees, dim), fits(weights, product_degrees)])
+        if (code == NURBS_OK) code = nurbs_create_bezier(size(degrees), degrees, int(dim), points, step(points), &
+            column(points), weights, 0_c_int64_t, made)
         call this%replace(made)
         call settle(code, status)
     end subroutine create_bezier
@@ -134,23 +148,22 @@ contains
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(in), optional :: weights(:)
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, dim
-        integer(c_int64_t) :: n
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: points_n
         type(c_ptr) :: made
+        points_n = points_of(this%handle)
         made = c_null_ptr
-        code = sizes_of(this%handle, n, dim)
-        if (code == NURBS_OK .and. (size(points, 1) /= n .or. size(points, 2) /= dim)) code = shape_error
-        if (present(weights)) then
-            if (code == NURBS_OK .and. size(weights) /= n) code = shape_error
-        end if
-        if (code == NURBS_OK) code = nurbs_with_points(this%handle, points, step(points), column(points), &
-            weights, 0_c_int64_t, made)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(points, points_n, dim_of(this%handle)), fits(weights, points_n)])
+        if (code == NURBS_OK) code = nurbs_with_points(this%handle, points, step(points), column(points), weights, &
+            0_c_int64_t, made)
         call out%replace(made)
         call settle(code, status)
     end subroutine with_points
 
-    ! Operations; out is another variable than this.
+    ! Exact refinement, and parts of a spline
 
+    !> The spline of one axis less on which the parameter of `axis` is fixed.
     subroutine iso(this, axis, param, out, flags, status)
         class(nurbs_spline), intent(in) :: this
         integer(c_int32_t), intent(in) :: axis
@@ -160,11 +173,12 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_iso(this%handle, axis - 1, param, bits(flags), made)
+        code = nurbs_iso(this%handle, axis - 1, param, given(flags, 0), made)
         call out%replace(made)
         call settle(code, status)
     end subroutine iso
 
+    !> The same shape with a knot inserted.
     subroutine insert_knot(this, axis, knot, times, out, status)
         class(nurbs_spline), intent(in) :: this
         integer(c_int32_t), intent(in) :: axis, times
@@ -178,6 +192,98 @@ contains
         call settle(code, status)
     end subroutine insert_knot
 
+    !> The same shape with a list of knots inserted, in any order.
+    subroutine refine(this, axis, knots, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: knots(:)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_refine(this%handle, axis - 1, size(knots, kind=c_int64_t), knots, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine refine
+
+    !> The same shape with every non-empty span divided into equal parts.
+    subroutine refine_uniform(this, axis, parts, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis, parts
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_refine_uniform(this%handle, axis - 1, int(parts, c_int64_t), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine refine_uniform
+
+    !> The parts below and above a parameter.
+    subroutine split(this, axis, param, lower, upper, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: param
+        type(nurbs_spline), intent(inout) :: lower, upper
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made_lower, made_upper
+        code = nurbs_split(this%handle, axis - 1, param, made_lower, made_upper)
+        call lower%replace(made_lower)
+        call upper%replace(made_upper)
+        call settle(code, status)
+    end subroutine split
+
+    !> lower(axes), upper(axes): the ends of the part on each axis.
+    subroutine extract(this, lower, upper, out, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: lower(:), upper(:)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes
+        type(c_ptr) :: made
+        axes = axes_of(this%handle)
+        made = c_null_ptr
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(lower, axes), fits(upper, axes)])
+        if (code == NURBS_OK) code = nurbs_extract(this%handle, lower, upper, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine extract
+
+    !> Without flags both ends are clamped.
+    subroutine clamp(this, axis, out, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_clamp_ends(this%handle, axis - 1, given(flags, &
+            ior(NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END)), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine clamp
+
+    !> The same shape on a periodic axis over [param, param + period].
+    subroutine move_seam(this, axis, param, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: param
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_move_seam(this%handle, axis - 1, param, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine move_seam
+
+    ! Degree, form and transformations
+
+    !> The same shape with the degree of an axis raised by `times`.
     subroutine elevate(this, axis, times, out, status)
         class(nurbs_spline), intent(in) :: this
         integer(c_int32_t), intent(in) :: axis, times
@@ -190,15 +296,16 @@ contains
         call settle(code, status)
     end subroutine elevate
 
+    !> The axis turned round; flags: 0 or NURBS_KEEP_DOMAIN.
     subroutine reverse(this, axis, out, flags, status)
         class(nurbs_spline), intent(in) :: this
         integer(c_int32_t), intent(in) :: axis
-        integer(c_int32_t), intent(in), optional :: flags
         type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_reverse(this%handle, axis - 1, bits(flags), made)
+        code = nurbs_reverse(this%handle, axis - 1, given(flags, 0), made)
         call out%replace(made)
         call settle(code, status)
     end subroutine reverse
@@ -209,16 +316,17 @@ contains
         integer(c_int32_t), intent(in) :: permutation(:)
         type(nurbs_spline), intent(inout) :: out
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, axes
+        integer(c_int32_t) :: code
         type(c_ptr) :: made
         made = c_null_ptr
-        code = nurbs_axes(this%handle, axes)
-        if (code == NURBS_OK .and. size(permutation) /= axes) code = shape_error
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(permutation, axes_of(this%handle))])
         if (code == NURBS_OK) code = nurbs_transpose(this%handle, permutation - 1, made)
         call out%replace(made)
         call settle(code, status)
     end subroutine transpose_axes
 
+    !> The same shape over another domain.
     subroutine reparametrize(this, axis, lower, upper, out, status)
         class(nurbs_spline), intent(in) :: this
         integer(c_int32_t), intent(in) :: axis
@@ -232,6 +340,7 @@ contains
         call settle(code, status)
     end subroutine reparametrize
 
+    !> The same spline with weights.
     subroutine make_rational(this, out, status)
         class(nurbs_spline), intent(in) :: this
         type(nurbs_spline), intent(inout) :: out
@@ -243,6 +352,7 @@ contains
         call settle(code, status)
     end subroutine make_rational
 
+    !> The polynomial spline of the points (w x, w y, ..., w).
     subroutine to_homogeneous(this, out, status)
         class(nurbs_spline), intent(in) :: this
         type(nurbs_spline), intent(inout) :: out
@@ -254,6 +364,7 @@ contains
         call settle(code, status)
     end subroutine to_homogeneous
 
+    !> The rational spline whose homogeneous points these are.
     subroutine from_homogeneous(this, out, status)
         class(nurbs_spline), intent(in) :: this
         type(nurbs_spline), intent(inout) :: out
@@ -272,16 +383,14 @@ contains
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(in), optional :: translation(:)
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, dim
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: out_dim
         type(c_ptr) :: made
+        out_dim = size(matrix, 1, c_int64_t)
         made = c_null_ptr
-        code = nurbs_dimension(this%handle, dim)
-        if (code == NURBS_OK .and. size(matrix, 2) /= dim) code = shape_error
-        if (present(translation)) then
-            if (size(translation) /= size(matrix, 1)) code = shape_error
-        end if
-        if (code == NURBS_OK) code = nurbs_transform(this%handle, size(matrix, 1), transpose(matrix), &
-            translation, made)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(matrix, out_dim, dim_of(this%handle)), fits(translation, out_dim)])
+        if (code == NURBS_OK) code = nurbs_transform(this%handle, int(out_dim), transpose(matrix), translation, made)
         call out%replace(made)
         call settle(code, status)
     end subroutine transform
@@ -292,122 +401,19 @@ contains
         real(c_double), intent(in) :: matrix(:, :)
         type(nurbs_spline), intent(inout) :: out
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, dim
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: out_dim
         type(c_ptr) :: made
+        out_dim = size(matrix, 1, c_int64_t) - 1
         made = c_null_ptr
-        code = nurbs_dimension(this%handle, dim)
-        if (code == NURBS_OK .and. size(matrix, 2) /= dim + 1) code = shape_error
-        if (code == NURBS_OK) code = nurbs_transform_projective(this%handle, size(matrix, 1) - 1, &
-            transpose(matrix), made)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(matrix, out_dim + 1, dim_of(this%handle) + 1)])
+        if (code == NURBS_OK) code = nurbs_transform_projective(this%handle, int(out_dim), transpose(matrix), made)
         call out%replace(made)
         call settle(code, status)
     end subroutine transform_projective
 
-    subroutine refine(this, axis, knots, out, status)
-        class(nurbs_spline), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), intent(in) :: knots(:)
-        type(nurbs_spline), intent(inout) :: out
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_refine(this%handle, axis - 1, size(knots, kind=c_int64_t), knots, made)
-        call out%replace(made)
-        call settle(code, status)
-    end subroutine refine
-
-    subroutine refine_uniform(this, axis, parts, out, status)
-        class(nurbs_spline), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis, parts
-        type(nurbs_spline), intent(inout) :: out
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_refine_uniform(this%handle, axis - 1, int(parts, c_int64_t), made)
-        call out%replace(made)
-        call settle(code, status)
-    end subroutine refine_uniform
-
-    !> Compressed sparse rows of what refine() does along the axis, all indices from 1.
-    subroutine refinement_matrix(this, axis, knots, values, columns, row_pointers, status)
-        class(nurbs_spline), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), intent(in) :: knots(:)
-        real(c_double), allocatable, intent(inout) :: values(:)
-        integer(c_int64_t), allocatable, intent(inout) :: columns(:), row_pointers(:)
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        integer(c_int64_t) :: n, rows, entries
-        n = size(knots, kind=c_int64_t)
-        code = nurbs_refinement_matrix(this%handle, axis - 1, n, knots, 0_c_int64_t, entries=entries)
-        if (code == NURBS_OK) code = nurbs_count(this%handle, axis - 1, rows)
-        if (code == NURBS_OK) then
-            call make_sparse(entries, rows + n, values, columns, row_pointers)
-            code = nurbs_refinement_matrix(this%handle, axis - 1, n, knots, entries, values, columns, row_pointers)
-            columns = columns + 1
-            row_pointers = row_pointers + 1
-        end if
-        call settle(code, status)
-    end subroutine refinement_matrix
-
-    subroutine split(this, axis, param, lower, upper, status)
-        class(nurbs_spline), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), intent(in) :: param
-        type(nurbs_spline), intent(inout) :: lower, upper
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: below, above
-        code = nurbs_split(this%handle, axis - 1, param, below, above)
-        call lower%replace(below)
-        call upper%replace(above)
-        call settle(code, status)
-    end subroutine split
-
-    !> lower(axes), upper(axes): the ends of the part on each axis.
-    subroutine extract(this, lower, upper, out, status)
-        class(nurbs_spline), intent(in) :: this
-        real(c_double), intent(in) :: lower(:), upper(:)
-        type(nurbs_spline), intent(inout) :: out
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, axes
-        type(c_ptr) :: made
-        made = c_null_ptr
-        code = nurbs_axes(this%handle, axes)
-        if (code == NURBS_OK .and. (size(lower) /= axes .or. size(upper) /= axes)) code = shape_error
-        if (code == NURBS_OK) code = nurbs_extract(this%handle, lower, upper, made)
-        call out%replace(made)
-        call settle(code, status)
-    end subroutine extract
-
-    !> Without flags both ends are clamped.
-    subroutine clamp(this, axis, out, flags, status)
-        class(nurbs_spline), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        type(nurbs_spline), intent(inout) :: out
-        integer(c_int32_t), intent(in), optional :: flags
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, ends
-        type(c_ptr) :: made
-        ends = ior(NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END)
-        if (present(flags)) ends = flags
-        code = nurbs_clamp_ends(this%handle, axis - 1, ends, made)
-        call out%replace(made)
-        call settle(code, status)
-    end subroutine clamp
-
-    subroutine move_seam(this, axis, param, out, status)
-        class(nurbs_spline), intent(in) :: this
-        integer(c_int32_t), intent(in) :: axis
-        real(c_double), intent(in) :: param
-        type(nurbs_spline), intent(inout) :: out
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_move_seam(this%handle, axis - 1, param, made)
-        call out%replace(made)
-        call settle(code, status)
-    end subroutine move_seam
+    ! Splines taken apart into lists, and joined again
 
     !> This spline becomes the parts joined end to end, of which it is none.
     subroutine join(this, parts, axis, tolerance, flags, gap, status)
@@ -418,17 +424,40 @@ contains
         integer(c_int32_t), intent(in), optional :: flags
         real(c_double), intent(inout), optional :: gap
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code, i
-        real(c_double) :: limit
-        type(c_ptr) :: made, handles(size(parts))
-        limit = 0
-        if (present(tolerance)) limit = tolerance
-        do i = 1, size(parts)
-            handles(i) = parts(i)%handle
-        end do
-        code = nurbs_join(size(parts, kind=c_int64_t), handles, axis - 1, limit, bits(flags), gap, made)
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_join(size(parts, kind=c_int64_t), handles_of(parts), axis - 1, given(tolerance, 0d0), &
+            given(flags, 0), gap, made)
         call this%replace(made)
         call settle(code, status)
     end subroutine join
 
+    ! Derivatives with respect to data: collocation matrices, Bezier extraction, gradients
+
+    !> Compressed sparse rows of what refine() does along the axis, all indices from 1.
+    subroutine refinement_matrix(this, axis, knots, values, columns, row_pointers, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: knots(:)
+        real(c_double), allocatable, intent(inout) :: values(:)
+        integer(c_int64_t), allocatable, intent(inout) :: columns(:), row_pointers(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: count, entries
+        count = size(knots, kind=c_int64_t)
+        entries = 0
+        code = nurbs_refinement_matrix(this%handle, axis - 1, count, knots, 0_c_int64_t, entries=entries)
+        if (code == NURBS_OK) then
+            if (allocated(values)) deallocate (values)
+            if (allocated(columns)) deallocate (columns)
+            if (allocated(row_pointers)) deallocate (row_pointers)
+            allocate (values(entries), columns(entries), row_pointers(count_of(this%handle, axis - 1) + count + 1))
+            code = nurbs_refinement_matrix(this%handle, axis - 1, count, knots, entries, values, columns, row_pointers)
+        end if
+        if (code == NURBS_OK) then
+            columns = columns + 1
+            row_pointers = row_pointers + 1
+        end if
+        call settle(code, status)
+    end subroutine refinement_matrix
 end module nurbs_splines

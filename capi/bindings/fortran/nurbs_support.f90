@@ -2,13 +2,29 @@
 !> What the types share: messages, errors, and Fortran's shapes as the library's strides.
 module nurbs_support
     use, intrinsic :: iso_c_binding
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use nurbs_constants
-    use nurbs_c
+    use nurbs_c, only: nurbs_axes, nurbs_count, nurbs_degree, nurbs_derivative_slots, nurbs_dimension, &
+        nurbs_is_rational, nurbs_last_error, nurbs_point_count, nurbs_status_name
     implicit none
-    public
+    private
+    public :: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
+    public :: shape_error, full_turn, any_size, given, settle, string, infinity, dimension_of, step, column, fits
+    public :: fitting, held, axes_of, dim_of, points_of, rational_of, count_of, degree_of, slots_of, active_of, net_size
+    public :: knot_count, bezier_count, periodic_count, matrix_size, homogeneous
 
     !> NURBS_ERROR_SIZE found on this side, where the library has no message for it.
     integer(c_int32_t), parameter :: shape_error = -NURBS_ERROR_SIZE
+
+    real(c_double), parameter :: full_turn = 8 * atan(1.0_c_double)
+
+    !> In place of a size, where the library is to say what is wrong.
+    integer(c_int64_t), parameter :: any_size = -huge(0_c_int64_t)
+
+    !> An optional argument, or what it is if it is absent.
+    interface given
+        module procedure given_real, given_number
+    end interface given
 
 contains
 
@@ -77,125 +93,207 @@ contains
         end do
     end function string
 
-    pure integer(c_int32_t) function bits(flags)
-        integer(c_int32_t), intent(in), optional :: flags
-        bits = 0
-        if (present(flags)) bits = flags
-    end function bits
+    ! Arguments that may be absent
 
-    !> Stride between the records that are the rows of an array; a single row is simply packed.
+    pure real(c_double) function given_real(value, otherwise)
+        real(c_double), intent(in), optional :: value
+        real(c_double), intent(in) :: otherwise
+        given_real = otherwise
+        if (present(value)) given_real = value
+    end function given_real
+
+    pure integer(c_int32_t) function given_number(value, otherwise)
+        integer(c_int32_t), intent(in), optional :: value
+        integer(c_int32_t), intent(in) :: otherwise
+        given_number = otherwise
+        if (present(value)) given_number = value
+    end function given_number
+
+    pure real(c_double) function infinity()
+        infinity = ieee_value(1.0_c_double, ieee_positive_inf)
+    end function infinity
+
+    !> The length of the vectors that are present, or another dimension if none is; 0 if they differ.
+    pure integer(c_int64_t) function dimension_of(otherwise, a, b, c) result(dim)
+        integer(c_int32_t), intent(in) :: otherwise
+        real(c_double), intent(in), optional :: a(:), b(:), c(:)
+        integer(c_int64_t) :: sizes(3)
+        sizes = [length(a), length(b), length(c)]
+        dim = maxval(sizes)
+        if (dim < 0) then
+            dim = otherwise
+        else if (any(sizes >= 0 .and. sizes /= dim)) then
+            dim = 0
+        end if
+    end function dimension_of
+
+    pure integer(c_int64_t) function length(vector)
+        real(c_double), intent(in), optional :: vector(:)
+        length = -1
+        if (present(vector)) length = size(vector, kind=c_int64_t)
+    end function length
+
+    ! Arrays
+
+    !> Stride between the records that are the rows of an array; single rows and vectors are simply packed.
     pure integer(c_int64_t) function step(array)
-        class(*), intent(in) :: array(..)
-        step = merge(1_c_int64_t, 0_c_int64_t, size(array, 1) > 1)
+        type(*), intent(in), optional :: array(..)
+        step = 0
+        if (has_rows(array)) step = 1
     end function step
 
     !> Stride between the components of such a record.
     pure integer(c_int64_t) function column(array)
-        class(*), intent(in) :: array(..)
-        column = merge(size(array, 1, c_int64_t), 0_c_int64_t, size(array, 1) > 1)
+        type(*), intent(in), optional :: array(..)
+        column = 0
+        if (has_rows(array)) column = size(array, 1, c_int64_t)
     end function column
 
-    !> Whether the arrays of a control net are as long as degrees and counts say.
-    pure integer(c_int32_t) function net_shape(degrees, counts, points, weights)
-        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
-        real(c_double), intent(in) :: points(:, :)
-        real(c_double), intent(in), optional :: weights(:)
-        logical :: fits
-        fits = size(degrees) == size(counts)
-        fits = fits .and. (size(points, 1, c_int64_t) == product(int(counts, c_int64_t)) .or. any(counts < 0))
-        if (present(weights)) fits = fits .and. size(weights) == size(points, 1)
-        net_shape = merge(NURBS_OK, shape_error, fits)
-    end function net_shape
+    pure logical function has_rows(array)
+        type(*), intent(in), optional :: array(..)
+        has_rows = .false.
+        if (.not. present(array)) return
+        if (rank(array) > 1) has_rows = size(array, 1) > 1
+    end function has_rows
 
-    !> Number of control points and dimension; both 0 on failure.
-    integer(c_int32_t) function sizes_of(handle, n, dim) result(code)
-        type(c_ptr), intent(in) :: handle
-        integer(c_int64_t), intent(out) :: n
-        integer(c_int32_t), intent(out) :: dim
-        n = 0
-        dim = 0
-        code = nurbs_point_count(handle, n)
-        if (code == NURBS_OK) code = nurbs_dimension(handle, dim)
-    end function sizes_of
-
-    !> Whether params, of shape (n, axes), fit the spline, and whether an output has the shape that is wanted.
-    integer(c_int32_t) function batch_shape(handle, params, output, wanted) result(code)
-        type(c_ptr), intent(in) :: handle
-        integer, intent(in) :: params(2), output(:), wanted(:)
-        integer(c_int32_t) :: axes
-        code = nurbs_axes(handle, axes)
-        if (code /= NURBS_OK) return
-        if (params(2) /= axes .or. any(output /= wanted)) code = shape_error
-    end function batch_shape
-
-    !> Columns of derivatives: binomial(order + axes, axes), 0 where the library will refuse the order.
-    integer function slots_of(handle, order)
-        type(c_ptr), intent(in) :: handle
-        integer(c_int32_t), intent(in) :: order
-        integer(c_int32_t) :: axes, code
-        integer(c_int64_t) :: slots
-        slots_of = 0
-        code = nurbs_axes(handle, axes)
-        if (code == NURBS_OK) code = nurbs_derivative_slots(axes, order, slots)
-        if (code == NURBS_OK) slots_of = int(slots)
-    end function slots_of
-
-    !> Dimension of a spline, 0 for a null handle.
-    integer function dim_of(handle)
-        type(c_ptr), intent(in) :: handle
-        integer(c_int32_t) :: code, dim
-        code = nurbs_dimension(handle, dim)
-        dim_of = merge(dim, 0, code == NURBS_OK)
-    end function dim_of
-
-    !> Number of axes of a spline, 0 for a null handle.
-    integer function axes_of(handle)
-        type(c_ptr), intent(in) :: handle
-        integer(c_int32_t) :: code, axes
-        code = nurbs_axes(handle, axes)
-        axes_of = merge(axes, 0, code == NURBS_OK)
-    end function axes_of
-
-    ! Shapes of arrays that may be absent
+    !> Whether an array that is present has this shape.
+    pure logical function fits(array, n, m, l)
+        type(*), intent(in), optional :: array(..)
+        integer(c_int64_t), intent(in) :: n
+        integer(c_int64_t), intent(in), optional :: m, l
+        fits = .true.
+        if (.not. present(array)) return
+        if (n /= any_size) fits = size(array, 1, c_int64_t) == n
+        if (present(m)) fits = fits .and. size(array, 2, c_int64_t) == m
+        if (present(l)) fits = fits .and. size(array, 3, c_int64_t) == l
+    end function fits
 
     pure integer(c_int32_t) function fitting(conditions)
         logical, intent(in) :: conditions(:)
         fitting = merge(NURBS_OK, shape_error, all(conditions))
     end function fitting
 
-    pure logical function has_shape(rows, columns, array)
-        integer(c_int64_t), intent(in) :: rows
-        integer, intent(in) :: columns
-        real(c_double), intent(in), optional :: array(:, :)
-        has_shape = .true.
-        if (present(array)) has_shape = size(array, 1, c_int64_t) == rows .and. size(array, 2) == columns
-    end function has_shape
+    ! Numbers of a spline, 0 of a null handle and where an axis does not exist
 
-    pure logical function has_size(rows, array)
-        integer(c_int64_t), intent(in) :: rows
-        real(c_double), intent(in), optional :: array(:)
-        has_size = .true.
-        if (present(array)) has_size = size(array, kind=c_int64_t) == rows
-    end function has_size
+    !> NURBS_OK, or what the library says of a null handle.
+    integer(c_int32_t) function held(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: axes
+        held = nurbs_axes(handle, axes)
+    end function held
 
-    pure logical function has_length(rows, states)
-        integer(c_int64_t), intent(in) :: rows
-        integer(c_int32_t), intent(in), optional :: states(:)
-        has_length = .true.
-        if (present(states)) has_length = size(states, kind=c_int64_t) == rows
-    end function has_length
+    integer(c_int64_t) function axes_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: axes
+        axes_of = 0
+        if (nurbs_axes(handle, axes) == NURBS_OK) axes_of = axes
+    end function axes_of
 
-    !> Arrays for `entries` of a matrix of so many rows, in place of what they held.
-    subroutine make_sparse(entries, rows, values, columns, row_pointers)
-        integer(c_int64_t), intent(in) :: entries, rows
-        real(c_double), allocatable, intent(out) :: values(:)
-        integer(c_int64_t), allocatable, intent(out) :: columns(:), row_pointers(:)
-        allocate (values(entries), columns(entries), row_pointers(rows + 1))
-    end subroutine make_sparse
+    integer(c_int64_t) function dim_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: dim
+        dim_of = 0
+        if (nurbs_dimension(handle, dim) == NURBS_OK) dim_of = dim
+    end function dim_of
 
-    !> Stride between the rows of a column-wise array; a single row is simply packed.
-    pure integer(c_int64_t) function apart(rows)
-        integer(c_int64_t), intent(in) :: rows
-        apart = merge(1_c_int64_t, 0_c_int64_t, rows > 1)
-    end function apart
+    !> Number of control points of all axes together.
+    integer(c_int64_t) function points_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int64_t) :: n
+        points_of = 0
+        if (nurbs_point_count(handle, n) == NURBS_OK) points_of = n
+    end function points_of
+
+    !> 1 of a rational spline.
+    integer(c_int64_t) function rational_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: rational
+        rational_of = 0
+        if (nurbs_is_rational(handle, rational) == NURBS_OK) rational_of = rational
+    end function rational_of
+
+    !> Number of control points along an axis, which counts from 0.
+    integer(c_int64_t) function count_of(handle, axis)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t), intent(in) :: axis
+        integer(c_int64_t) :: n
+        count_of = 0
+        if (nurbs_count(handle, axis, n) == NURBS_OK) count_of = n
+    end function count_of
+
+    !> Degree along an axis, which counts from 0; -1 where there is none, so that there is room for no basis function.
+    integer(c_int64_t) function degree_of(handle, axis)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t), intent(in) :: axis
+        integer(c_int32_t) :: degree
+        degree_of = -1
+        if (nurbs_degree(handle, axis, degree) == NURBS_OK) degree_of = degree
+    end function degree_of
+
+    !> Columns of derivatives: binomial(order + axes, axes), 0 where the library will refuse the order.
+    integer(c_int64_t) function slots_of(handle, order)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t), intent(in) :: order
+        integer(c_int64_t) :: slots
+        slots_of = 0
+        if (nurbs_derivative_slots(int(axes_of(handle)), order, slots) == NURBS_OK) slots_of = slots
+    end function slots_of
+
+    !> Basis functions that are not 0 at a parameter: the product of the degrees + 1.
+    integer(c_int64_t) function active_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: axis
+        active_of = 1
+        do axis = 0, int(axes_of(handle)) - 1
+            active_of = active_of * (degree_of(handle, axis) + 1)
+        end do
+    end function active_of
+
+    ! Numbers that follow from others, 0 where the library will refuse them
+
+    !> Control points of a net. Of negative numbers the library says what is wrong.
+    pure integer(c_int64_t) function net_size(counts)
+        integer(c_int64_t), intent(in) :: counts(:)
+        net_size = merge(any_size, product(counts), any(counts < 0))
+    end function net_size
+
+    !> Knots of so many control points.
+    pure integer(c_int64_t) function knot_count(degree, count)
+        integer(c_int32_t), intent(in) :: degree
+        integer(c_int64_t), intent(in) :: count
+        knot_count = 0
+        if (degree >= 0 .and. degree <= NURBS_MAX_DEGREE .and. count >= 0) knot_count = count + degree + 1
+    end function knot_count
+
+    !> Control points of joined Bezier pieces.
+    pure integer(c_int64_t) function bezier_count(degree, pieces)
+        integer(c_int32_t), intent(in) :: degree
+        integer(c_int64_t), intent(in) :: pieces
+        bezier_count = merge(pieces, pieces * degree + 1, degree == 0)
+    end function bezier_count
+
+    !> Control points of a closed spline with breaks, each once or as often as is said.
+    pure integer(c_int64_t) function periodic_count(degree, breaks, multiplicities)
+        integer(c_int32_t), intent(in) :: degree
+        real(c_double), intent(in) :: breaks(:)
+        integer(c_int32_t), intent(in), optional :: multiplicities(:)
+        integer(c_int64_t) :: inner
+        inner = size(breaks, kind=c_int64_t) - 1
+        if (present(multiplicities)) then
+            if (size(multiplicities) == size(breaks)) inner = sum(int(multiplicities(:inner), c_int64_t))
+        end if
+        periodic_count = inner + degree
+    end function periodic_count
+
+    !> Entries of a matrix between bases.
+    pure integer(c_int64_t) function matrix_size(degree)
+        integer(c_int64_t), intent(in) :: degree
+        matrix_size = (degree + 1)**2
+    end function matrix_size
+
+    !> The column of weights that points have beside their dim coordinates.
+    pure integer(c_int64_t) function homogeneous(flags)
+        integer(c_int32_t), intent(in) :: flags
+        homogeneous = merge(1_c_int64_t, 0_c_int64_t, iand(flags, NURBS_HOMOGENEOUS) /= 0)
+    end function homogeneous
 end module nurbs_support

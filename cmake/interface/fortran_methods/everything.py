@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+"""The module that a program uses, nurbs, and its introduction."""
+
+HEAD = """\
+! SPDX-License-Identifier: MIT
+! {notice}
+!> libnurbs for Fortran 2018: splines and lists of splines as types that clean up after themselves.
+!>
+!> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
+!>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.
+!> - Control points and grids run through the last axis fastest: point (i, j) of a surface of counts (m, n) is
+!>   row (i - 1) * n + j.
+!> - Axes, spans and list entries count from 1. Only messages and the module nurbs_c count from 0.
+!> - Each procedure has an optional status. Without it a failure ends the program with the library's message.
+!>   An array whose shape does not suit is NURBS_ERROR_SIZE.
+!> - Results are arguments, not function values, which compilers of today do not always finalize. The result of
+!>   an operation must be another variable than its operand.
+!> - An assignment makes another handle on the same data, also of arrays, which have to be allocated before, of the
+!>   same shape. What copies bit by bit in its place would have handles freed twice: allocate() with source=, and
+!>   in gfortran 12 assignments of types with splines in them; give such a type an assignment of its own, which
+!>   assigns these.
+!>
+!> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, nurbs_all.f90 is all
+!> modules in one file:
+!>
+!>     gfortran -c nurbs_all.f90
+module nurbs
+    use nurbs_constants ! statuses, flags and limits
+    use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
+    use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
+    use nurbs_handles, only: default_read_options
+"""
+TAIL = """\
+    implicit none
+    public
+end module nurbs
+"""
+ALL = """\
+! SPDX-License-Identifier: MIT
+! {notice}
+! All modules in the order in which a compiler needs them, for programs that are built without CMake.
+"""
+BY_HAND = ("constants", "c", "support", "handles")
+
+
+def module(modules, notice):
+    """modules: those that are made of the table, in order."""
+    uses = "\n".join(f"    use nurbs_{module.name}{only(module)}" for module in modules if shown(module))
+    return f"{HEAD.format(notice=notice)}{uses}\n{TAIL}"
+
+
+def shown(module):
+    return module.public() or module.type is None or module.type.shown
+
+
+def only(module):
+    """Types that are steps on the way to others stay hidden."""
+    if module.type is None:
+        return ""
+    return ", only: " + ", ".join([*module.public(), *[module.type.name] * module.type.shown])
+
+
+def includes(modules, notice):
+    names = [f"nurbs_{name}" for name in (*BY_HAND, *(module.name for module in modules))] + ["nurbs"]
+    return ALL.format(notice=notice) + "".join(f"include '{name}.f90'\n" for name in names)
