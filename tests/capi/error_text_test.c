@@ -82,6 +82,8 @@ static void names(void) {
                NAME(NURBS_ERROR_MEMORY),
                NAME(NURBS_ERROR_FILE),
                NAME(NURBS_ERROR_TOO_LARGE),
+               NAME(NURBS_ERROR_CANCELLED),
+               NAME(NURBS_ERROR_WORK),
                NAME(NURBS_ERROR_FORMAT),
                NAME(NURBS_ERROR_TRUNCATED),
                NAME(NURBS_ERROR_SYNTAX),
