@@ -2313,7 +2313,7 @@ module nurbs_c
             import
             type(c_ptr), value :: g
             type(nurbs_constraints), intent(in) :: constraints
-            type(nurbs_constraint_report), intent(in), optional :: report
+            type(nurbs_constraint_report), intent(inout), optional :: report
             type(nurbs_call_options), intent(in), optional :: call
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r

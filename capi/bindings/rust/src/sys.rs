@@ -2759,7 +2759,7 @@ extern "C" {
     pub fn nurbs_constrain_with(
         g: *const nurbs,
         constraints: *const nurbs_constraints,
-        report: *const nurbs_constraint_report,
+        report: *mut nurbs_constraint_report,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
