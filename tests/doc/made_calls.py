@@ -93,7 +93,7 @@ class Border:
                   "size": count, "knot_count": knot_count, "break_count": 2 * spline.axes, "cap": cap, "degree": 2,
                   "pieces": 4, "parts": 4, "sides": 4}
         if slot.holder and entry.name == "struct_size":
-            values["struct_size"] = self.structs[slot.holder.base].beyond.offset
+            values["struct_size"] = slots.known_size(self.structs[slot.holder.base])
         return slots.INTEGERS[entry.base](values.get(entry.name, 0) * slot.used)
 
     def pointer(self, entry, spline):

@@ -85,9 +85,9 @@ def struct_class(manual, struct, beyond=BEYOND):
     return type(struct.name, (ctypes.Structure,), {"_fields_": [*known, ("beyond", ctypes.c_ubyte * beyond)]})
 
 
-def known_size(made):
-    """sizeof the struct without what lies beyond."""
-    return type(made).beyond.offset
+def known_size(kind):
+    """sizeof a struct without what lies beyond."""
+    return kind.beyond.offset
 
 
 def put(made, slot, value):
