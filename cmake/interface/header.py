@@ -43,7 +43,7 @@ class Parameter:
 
     @property
     def is_const(self):
-        return "const" in self.c_type
+        return bool(re.search(r"\bconst\b", self.c_type))
 
 
 @dataclass
@@ -136,6 +136,11 @@ class Header:
     @property
     def constants(self):
         return {constant.name: constant for group in self.groups for constant in group.constants}
+
+    def plain(self, function):
+        """nurbs_X of nurbs_X_with, or None."""
+        name = function.name.removesuffix("_with")
+        return next((entry for entry in self.functions if entry.name == name and entry is not function), None)
 
     @property
     def version(self):

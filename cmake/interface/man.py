@@ -143,10 +143,16 @@ def constants(manual):
         yield from roff.filled(macro.text)
 
 
+def prototype(entry):
+    """A callback as C declares it."""
+    told = ", ".join(f"{word.c_type}{'' if word.pointers else ' '}{word.name}" for word in entry.parameters)
+    return f"{entry.result} (*{entry.name})({told})"
+
+
 def types(manual):
     yield ".SH TYPES"
     named = {**manual.handles, **{name: text for name, (_, text) in manual.aliases.items()},
-             **{name: entry.text for name, entry in manual.callbacks.items()}}
+             **{prototype(entry): entry.text for entry in manual.callbacks.values()}}
     for name, text in named.items():
         yield ".TP"
         yield rf"\fB{name}\fP"

@@ -33,7 +33,7 @@ def documentation(text, indent=""):
 
 def rust_type(c_type):
     base = re.sub(r"\bconst\b|\*", "", c_type).strip()
-    one = "*const " if "const" in c_type else "*mut "
+    one = "*const " if c_type.startswith("const ") else "*mut "
     return one * c_type.count("*") + TYPES.get(base, base)
 
 

@@ -202,6 +202,10 @@
  * - **References.** A parameter whose text begins with another function, as in "as for
  *   nurbs_create()", and has no shape of its own, has the shape of the parameter of that name there, and may
  *   be NULL if that one may be.
+ * - **Long calls.** nurbs_X_with() takes what nurbs_X() takes, and `call`. Structs that stand in place of
+ *   parameters have fields with the names of these. Such a field has the shape that the parameter has, and
+ *   may be NULL if that one may be; if nurbs_X() has no parameter of its name, it has to be 0 or NULL.
+ *   Strides that belong to no array are ignored.
  * - **Statuses** are listed after `\return`: _AXES is short for NURBS_ERROR_AXES. "as for" another function,
  *   at the beginning, stands for all statuses that it lists; "without" takes some away, "instead of"
  *   exchanges them. Conditions follow where the name does not say enough. Functions with other results cannot
@@ -3295,9 +3299,10 @@ NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const dou
                                             int64_t foot_component_stride, double *distances,
                                             int64_t distance_stride, int32_t *status, uint32_t flags);
 
-/** \brief What the batches of this chapter are asked as long calls. Fields that are 0 or NULL have their
- * defaults; those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only
- * ever appended, and struct_size is at most 4096. */
+/** \brief What the batches of this chapter are asked as long calls. Set struct_size to
+ * sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their defaults.
+ * Those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever
+ * appended, and struct_size is at most 4096. */
 typedef struct nurbs_closest_query {
     int64_t struct_size;            /**< size of this struct as the caller knows it */
     int64_t n;                      /**< number of points */
@@ -3314,7 +3319,9 @@ typedef struct nurbs_closest_query {
     uint32_t reserved;              /**< 0 */
 } nurbs_closest_query;
 
-/** \brief Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. */
+/** \brief Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set
+ * struct_size to sizeof(nurbs_closest_answer). What a function does not answer has to be NULL
+ * (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most 4096. */
 typedef struct nurbs_closest_answer {
     int64_t struct_size;            /**< size of this struct as the caller knows it */
     double *params;                 /**< [n][axes] or NULL: the parameters */
@@ -4347,8 +4354,9 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
                                        double tolerance, double *residuals, int64_t *rank, double *moved,
                                        double *optimality, nurbs **out);
 
-/** \brief The constraints of nurbs_constrain() as one argument. Fields are only ever appended, and
- * struct_size is at most 4096. */
+/** \brief The constraints of nurbs_constrain() as one argument. Set struct_size to
+ * sizeof(nurbs_constraints), and what is not wanted to 0. Fields are only ever appended, and struct_size is
+ * at most 4096. */
 typedef struct nurbs_constraints {
     int64_t struct_size;        /**< size of this struct as the caller knows it */
     int64_t count;              /**< number of constraints, > 0 */
@@ -4362,7 +4370,8 @@ typedef struct nurbs_constraints {
     double tolerance;           /**< largest residual, >= 0 */
 } nurbs_constraints;
 
-/** \brief What nurbs_constrain() tells about its solution. */
+/** \brief What nurbs_constrain() tells about its solution. Set struct_size to sizeof(nurbs_constraint_report),
+ * and residuals. Fields are only ever appended, and struct_size is at most 4096. */
 typedef struct nurbs_constraint_report {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double *residuals;   /**< [count] or NULL: an array of the caller, which receives the residuals */

@@ -33,6 +33,80 @@ static void pin_read_options(void) {
     }
 }
 
+static void pin_call_options(void) {
+    nurbs_call_options options;
+    PIN(sizeof(nurbs_call_options), 32);
+    PIN(offsetof(nurbs_call_options, struct_size), 0);
+    PIN(offsetof(nurbs_call_options, work), 8);
+    PIN(offsetof(nurbs_call_options, progress), 16);
+    PIN(offsetof(nurbs_call_options, user), 24);
+    if (nurbs_call_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
+        fprintf(stderr, "the library does not know the call options of this size\n");
+        ++failures;
+        return;
+    }
+    PIN((size_t)options.struct_size, 32);
+    PIN((size_t)options.work, 0);
+    if (options.progress != NULL || options.user != NULL) {
+        fprintf(stderr, "there is a callback by default\n");
+        ++failures;
+    }
+}
+
+static void pin_closest_query(void) {
+    PIN(sizeof(nurbs_closest_query), 96);
+    PIN(offsetof(nurbs_closest_query, struct_size), 0);
+    PIN(offsetof(nurbs_closest_query, n), 8);
+    PIN(offsetof(nurbs_closest_query, points), 16);
+    PIN(offsetof(nurbs_closest_query, point_stride), 24);
+    PIN(offsetof(nurbs_closest_query, point_component_stride), 32);
+    PIN(offsetof(nurbs_closest_query, guesses), 40);
+    PIN(offsetof(nurbs_closest_query, guess_stride), 48);
+    PIN(offsetof(nurbs_closest_query, guess_component_stride), 56);
+    PIN(offsetof(nurbs_closest_query, range), 64);
+    PIN(offsetof(nurbs_closest_query, tolerance), 72);
+    PIN(offsetof(nurbs_closest_query, budget), 80);
+    PIN(offsetof(nurbs_closest_query, flags), 88);
+    PIN(offsetof(nurbs_closest_query, reserved), 92);
+}
+
+static void pin_closest_answer(void) {
+    PIN(sizeof(nurbs_closest_answer), 80);
+    PIN(offsetof(nurbs_closest_answer, struct_size), 0);
+    PIN(offsetof(nurbs_closest_answer, params), 8);
+    PIN(offsetof(nurbs_closest_answer, param_stride), 16);
+    PIN(offsetof(nurbs_closest_answer, param_component_stride), 24);
+    PIN(offsetof(nurbs_closest_answer, feet), 32);
+    PIN(offsetof(nurbs_closest_answer, foot_stride), 40);
+    PIN(offsetof(nurbs_closest_answer, foot_component_stride), 48);
+    PIN(offsetof(nurbs_closest_answer, distances), 56);
+    PIN(offsetof(nurbs_closest_answer, distance_stride), 64);
+    PIN(offsetof(nurbs_closest_answer, status), 72);
+}
+
+static void pin_constraints(void) {
+    PIN(sizeof(nurbs_constraints), 80);
+    PIN(offsetof(nurbs_constraints, struct_size), 0);
+    PIN(offsetof(nurbs_constraints, count), 8);
+    PIN(offsetof(nurbs_constraints, kinds), 16);
+    PIN(offsetof(nurbs_constraints, orders), 24);
+    PIN(offsetof(nurbs_constraints, params), 32);
+    PIN(offsetof(nurbs_constraints, targets), 40);
+    PIN(offsetof(nurbs_constraints, keep), 48);
+    PIN(offsetof(nurbs_constraints, costs), 56);
+    PIN(offsetof(nurbs_constraints, weight_costs), 64);
+    PIN(offsetof(nurbs_constraints, tolerance), 72);
+}
+
+static void pin_constraint_report(void) {
+    PIN(sizeof(nurbs_constraint_report), 40);
+    PIN(offsetof(nurbs_constraint_report, struct_size), 0);
+    PIN(offsetof(nurbs_constraint_report, residuals), 8);
+    PIN(offsetof(nurbs_constraint_report, rank), 16);
+    PIN(offsetof(nurbs_constraint_report, moved), 24);
+    PIN(offsetof(nurbs_constraint_report, optimality), 32);
+}
+
 /* Codes are compiled into callers: one that moves would be taken for another. */
 static void pin_codes(void) {
     PIN(sizeof(nurbs_status), 4);
@@ -101,6 +175,8 @@ static void pin_codes(void) {
     PIN(NURBS_ERROR_MEMORY, 300);
     PIN(NURBS_ERROR_FILE, 301);
     PIN(NURBS_ERROR_TOO_LARGE, 302);
+    PIN(NURBS_ERROR_CANCELLED, 303);
+    PIN(NURBS_ERROR_WORK, 304);
     PIN(NURBS_ERROR_FORMAT, 400);
     PIN(NURBS_ERROR_TRUNCATED, 401);
     PIN(NURBS_ERROR_SYNTAX, 402);
@@ -215,6 +291,13 @@ static void pin_queries(void) {
 
 int main(void) {
     pin_read_options();
+    if (sizeof(void *) == 8) { /* smaller pointers make other layouts */
+        pin_call_options();
+        pin_closest_query();
+        pin_closest_answer();
+        pin_constraints();
+        pin_constraint_report();
+    }
     pin_codes();
     pin_flags();
     pin_kinds();

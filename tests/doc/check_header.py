@@ -4,7 +4,8 @@ usage: check_header.py TOP_FOLDER
 
 The rules are those of the header's section "Bindings". A function has \\brief, \\since, \\return unless it is void,
 and a \\param with its direction for every parameter and for no other; arrays have a shape in brackets, and pointers
-that may be NULL the words "or NULL" in their one place. Statuses that are listed exist.
+that may be NULL the words "or NULL" in their one place. Statuses that are listed exist. check_structs.py sees to structs
+and to what stands for other functions.
 """
 
 import re
@@ -34,7 +35,9 @@ def shape_problem(parameter):
         return "a shape for what is no array" if parameter.shape else None
     if parameter.base in manual.handles and not (parameter.pointers == 2 and parameter.is_const):
         return "a shape for a handle" if parameter.shape else None
-    if parameter.shape or parameter.base in ("nurbs_read_options",):
+    if parameter.base in structs and parameter.pointers == 1:
+        return "a shape for a struct" if parameter.shape else None
+    if parameter.shape:
         return None
     single = is_number(parameter) and not parameter.is_const and parameter.name in SINGLE_RESULTS
     return None if single else "no shape in brackets"
@@ -110,5 +113,6 @@ def main():
 
 
 manual = header.read(TOP)
+structs = {struct.name for struct in manual.structs}
 if __name__ == "__main__":
     sys.exit(main())

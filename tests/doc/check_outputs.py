@@ -3,91 +3,103 @@
 
 usage: check_outputs.py TOP_FOLDER libnurbs.so
 
-Every function is called as by check_null.py, with one argument spoiled: NaN in place of real numbers, -5 in place of
-integers, all bits in place of flags, in arrays everywhere or from the fourth number on.
+Every function is called with arguments that are made up, one of which is spoiled: NaN in place of real numbers, -5 in place
+of integers, all bits in place of flags, in arrays everywhere or from the fourth number on; a byte beyond the fields of a
+struct; and the least limit of work.
 """
 
 import ctypes
-import itertools
 import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake/interface"))
-
-import check_null  # noqa: E402 - from the project
-import header  # noqa: E402 - from the project
+import made_calls
+import slots
 
 ANYWHERE = {"NURBS_ERROR_MEMORY", "NURBS_ERROR_INTERNAL"}
 SPOILED = {"double": float("nan"), "float": float("nan"), "int32_t": -5, "int64_t": -5, "uint32_t": 0xFFFFFFFF}
 FIRST = ctypes.c_void_p(1)  # what is in the places of handles before a call
 
 
-def spoiled(entry, argument, first):
-    """An argument without a good value, in an array from an index on."""
-    if not entry.pointers:
-        return type(argument)(SPOILED[entry.base])
-    argument[first:64] = [SPOILED[entry.base]] * (64 - first)
-    return argument
+def spoil_array(array, first, value):
+    array[first:64] = [value] * (64 - first)
 
 
-def places(function):
-    """Where arguments are spoiled: (parameter, first index)."""
-    for entry in function.parameters:
-        if entry.direction == "in" and entry.base in SPOILED:
-            yield from ((entry, first) for first in ((0, 3) if entry.pointers else (0,)))
+def add_unknown_field(struct, size):
+    size.value = ctypes.sizeof(struct)
+    struct.beyond[0] = 1
+
+
+def mistakes(found):
+    """What may be wrong with a call: (key of a slot, what changes its value)."""
+    for slot in found:
+        if slot.direction != "in":
+            continue
+        if slot.entry.base in SPOILED:
+            bad = SPOILED[slot.entry.base]
+            if slot.entry.pointers:
+                yield from ((slot, lambda values, key=slot.key, first=first, bad=bad: spoil_array(values[key], first, bad))
+                            for first in (0, 3) if slot.used)
+            else:
+                yield slot, lambda values, key=slot.key, bad=bad: values.update({key: type(values[key])(bad)})
+        if slot.key == "call.work":
+            yield slot, lambda values: values.update({"call.work": ctypes.c_int64(1)})
+        if slot.holder and slot.entry.name == "struct_size":
+            yield slot, lambda values, slot=slot: add_unknown_field(values[slot.holder.name], values[slot.key])
+
+
+def is_handle(slot):
+    return slot.entry.pointers == 2
 
 
 class Calls:
     """Calls of a function, and what was wrong with them."""
 
-    def __init__(self, border, manual, function):
+    def __init__(self, border, function):
         self.border, self.function = border, function
-        self.call = getattr(border.library, function.name)
-        self.call.restype = ctypes.c_int32
-        names = {constant.value: name for name, constant in manual.constants.items() if "_ERROR_" in name}
+        self.slots = border.slots(function)
+        self.outputs = [slot for slot in self.slots if slot.direction != "in" and slot.is_pointer and slot.used]
+        self.names = {constant.value: name for name, constant in border.manual.constants.items() if "_ERROR_" in name}
         self.listed = ANYWHERE.union(function.statuses)
-        self.names = names
-        self.problems, self.failures = set(), 0
+        self.problems, self.statuses = set(), []
 
-    def argument(self, entry, spline, amounts, place):
-        if entry.pointers == 2 and not entry.is_const:
-            return ctypes.pointer(ctypes.c_void_p(FIRST.value))
-        argument = self.border.argument(entry, spline, *amounts, 64)
-        return spoiled(entry, argument, place[1]) if place[0] is entry else argument
+    def values(self, kind):
+        values = self.border.values(self.slots, *kind)
+        values.update({slot.key: ctypes.pointer(ctypes.c_void_p(FIRST.value)) for slot in self.outputs if is_handle(slot)})
+        return values
 
-    def once(self, spline, amounts, place):
-        parameters = self.function.parameters
-        arguments = [self.argument(entry, spline, amounts, place) for entry in parameters]
-        outputs = [(entry, argument) for entry, argument in zip(parameters, arguments) if entry.direction != "in"]
-        before = [None if entry.pointers == 2 else bytes(argument) for entry, argument in outputs]
-        status = self.call(*arguments)
-        if status == 0:
-            return
-        self.failures += 1
-        name = self.names.get(status, str(status))
+    def once(self, kind, slot, spoil):
+        values = self.values(kind)
+        spoil(values)
+        slots.passed(self.slots, values)  # fills the structs, so that they are seen to stay
+        before = {output.key: bytes(values[output.key]) for output in self.outputs if not is_handle(output)}
+        status = self.border.call(self.function, self.slots, values)
+        self.statuses.append(status)
+        if status:
+            self.judge(self.names.get(status, str(status)), slot, values, before)
+
+    def judge(self, name, slot, values, before):
         if name not in self.listed:
-            self.problems.add(f"returns {name}, which is not listed, when {place[0].name} is spoiled")
-        for (entry, argument), old in zip(outputs, before):
-            if old is None and argument.contents.value:
-                self.problems.add(f"fails by {name} and leaves {entry.name} as it was")
-            elif old is not None and bytes(argument) != old:
-                self.problems.add(f"fails by {name} and writes to {entry.name}")
+            self.problems.add(f"returns {name}, which is not listed, when {slot.key} is spoiled")
+        for output in self.outputs:
+            if is_handle(output):
+                if values[output.key].contents.value:
+                    self.problems.add(f"fails by {name} and leaves {output.key} as it was")
+            elif bytes(values[output.key]) != before[output.key]:
+                self.problems.add(f"fails by {name} and writes to {output.key}")
 
     def all(self):
-        for spline, amounts in itertools.product(self.border.splines, check_null.AMOUNTS):
-            for place in places(self.function):
-                self.once(spline, amounts, place)
+        for kind in self.border.kinds():
+            for slot, spoil in mistakes(self.slots):
+                self.once(kind, slot, spoil)
         return self
 
 
 def main():
-    manual = header.read(sys.argv[1])
-    border = check_null.Border(sys.argv[2])
-    done = [Calls(border, manual, function).all() for function in manual.functions if function.result == "nurbs_status"]
+    border = made_calls.Border(*sys.argv[1:3])
+    done = [Calls(border, function).all() for function in border.functions()]
     found = [f"{calls.function.name} {problem}" for calls in done for problem in sorted(calls.problems)]
-    print("\n".join(found) or f"{sum(calls.failures for calls in done)} calls failed, of "
-          f"{sum(calls.failures > 0 for calls in done)} functions")
-    return 1 if found or not any(calls.failures for calls in done) else 0
+    failures = [sum(status != 0 for status in calls.statuses) for calls in done]
+    print("\n".join(found) or f"{sum(failures)} calls failed, of {sum(count > 0 for count in failures)} functions")
+    return 1 if found or not any(failures) else 0
 
 
 if __name__ == "__main__":

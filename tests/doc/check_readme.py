@@ -16,8 +16,13 @@ def code_blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", text, flags=re.MULTILINE | re.DOTALL)
 
 
+NAME = r"`(nurbs_[a-z\d_]+)`"
+
+
 def named_functions(text):
-    return set(re.findall(r"`(nurbs_\w+)`", text))
+    """Those in a line behind "`nurbs_X_with` for" are named with this second form."""
+    forms = " ".join(re.findall(r"`nurbs_X_with` for(.*)", text))
+    return {*re.findall(NAME, text), *(f"{name}_with" for name in re.findall(NAME, forms))}
 
 
 def linked_files(text):
@@ -31,7 +36,7 @@ def problems(top):
             yield f"the {language} program of the README is not capi/examples/{name}"
     manual = header.read(top)
     functions = [function.name for function in manual.functions]
-    types = {*manual.handles, *manual.aliases, *(struct.name for struct in manual.structs)}
+    types = {*manual.handles, *manual.aliases, *manual.callbacks, *(struct.name for struct in manual.structs)}
     for name in functions:
         if name not in named_functions(text):
             yield f"{name} is not mentioned"

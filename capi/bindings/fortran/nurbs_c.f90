@@ -17,8 +17,9 @@ module nurbs_c
         type(c_ptr) :: user  ! or NULL: passed to progress
     end type nurbs_call_options
 
-    !> What the batches of this chapter are asked as long calls. Fields that are 0 or NULL have their
-    !> defaults; those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are
+    !> What the batches of this chapter are asked as long calls. Set struct_size to
+    !> sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their
+    !> defaults. Those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are
     !> only ever appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_closest_query
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
@@ -36,7 +37,9 @@ module nurbs_c
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_closest_query
 
-    !> Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted.
+    !> Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set
+    !> struct_size to sizeof(nurbs_closest_answer). What a function does not answer has to be NULL
+    !> (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_closest_answer
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         type(c_ptr) :: params  ! [n][axes] or NULL: the parameters
@@ -50,8 +53,8 @@ module nurbs_c
         type(c_ptr) :: status  ! [n] or NULL: sums of NURBS_CLOSEST_ bits
     end type nurbs_closest_answer
 
-    !> The constraints of nurbs_constrain() as one argument. Fields are only ever appended, and struct_size is
-    !> at most 4096.
+    !> The constraints of nurbs_constrain() as one argument. Set struct_size to sizeof(nurbs_constraints), and
+    !> what is not wanted to 0. Fields are only ever appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_constraints
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         integer(c_int64_t) :: count  ! number of constraints, > 0
@@ -65,7 +68,8 @@ module nurbs_c
         real(c_double) :: tolerance  ! largest residual, >= 0
     end type nurbs_constraints
 
-    !> What nurbs_constrain() tells about its solution.
+    !> What nurbs_constrain() tells about its solution. Set struct_size to sizeof(nurbs_constraint_report),
+    !> and residuals. Fields are only ever appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_constraint_report
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         type(c_ptr) :: residuals  ! [count] or NULL: an array of the caller, which receives the residuals
@@ -2313,7 +2317,7 @@ module nurbs_c
             import
             type(c_ptr), value :: g
             type(nurbs_constraints), intent(in) :: constraints
-            type(nurbs_constraint_report), intent(in), optional :: report
+            type(nurbs_constraint_report), intent(inout), optional :: report
             type(nurbs_call_options), intent(in), optional :: call
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r

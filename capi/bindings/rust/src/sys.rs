@@ -41,9 +41,10 @@ pub struct nurbs_call_options {
     pub user: *mut c_void,
 }
 
-/// What the batches of this chapter are asked as long calls. Fields that are 0 or NULL have their defaults;
-/// those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever
-/// appended, and struct_size is at most 4096.
+/// What the batches of this chapter are asked as long calls. Set struct_size to sizeof(nurbs_closest_query),
+/// and what is not wanted to 0: fields that are 0 or NULL have their defaults. Those that a function does not
+/// use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most
+/// 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_closest_query {
@@ -75,7 +76,9 @@ pub struct nurbs_closest_query {
     pub reserved: u32,
 }
 
-/// Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted.
+/// Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set struct_size
+/// to sizeof(nurbs_closest_answer). What a function does not answer has to be NULL (NURBS_ERROR_OPTIONS).
+/// Fields are only ever appended, and struct_size is at most 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_closest_answer {
@@ -101,8 +104,8 @@ pub struct nurbs_closest_answer {
     pub status: *mut i32,
 }
 
-/// The constraints of nurbs_constrain() as one argument. Fields are only ever appended, and struct_size is at
-/// most 4096.
+/// The constraints of nurbs_constrain() as one argument. Set struct_size to sizeof(nurbs_constraints), and
+/// what is not wanted to 0. Fields are only ever appended, and struct_size is at most 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_constraints {
@@ -128,7 +131,8 @@ pub struct nurbs_constraints {
     pub tolerance: f64,
 }
 
-/// What nurbs_constrain() tells about its solution.
+/// What nurbs_constrain() tells about its solution. Set struct_size to sizeof(nurbs_constraint_report), and
+/// residuals. Fields are only ever appended, and struct_size is at most 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_constraint_report {
@@ -2759,7 +2763,7 @@ extern "C" {
     pub fn nurbs_constrain_with(
         g: *const nurbs,
         constraints: *const nurbs_constraints,
-        report: *const nurbs_constraint_report,
+        report: *mut nurbs_constraint_report,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
