@@ -17,10 +17,11 @@ import fortran
 import header
 import python
 import rust
+import rust_methods
 import table
 
 DECLARATIONS = (fortran, python, rust, exports)  # FILES: {path: what makes the text of the header}
-WRAPPERS = (cpp,)  # files(binding): {path: text}, of the header and the table
+WRAPPERS = (cpp, rust_methods)  # files(binding): {path: text}, of the header and the table
 
 
 def declarations(manual):
