@@ -17,6 +17,7 @@ class Body:
         self.function = self.entry.watched if watched else self.entry.function
         self.inputs = Inputs(method, binding)
         self.targets = {}  # output: Rust expressions that are passed for it
+        self.size = ""  # the variable that holds the number of results, where that is asked for first
         self.names = {}  # output: the variable that holds it
         self.counted = [value for value in self.values.values() if value.is_counted and value.kind == "array"]
         for name in method.returned:
@@ -83,17 +84,19 @@ class Body:
 
     # One number or one handle.
 
-    def is_single(self):
-        return isinstance(self.method.result, Take) and not self.is_text()
-
     def is_value(self):
         """Whether what the library writes is what is returned."""
-        value = self.values[self.method.result.name] if self.is_single() else None
-        return bool(value) and value.kind == "number" and self.converted(value, "x") == "x"
+        value = self.single()
+        return value is not None and value.kind == "number" and self.converted(value, "x") == "x"
 
     def is_tail(self):
         """Whether the call is the last expression."""
-        return self.is_single() and (self.values[self.method.result.name] in self.method.made or self.is_value())
+        value = self.single()
+        return value is not None and (value in self.method.made or value.kind == "text" or self.is_value())
+
+    def single(self):
+        """What is returned, if that is one parameter."""
+        return self.values[self.method.result.name] if isinstance(self.method.result, Take) else None
 
     def is_text(self):
         return any(value.kind == "text" for value in self.values.values())
@@ -124,12 +127,16 @@ class Body:
 
     def plain_call(self):
         if self.is_text():
-            text = next(value for value in self.values.values() if value.kind == "text")
-            self.targets[text.name] = ["buf"]
-            return [f"let {self.names[text.name]} = written(|buf, cap, length| unsafe {{ {self.call()} }})?;"]
+            return [self.text()]
         if self.entry.text.get("through") == "moments":
             return [self.moments()]
         return [self.checked(self.call())]
+
+    def text(self):
+        text = next(value for value in self.values.values() if value.kind == "text")
+        self.targets[text.name] = ["buf"]
+        call = f"written(|buf, cap, length| unsafe {{ {self.call()} }})"
+        return call if self.is_tail() else f"let {self.names[text.name]} = {call}?;"
 
     def moments(self):
         """The library is asked for less where it cannot give all."""
@@ -192,7 +199,8 @@ class Body:
 
     def in_two_calls(self):
         count = next(value for value in self.values.values() if value.kind == "count")
-        self.inputs.numbers["cap"] = ("n", "usize")
+        self.size = "size" if "n" in self.inputs.numbers else "n"
+        self.inputs.numbers["cap"] = (self.size, "usize")
         self.targets[count.name] = ["count"]
         for value in self.late():
             self.targets[value.name] = [self.names[value.name]]
@@ -209,7 +217,7 @@ class Body:
         names = [self.names[value.name] for value in late]
         closure = f"let {self.mutable(late)}fill = |{', '.join(['cap', *names, 'count'])}| unsafe {{ {self.call()} }};"
         lines += [closure, "let mut count = 0;",
-                  self.checked_fill("0", ["null_mut()"] * len(late)), "let n = count as usize;"]
+                  self.checked_fill("0", ["null_mut()"] * len(late)), f"let {self.size} = count as usize;"]
         pointers = []
         for value in late:
             lines += self.room(value)
@@ -258,7 +266,7 @@ class Body:
             return self.record(pattern, index)
         if isinstance(pattern, Each):
             row = self.expression(pattern.item, "[i]")
-            n = "n" if self.counted else self.inputs.terms.text(self.first_of(pattern).extents[0])
+            n = self.size if self.counted else self.inputs.terms.text(self.first_of(pattern).extents[0])
             return f"(0..{n}).map(|i| {row}).collect()"
         if isinstance(pattern, Several):
             items = [self.expression(item, index) for item in pattern.items]

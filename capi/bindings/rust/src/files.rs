@@ -44,10 +44,9 @@ impl List {
 
     /// The name of a spline.
     pub fn name(&self, index: usize) -> Result<String> {
-        let buf = written(|buf, cap, length| unsafe {
+        written(|buf, cap, length| unsafe {
             sys::nurbs_list_name(self.raw(), index as i64, buf, cap, length)
-        })?;
-        Ok(buf)
+        })
     }
 
     /// Number of notes.

@@ -94,9 +94,9 @@ pub fn collocation<'a>(
     };
     let mut count = 0;
     check(fill(0, null_mut(), null_mut(), &mut count))?;
-    let n = count as usize;
-    let mut values = vec![0.0; n];
-    let mut columns = vec![0; n];
+    let size = count as usize;
+    let mut values = vec![0.0; size];
+    let mut columns = vec![0; size];
     check(fill(count, values.as_mut_ptr(), columns.as_mut_ptr(), &mut count))?;
     Ok(SparseMatrix { values, columns, row_pointers })
 }
@@ -133,9 +133,9 @@ impl Spline {
         };
         let mut count = 0;
         check(fill(0, null_mut(), null_mut(), &mut count))?;
-        let n = count as usize;
-        let mut values = vec![0.0; n];
-        let mut columns = vec![0; n];
+        let size = count as usize;
+        let mut values = vec![0.0; size];
+        let mut columns = vec![0; size];
         check(fill(count, values.as_mut_ptr(), columns.as_mut_ptr(), &mut count))?;
         Ok(SparseMatrix { values, columns, row_pointers })
     }

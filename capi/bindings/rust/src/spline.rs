@@ -105,7 +105,8 @@ impl Spline {
         if self.is_homogeneous()? {
             return Ok(self.homogeneous_points()? == other.homogeneous_points()?);
         }
-        Ok(self.points()? == other.points()? && (!self.is_rational()? || self.weights()? == other.weights()?))
+        Ok(self.points()? == other.points()?
+            && (!self.is_rational()? || self.weights()? == other.weights()?))
     }
 }
 
