@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: MIT
 """The second half of a Rust body: room for the results, the call, and what is returned."""
 
+from methods import MethodError
 from signature import Each, Several, Struct, Take
 
 import rust_types as types
 import rust_words as words
 from rust_inputs import Inputs
+
+# Names that variables with lengths may have.
+LENGTHS = {"axes", "count", "dim", "n", "rational", "size"}
+
+# Names of variables and of arguments of closures.
+OWN = {"buf", "call", "cap", "fill", "length", "out"}
 
 
 class Body:
@@ -17,11 +24,18 @@ class Body:
         self.function = self.entry.watched if watched else self.entry.function
         self.inputs = Inputs(method, binding)
         self.targets = {}  # output: Rust expressions that are passed for it
-        self.size = ""  # the variable that holds the number of results, where that is asked for first
+        self.count = self.size = ""  # the variables that hold the number of results, where that is asked for first
+        self.check_names()
         self.names = {}  # output: the variable that holds it
         self.counted = [value for value in self.values.values() if value.is_counted and value.kind == "array"]
         for name in method.returned:
             self.names.setdefault(name, self.variable(name))
+
+    def check_names(self):
+        """A pointer that hides a number would be taken for it."""
+        clashes = OWN & {words.name(argument.name) for argument in self.method.arguments}
+        if clashes:
+            raise MethodError(f"{self.entry.name}: rust.call has to rename {', '.join(clashes)}, which the body needs")
 
     def variable(self, name):
         """Of the field that it becomes, if nothing else has that name."""
@@ -30,7 +44,7 @@ class Body:
             return {"spline": "spline", "list": "list"}[value.kind] if name == "out" else name
         result = self.method.result
         fields = {inner.name: field for field, inner in self.fields(result) if isinstance(inner, Take) and not inner.last}
-        taken = {words.name(argument.name) for argument in self.method.arguments} | {"n", "dim", "axes"}
+        taken = {words.name(argument.name) for argument in self.method.arguments} | LENGTHS
         field = fields.get(name, name)
         return words.name(name if field in taken else field)
 
@@ -198,10 +212,12 @@ class Body:
     # Two calls: how many there are, then all of them.
 
     def in_two_calls(self):
-        count = next(value for value in self.values.values() if value.kind == "count")
-        self.size = "size" if "n" in self.inputs.numbers else "n"
+        self.count = next(value.name for value in self.values.values() if value.kind == "count")
+        locals_ = self.inputs.locals
+        self.size = "size" if "n" in self.inputs.numbers or "n" in locals_.names.values() else "n"
+        locals_.taken.add(self.size)
         self.inputs.numbers["cap"] = (self.size, "usize")
-        self.targets[count.name] = ["count"]
+        self.targets[self.count] = [self.count]
         for value in self.late():
             self.targets[value.name] = [self.names[value.name]]
 
@@ -215,14 +231,14 @@ class Body:
         late = self.late()
         lines = [line for name in self.outputs() if self.values[name] not in late for line in self.early(name, late)]
         names = [self.names[value.name] for value in late]
-        closure = f"let {self.mutable(late)}fill = |{', '.join(['cap', *names, 'count'])}| unsafe {{ {self.call()} }};"
-        lines += [closure, "let mut count = 0;",
-                  self.checked_fill("0", ["null_mut()"] * len(late)), f"let {self.size} = count as usize;"]
+        closure = f"let {self.mutable(late)}fill = |{', '.join(['cap', *names, self.count])}| unsafe {{ {self.call()} }};"
+        lines += [closure, f"let mut {self.count} = 0;",
+                  self.checked_fill("0", ["null_mut()"] * len(late)), f"let {self.size} = {self.count} as usize;"]
         pointers = []
         for value in late:
             lines += self.room(value)
             pointers += self.targets[value.name]
-        return [*lines, self.checked_fill("count", pointers)]
+        return [*lines, self.checked_fill(self.count, pointers)]
 
     def early(self, name, late):
         """Outputs of both calls; of one that others take their lengths from only the pointer is kept."""
@@ -239,7 +255,7 @@ class Body:
                              for target in self.targets[name]) else ""
 
     def checked_fill(self, cap, pointers):
-        return f"check(fill({', '.join([cap, *pointers, '&mut count'])}))?;"
+        return f"check(fill({', '.join([cap, *pointers, f'&mut {self.count}'])}))?;"
 
     # The call.
 

@@ -37,8 +37,9 @@ class Inputs:
                 if expression.split(".")[0].split("[")[0] == words.name(argument.name)]
 
     def taken_names(self):
-        outputs = [value.name for value in self.values.values() if value.is_output]
-        return {words.name(argument.name) for argument in self.method.arguments} | set(outputs)
+        """Of variables that have a meaning already."""
+        counted = {"size"} if self.method.is_counted else set()
+        return {words.name(argument.name) for argument in self.method.arguments} | set(self.values) | counted
 
     def note_numbers(self):
         for name, expression in self.reach.items():
@@ -123,12 +124,14 @@ class Inputs:
         name = value.name
         if name in self.numbers:
             return
+        self.locals.taken.discard(name)
         if name in self.method.definitions:
             term = self.method.definitions[name]
             if term.op == "-":
                 self.numbers[name] = (self.terms.signed(term), "i64")
             else:
-                self.numbers[name] = (self.locals.add(name, ["size" if name in FUNCTIONS else name, "n"], self.terms.text(term)), "usize")
+                names = ["size"] if name in FUNCTIONS else [name, "n"]
+                self.numbers[name] = (self.locals.add(name, names, self.terms.text(term)), "usize")
             return
         source, place = self.source(name)
         if name == "dim":
@@ -152,11 +155,9 @@ class Inputs:
         own, reached = self.arguments[source.name], self.reach[source.name]
         width = self.terms.product(source.extents[1:]) if len(source.extents) > 1 else "1"
         if source.kind == "array" and types.is_records(self.method, own, source):
-            self.statements.append(f'let {name} = {reached}.count({width}, "{self.called(source)}")?;')
-            self.numbers[name] = (name, "usize")
+            self.fix(name, f'{reached}.count({width}, "{self.called(source)}")?')
         elif source.kind == "array" and len(source.extents) > 1:
-            self.statements.append(f'let {name} = rows({reached}, {width}, "{self.called(source)}")?;')
-            self.numbers[name] = (name, "usize")
+            self.fix(name, f'rows({reached}, {width}, "{self.called(source)}")?')
         else:
             length = f"{reached}.len()"
             extent = source.extents[place]
@@ -164,6 +165,12 @@ class Inputs:
                 length = f"{length}.saturating_sub({extent.arguments[1].name})"
             self.numbers[name] = (self.locals.add(name, [name, "n"], length), "usize")
         self.settled.add(source.name)
+
+    def fix(self, name, value):
+        """A number that is a variable in any case, since finding it is a check."""
+        self.statements.append(f"let {name} = {value};")
+        self.numbers[name] = (name, "usize")
+        self.locals.taken.add(name)
 
     def dimension(self):
         """Of the vectors that are given: all have one length."""

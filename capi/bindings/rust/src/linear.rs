@@ -72,7 +72,7 @@ pub fn collocation<'a>(
     let (counts, knots) = knots_by_axis(knots, degrees, "knots")?;
     let orders = if_given(orders, axes, "orders")?;
     let mut row_pointers = vec![0; n + 1];
-    let mut fill = |cap, values, columns, count| unsafe {
+    let mut fill = |cap, values, columns, entries| unsafe {
         sys::nurbs_collocation(
             axes_of(degrees),
             degrees.as_ptr(),
@@ -88,16 +88,16 @@ pub fn collocation<'a>(
             values,
             columns,
             row_pointers.as_mut_ptr(),
-            count,
+            entries,
             flags,
         )
     };
-    let mut count = 0;
-    check(fill(0, null_mut(), null_mut(), &mut count))?;
-    let size = count as usize;
+    let mut entries = 0;
+    check(fill(0, null_mut(), null_mut(), &mut entries))?;
+    let size = entries as usize;
     let mut values = vec![0.0; size];
     let mut columns = vec![0; size];
-    check(fill(count, values.as_mut_ptr(), columns.as_mut_ptr(), &mut count))?;
+    check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), &mut entries))?;
     Ok(SparseMatrix { values, columns, row_pointers })
 }
 
@@ -115,7 +115,7 @@ impl Spline {
         let n = params.count(axes, "params")?;
         let orders = if_given(orders, axes, "orders")?;
         let mut row_pointers = vec![0; n + 1];
-        let mut fill = |cap, values, columns, count| unsafe {
+        let mut fill = |cap, values, columns, entries| unsafe {
             sys::nurbs_rational_collocation(
                 self.raw(),
                 orders,
@@ -127,16 +127,16 @@ impl Spline {
                 values,
                 columns,
                 row_pointers.as_mut_ptr(),
-                count,
+                entries,
                 flags,
             )
         };
-        let mut count = 0;
-        check(fill(0, null_mut(), null_mut(), &mut count))?;
-        let size = count as usize;
+        let mut entries = 0;
+        check(fill(0, null_mut(), null_mut(), &mut entries))?;
+        let size = entries as usize;
         let mut values = vec![0.0; size];
         let mut columns = vec![0; size];
-        check(fill(count, values.as_mut_ptr(), columns.as_mut_ptr(), &mut count))?;
+        check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), &mut entries))?;
         Ok(SparseMatrix { values, columns, row_pointers })
     }
 
@@ -144,7 +144,7 @@ impl Spline {
     pub fn refinement_matrix(&self, axis: i32, knots: &[f64]) -> Result<SparseMatrix> {
         let count = knots.len();
         let mut row_pointers = vec![0; self.count(axis)? + count + 1];
-        let mut fill = |cap, values, columns, count| unsafe {
+        let mut fill = |cap, values, columns, entries| unsafe {
             sys::nurbs_refinement_matrix(
                 self.raw(),
                 axis,
@@ -154,15 +154,15 @@ impl Spline {
                 values,
                 columns,
                 row_pointers.as_mut_ptr(),
-                count,
+                entries,
             )
         };
-        let mut count = 0;
-        check(fill(0, null_mut(), null_mut(), &mut count))?;
-        let n = count as usize;
+        let mut entries = 0;
+        check(fill(0, null_mut(), null_mut(), &mut entries))?;
+        let n = entries as usize;
         let mut values = vec![0.0; n];
         let mut columns = vec![0; n];
-        check(fill(count, values.as_mut_ptr(), columns.as_mut_ptr(), &mut count))?;
+        check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), &mut entries))?;
         Ok(SparseMatrix { values, columns, row_pointers })
     }
 
@@ -202,9 +202,9 @@ impl Spline {
         let n = params.count(axes, "params")?;
         let dim = self.dimension()? as usize;
         cotangents.require(n, self.slots(order)? * dim, "cotangents")?;
-        let n = self.point_count()?;
-        let mut points = vec![0.0; n * dim];
-        let mut weights = vec![0.0; n];
+        let count = self.point_count()?;
+        let mut points = vec![0.0; count * dim];
+        let mut weights = vec![0.0; count];
         let mut grad_params = vec![0.0; n * axes];
         check(unsafe {
             sys::nurbs_eval_adjoint(
@@ -246,9 +246,9 @@ impl Spline {
         let n = params.count(axes, "params")?;
         let dim = self.dimension()? as usize;
         cotangents.require(n, self.slots(order)? * dim, "cotangents")?;
-        let n = self.point_count()?;
-        let grad_points = layout(&mut out.points, n, dim, "grad_points")?;
-        let grad_weights = layout(&mut out.weights, n, 1, "grad_weights")?;
+        let count = self.point_count()?;
+        let grad_points = layout(&mut out.points, count, dim, "grad_points")?;
+        let grad_weights = layout(&mut out.weights, count, 1, "grad_weights")?;
         let grad_params = layout(&mut out.params, n, axes, "grad_params")?;
         check(unsafe {
             sys::nurbs_eval_adjoint(
