@@ -19,10 +19,11 @@ import fortran_methods
 import header
 import python
 import rust
+import rust_methods
 import table
 
 DECLARATIONS = (fortran, python, rust, exports, calls)  # FILES: {path: what makes the text of the header}
-WRAPPERS = (cpp, fortran_methods)  # files(binding): {path: text}, of the header and the table
+WRAPPERS = (cpp, fortran_methods, rust_methods)  # files(binding): {path: text}, of the header and the table
 
 
 def declarations(manual):

@@ -21,7 +21,8 @@ GENERAL = "general.toml"
 GROUP_KEYS = {"doc", "constants", *model.LANGUAGES}
 ENTRY_KEYS = {"call", "doc", "section", "where", "shape", "into", "space_only", "otherwise", "called", "through", "packed",
               "by_hand", "watched", "lenient"}
-LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "failing", "by_hand", "dim_of"}
+LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "failing", "by_hand", "dim_of",
+                 "sizes", "called"}
 RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand", "of_splines"}
 RECORD_LANGUAGE_KEYS = {"name", "outputs", "rename", "initial"}
 MOST_PARAMETERS = 12  # of a new function

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Features of curves and surfaces; `complete` tells that nothing was missed.
 
-use crate::arrays::{exactly, if_given};
+use crate::arrays::{exactly, if_given, truths};
+use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::spline::Spline;
 use crate::sys;
@@ -29,7 +31,7 @@ pub struct Features {
     pub complete: bool,
 }
 
-/// Lower ends of pieces, with 1, -1 or 0 where the curve rises, falls or stays.
+/// Lower ends of pieces, and 1, -1 or 0 where the curve rises, falls or stays.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct MonotonePieces {
@@ -63,8 +65,8 @@ pub struct Planarity {
     pub bound: f64,
 }
 
-/// Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end, whether it
-/// collapses and its size.
+/// Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end,
+/// whether it collapses and its size.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct BoundaryContacts {
@@ -90,7 +92,7 @@ pub struct SingularPoints {
     pub complete: bool,
 }
 
-/// A `NURBS_FOLD_` constant, and parameters `[axes]` of either sign, NaN if none are known.
+/// One of the `NURBS_FOLD_` constants, and parameters `[axes]` of either sign, NaN if none are known.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Fold {
@@ -102,84 +104,180 @@ pub struct Fold {
     pub negative: Vec<f64>,
 }
 
-fn truths(values: Vec<i32>) -> Vec<bool> {
-    values.into_iter().map(|value| value != 0).collect()
-}
-
-/// Features.
+/// Features of curves and surfaces; `complete` tells that nothing was missed.
 impl Spline {
     /// The features along a curve of these kinds, a sum of `NURBS_FEATURE_` constants.
     pub fn features(&self, kinds: u32) -> Result<Features> {
-        let (g, none, mut n, mut complete) = (self.raw(), null_mut(), 0i64, 0);
-        check(unsafe {
-            sys::nurbs_curve_features(g, kinds, 0, none, null_mut(), none, &mut n, &mut complete)
-        })?;
-        let size = n as usize;
-        let (mut params, mut found, mut values) = (vec![0.0; size], vec![0; size], vec![0.0; size]);
-        let (p, f, v) = (params.as_mut_ptr(), found.as_mut_ptr(), values.as_mut_ptr());
-        check(unsafe { sys::nurbs_curve_features(g, kinds, n, p, f, v, &mut n, &mut complete) })?;
-        let one = |i: usize| Feature { param: params[i], kind: found[i] as u32, value: values[i] };
-        Ok(Features { found: (0..size).map(one).collect(), complete: complete != 0 })
+        let mut complete = 0;
+        let mut fill = |cap, params, found, values, count| unsafe {
+            sys::nurbs_curve_features(self.raw(), kinds, cap, params, found, values, count, &mut complete)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n];
+        let mut found = vec![0; n];
+        let mut values = vec![0.0; n];
+        check(fill(count, params.as_mut_ptr(), found.as_mut_ptr(), values.as_mut_ptr(), &mut count))?;
+        Ok(Features {
+            found: (0..n)
+                .map(|i| Feature { param: params[i], kind: found[i] as u32, value: values[i] })
+                .collect(),
+            complete: complete != 0,
+        })
     }
-    /// The pieces of a curve on which it runs one way along a direction.
+
+    /// The same as `features`; it can be watched and stopped.
+    pub fn features_with(&self, kinds: u32, call: &mut Call) -> Result<Features> {
+        let mut complete = 0;
+        let mut fill = |cap, params, found, values, count| unsafe {
+            sys::nurbs_curve_features_with(
+                self.raw(),
+                kinds,
+                cap,
+                params,
+                found,
+                values,
+                count,
+                &mut complete,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n];
+        let mut found = vec![0; n];
+        let mut values = vec![0.0; n];
+        check(fill(count, params.as_mut_ptr(), found.as_mut_ptr(), values.as_mut_ptr(), &mut count))?;
+        Ok(Features {
+            found: (0..n)
+                .map(|i| Feature { param: params[i], kind: found[i] as u32, value: values[i] })
+                .collect(),
+            complete: complete != 0,
+        })
+    }
+
+    /// The pieces of a curve on which it runs one way along a direction `[dim]`.
     pub fn monotone_pieces(&self, direction: &[f64]) -> Result<MonotonePieces> {
-        let along = exactly(direction, self.dimension()? as usize, "direction")?;
-        let (g, mut n, mut complete) = (self.raw(), 0i64, 0);
-        check(unsafe {
-            sys::nurbs_curve_monotone_pieces(g, along, 0, null_mut(), null_mut(), &mut n, &mut complete)
-        })?;
-        let (mut starts, mut signs) = (vec![0.0; n as usize], vec![0; n as usize]);
-        let (at, sign) = (starts.as_mut_ptr(), signs.as_mut_ptr());
-        check(unsafe { sys::nurbs_curve_monotone_pieces(g, along, n, at, sign, &mut n, &mut complete) })?;
-        Ok(MonotonePieces { pieces: starts.into_iter().zip(signs).collect(), complete: complete != 0 })
+        let direction = exactly(direction, self.dimension()? as usize, "direction")?;
+        let mut complete = 0;
+        let mut fill = |cap, starts, signs, count| unsafe {
+            sys::nurbs_curve_monotone_pieces(self.raw(), direction, cap, starts, signs, count, &mut complete)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut starts = vec![0.0; n];
+        let mut signs = vec![0; n];
+        check(fill(count, starts.as_mut_ptr(), signs.as_mut_ptr(), &mut count))?;
+        Ok(MonotonePieces {
+            pieces: (0..n).map(|i| (starts[i], signs[i])).collect(),
+            complete: complete != 0,
+        })
     }
-    /// A `NURBS_CONVEXITY_` constant of a curve in the plane.
+
+    /// One of the `NURBS_CONVEXITY_` constants, of a curve in the plane.
     pub fn convexity(&self) -> Result<i32> {
-        value(|v| unsafe { sys::nurbs_curve_convexity(self.raw(), v) })
+        value(|convexity| unsafe { sys::nurbs_curve_convexity(self.raw(), convexity) })
     }
+
     /// How far a spline is from a straight line.
     pub fn straightness(&self) -> Result<Straightness> {
         let dim = self.dimension()? as usize;
-        let (mut origin, mut direction) = (vec![0.0; dim], vec![0.0; dim]);
-        let (o, d) = (origin.as_mut_ptr(), direction.as_mut_ptr());
-        let bound = value(|v| unsafe { sys::nurbs_straightness(self.raw(), o, d, v) })?;
+        let mut origin = vec![0.0; dim];
+        let mut direction = vec![0.0; dim];
+        let mut bound = 0.0;
+        check(unsafe {
+            sys::nurbs_straightness(self.raw(), origin.as_mut_ptr(), direction.as_mut_ptr(), &mut bound)
+        })?;
         Ok(Straightness { origin, direction, bound })
     }
+
     /// How far a spline in space is from a plane.
     pub fn planarity(&self) -> Result<Planarity> {
-        let mut found = Planarity::default();
-        let (o, n) = (found.origin.as_mut_ptr(), found.normal.as_mut_ptr());
-        check(unsafe { sys::nurbs_planarity(self.raw(), o, n, &mut found.bound) })?;
-        Ok(found)
+        let mut origin = [0.0; 3];
+        let mut normal = [0.0; 3];
+        let mut bound = 0.0;
+        check(unsafe {
+            sys::nurbs_planarity(self.raw(), origin.as_mut_ptr(), normal.as_mut_ptr(), &mut bound)
+        })?;
+        Ok(Planarity { origin, normal, bound })
     }
+
     /// Which axes close, and which boundaries collapse.
     pub fn boundary_contacts(&self, tolerance: f64) -> Result<BoundaryContacts> {
         let axes = self.axes()? as usize;
-        let (mut closed, mut collapsed) = (vec![0; axes], vec![0; 2 * axes]);
-        let (mut gaps, mut sizes) = (vec![0.0; axes], vec![0.0; 2 * axes]);
-        let (c, b) = (closed.as_mut_ptr(), collapsed.as_mut_ptr());
-        let (g, s) = (gaps.as_mut_ptr(), sizes.as_mut_ptr());
-        check(unsafe { sys::nurbs_boundary_contacts(self.raw(), tolerance, c, g, b, s) })?;
+        let mut closed = vec![0; axes];
+        let mut gaps = vec![0.0; axes];
+        let mut collapsed = vec![0; 2 * axes];
+        let mut sizes = vec![0.0; 2 * axes];
+        check(unsafe {
+            sys::nurbs_boundary_contacts(
+                self.raw(),
+                tolerance,
+                closed.as_mut_ptr(),
+                gaps.as_mut_ptr(),
+                collapsed.as_mut_ptr(),
+                sizes.as_mut_ptr(),
+            )
+        })?;
         Ok(BoundaryContacts { closed: truths(closed), gaps, collapsed: truths(collapsed), sizes })
     }
+
     /// Places where a curve or surface is singular; the tolerance is a part of the domain.
     pub fn singular_points(&self, tolerance: f64) -> Result<SingularPoints> {
-        let (g, axes, none) = (self.raw(), self.axes()? as usize, null_mut());
-        let (mut n, mut complete) = (0i64, 0);
-        check(unsafe { sys::nurbs_singular_points(g, tolerance, 0, none, none, &mut n, &mut complete) })?;
-        let size = n as usize * axes;
-        let (mut params, mut boxes) = (vec![0.0; size], vec![[0.0; 2]; size]);
-        let (p, b) = (params.as_mut_ptr(), boxes.as_mut_ptr().cast());
-        check(unsafe { sys::nurbs_singular_points(g, tolerance, n, p, b, &mut n, &mut complete) })?;
+        let mut complete = 0;
+        let mut fill = |cap, params, boxes, count| unsafe {
+            sys::nurbs_singular_points(self.raw(), tolerance, cap, params, boxes, count, &mut complete)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let axes = self.axes()? as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut boxes = vec![[0.0; 2]; n * axes];
+        check(fill(count, params.as_mut_ptr(), boxes.as_mut_ptr().cast(), &mut count))?;
         Ok(SingularPoints { params, boxes, complete: complete != 0 })
     }
-    /// Whether a surface or volume folds over; `reference` `[3]` is the direction that normals are compared with, or
-    /// empty.
+
+    /// Whether a surface or volume folds over; `reference` `[3]` is the direction that normals are compared
+    /// with, or empty.
     pub fn fold_test(&self, reference: &[f64]) -> Result<Fold> {
-        let (axes, toward) = (self.axes()? as usize, if_given(reference, 3, "reference")?);
-        let mut fold = Fold { positive: vec![0.0; axes], negative: vec![0.0; axes], ..Fold::default() };
-        let (result, p, n) = (&mut fold.result, fold.positive.as_mut_ptr(), fold.negative.as_mut_ptr());
-        check(unsafe { sys::nurbs_fold_test(self.raw(), toward, result, p, n) })?;
-        Ok(fold)
+        let reference = if_given(reference, 3, "reference")?;
+        let mut result = 0;
+        let axes = self.axes()? as usize;
+        let mut positive = vec![0.0; axes];
+        let mut negative = vec![0.0; axes];
+        check(unsafe {
+            sys::nurbs_fold_test(
+                self.raw(),
+                reference,
+                &mut result,
+                positive.as_mut_ptr(),
+                negative.as_mut_ptr(),
+            )
+        })?;
+        Ok(Fold { result, positive, negative })
+    }
+
+    /// The same as `fold_test`; it can be watched and stopped.
+    pub fn fold_test_with(&self, reference: &[f64], call: &mut Call) -> Result<Fold> {
+        let reference = if_given(reference, 3, "reference")?;
+        let mut result = 0;
+        let axes = self.axes()? as usize;
+        let mut positive = vec![0.0; axes];
+        let mut negative = vec![0.0; axes];
+        check(unsafe {
+            sys::nurbs_fold_test_with(
+                self.raw(),
+                reference,
+                &mut result,
+                positive.as_mut_ptr(),
+                negative.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(Fold { result, positive, negative })
     }
 }

@@ -145,6 +145,15 @@ pub(crate) fn layout(
     }
 }
 
+/// The pointer of an output without strides, or NULL where it is absent.
+pub(crate) fn exactly_mut<T>(out: &mut Option<&mut [T]>, size: usize, what: &str) -> Result<*mut T> {
+    match out {
+        None => Ok(null_mut()),
+        Some(values) if values.len() == size => Ok(values.as_mut_ptr()),
+        Some(values) => Err(Error::size(what, values.len(), size.to_string())),
+    }
+}
+
 /// The pointer of an array that has to be of one length.
 pub(crate) fn exactly<T>(values: &[T], size: usize, what: &str) -> Result<*const T> {
     if values.len() != size {
@@ -159,4 +168,68 @@ pub(crate) fn if_given<T>(values: &[T], size: usize, what: &str) -> Result<*cons
         return Ok(null());
     }
     exactly(values, size, what)
+}
+
+/// The same, or NULL.
+pub(crate) fn optional<T>(values: Option<&[T]>, size: usize, what: &str) -> Result<*const T> {
+    values.map_or(Ok(null()), |given| exactly(given, size, what))
+}
+
+/// Counts as the library takes them.
+pub(crate) fn counts_of(counts: &[usize], size: usize, what: &str) -> Result<Vec<i64>> {
+    exactly(counts, size, what)?;
+    Ok(counts.iter().map(|&count| i64::try_from(count).unwrap_or(i64::MAX)).collect())
+}
+
+/// The number of records of `width` components, packed.
+pub(crate) fn rows(values: &[f64], width: usize, what: &str) -> Result<usize> {
+    Records::from(values).count(width, what)
+}
+
+/// The lengths of the arrays of all axes, and their elements one after the other.
+pub(crate) fn by_axis(arrays: &[&[f64]], axes: usize, what: &str) -> Result<(Vec<i64>, Vec<f64>)> {
+    if arrays.len() != axes {
+        return Err(Error::size(what, arrays.len(), format!("{} vectors", axes)));
+    }
+    Ok((arrays.iter().map(|values| values.len() as i64).collect(), arrays.concat()))
+}
+
+/// The numbers of control points that knot vectors are of, and all knots one after the other.
+pub(crate) fn knots_by_axis(arrays: &[&[f64]], degrees: &[i32], what: &str) -> Result<(Vec<i64>, Vec<f64>)> {
+    let (lengths, knots) = by_axis(arrays, degrees.len(), what)?;
+    Ok((lengths.iter().zip(degrees).map(|(length, &degree)| length - i64::from(degree) - 1).collect(), knots))
+}
+
+/// Lengths, numbers and how often each of them occurs.
+type Pairs = (Vec<i64>, Vec<f64>, Vec<i32>);
+
+/// The lengths of the pairs of vectors of all axes, and their elements one after the other.
+pub(crate) fn pairs_by_axis(pairs: &[(&[f64], &[i32])], axes: usize, what: &str) -> Result<Pairs> {
+    if pairs.len() != axes || pairs.iter().any(|(numbers, times)| numbers.len() != times.len()) {
+        let expected = format!("{} pairs of equally long vectors", axes);
+        return Err(Error::size(what, pairs.len(), expected));
+    }
+    let lengths = pairs.iter().map(|(numbers, _)| numbers.len() as i64).collect();
+    let numbers = pairs.iter().flat_map(|(numbers, _)| numbers.iter().copied()).collect();
+    let times = pairs.iter().flat_map(|(_, times)| times.iter().copied()).collect();
+    Ok((lengths, numbers, times))
+}
+
+/// NULL for an output that is empty because it is not wanted.
+pub(crate) fn pointer_mut(values: &mut [f64]) -> *mut f64 {
+    if values.is_empty() {
+        null_mut()
+    } else {
+        values.as_mut_ptr()
+    }
+}
+
+/// The elements of rows.
+pub(crate) fn flat<const N: usize>(rows: &mut [[f64; N]]) -> &mut [f64] {
+    // Arrays have no gaps.
+    unsafe { std::slice::from_raw_parts_mut(rows.as_mut_ptr().cast(), rows.len() * N) }
+}
+
+pub(crate) fn truths(values: Vec<i32>) -> Vec<bool> {
+    values.into_iter().map(|value| value != 0).collect()
 }

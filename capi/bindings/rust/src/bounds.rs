@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Boxes and cones that contain a spline, proven.
 
-use crate::arrays::exactly;
+use crate::arrays::{exactly, if_given};
 use crate::error::{check, Result};
 use crate::spline::Spline;
 use crate::sys;
@@ -18,7 +19,7 @@ pub struct BoundingBox {
     pub gap: f64,
 }
 
-/// The box of `center + sum of x_k axes[k]`, where `|x_k| <= half[k]`.
+/// The box of center + sum of x_k `axes[k]`, |x_k| <= `half[k]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct OrientedBox {
@@ -52,46 +53,80 @@ pub struct ExtremePoint {
     pub bound: f64,
 }
 
-/// Bounds. A range is a part `[axes][2]` of the domain, empty for all of it.
+/// Boxes and cones that contain a spline, proven.
 impl Spline {
     /// An axis-aligned box, tight to the tolerance; infinite: that of the Bezier points.
     pub fn bounding_box(&self, tolerance: f64, range: &[f64]) -> Result<BoundingBox> {
-        let (g, dim, part) = (self.raw(), self.dimension()? as usize, self.range(range)?);
-        let (mut lower, mut upper, mut gap) = (vec![0.0; dim], vec![0.0; dim], 0.0);
-        let (low, high) = (lower.as_mut_ptr(), upper.as_mut_ptr());
-        check(unsafe { sys::nurbs_box(g, part, tolerance, low, high, &mut gap) })?;
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let dim = self.dimension()? as usize;
+        let mut lower = vec![0.0; dim];
+        let mut upper = vec![0.0; dim];
+        let mut gap = 0.0;
+        check(unsafe {
+            sys::nurbs_box(self.raw(), range, tolerance, lower.as_mut_ptr(), upper.as_mut_ptr(), &mut gap)
+        })?;
         Ok(BoundingBox { lower, upper, gap })
     }
+
     /// A box with axes of its own.
     pub fn oriented_box(&self, tolerance: f64) -> Result<OrientedBox> {
         let dim = self.dimension()? as usize;
-        let (mut center, mut axes, mut half) = (vec![0.0; dim], vec![0.0; dim * dim], vec![0.0; dim]);
-        let (c, a, h) = (center.as_mut_ptr(), axes.as_mut_ptr(), half.as_mut_ptr());
-        check(unsafe { sys::nurbs_oriented_box(self.raw(), tolerance, c, a, h) })?;
+        let mut center = vec![0.0; dim];
+        let mut axes = vec![0.0; dim * dim];
+        let mut half = vec![0.0; dim];
+        check(unsafe {
+            sys::nurbs_oriented_box(
+                self.raw(),
+                tolerance,
+                center.as_mut_ptr(),
+                axes.as_mut_ptr(),
+                half.as_mut_ptr(),
+            )
+        })?;
         Ok(OrientedBox { center, axes, half })
     }
+
     /// The directions of the derivatives along an axis.
     pub fn tangent_cone(&self, axis: i32, tolerance: f64, range: &[f64]) -> Result<DirectionCone> {
-        let (g, part) = (self.raw(), self.range(range)?);
-        let (mut direction, mut angle) = (vec![0.0; self.dimension()? as usize], 0.0);
-        let d = direction.as_mut_ptr();
-        check(unsafe { sys::nurbs_tangent_cone(g, axis, part, tolerance, d, &mut angle) })?;
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut direction = vec![0.0; self.dimension()? as usize];
+        let mut angle = 0.0;
+        check(unsafe {
+            sys::nurbs_tangent_cone(self.raw(), axis, range, tolerance, direction.as_mut_ptr(), &mut angle)
+        })?;
         Ok(DirectionCone { direction, angle })
     }
+
     /// The directions of the normals of a surface in space.
     pub fn normal_cone(&self, tolerance: f64, range: &[f64]) -> Result<DirectionCone> {
-        let (g, part) = (self.raw(), self.range(range)?);
-        let (mut direction, mut angle) = (vec![0.0; 3], 0.0);
-        check(unsafe { sys::nurbs_normal_cone(g, part, tolerance, direction.as_mut_ptr(), &mut angle) })?;
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut direction = vec![0.0; 3];
+        let mut angle = 0.0;
+        check(unsafe {
+            sys::nurbs_normal_cone(self.raw(), range, tolerance, direction.as_mut_ptr(), &mut angle)
+        })?;
         Ok(DirectionCone { direction, angle })
     }
-    /// The point that is farthest in a direction.
+
+    /// The point that is farthest in a direction `[dim]`.
     pub fn extreme_point(&self, direction: &[f64], tolerance: f64, range: &[f64]) -> Result<ExtremePoint> {
-        let (g, part) = (self.raw(), self.range(range)?);
-        let along = exactly(direction, self.dimension()? as usize, "direction")?;
-        let mut found = ExtremePoint { params: vec![0.0; self.axes()? as usize], ..ExtremePoint::default() };
-        let (params, value, bound) = (found.params.as_mut_ptr(), &mut found.value, &mut found.bound);
-        check(unsafe { sys::nurbs_extreme_point(g, along, part, tolerance, params, value, bound) })?;
-        Ok(found)
+        let direction = exactly(direction, self.dimension()? as usize, "direction")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(range, 2 * axes, "range")?;
+        let mut params = vec![0.0; axes];
+        let mut value = 0.0;
+        let mut bound = 0.0;
+        check(unsafe {
+            sys::nurbs_extreme_point(
+                self.raw(),
+                direction,
+                range,
+                tolerance,
+                params.as_mut_ptr(),
+                &mut value,
+                &mut bound,
+            )
+        })?;
+        Ok(ExtremePoint { params, value, bound })
     }
 }

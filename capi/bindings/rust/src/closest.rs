@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Distances and closest points.
 
-use crate::arrays::{exactly, if_given, layout, Records, RecordsMut};
-use crate::error::{check, Error, Result};
+use crate::arrays::{exactly, exactly_mut, if_given, layout, Records, RecordsMut};
+use crate::call::Call;
+use crate::error::{check, Result};
 use crate::spline::Spline;
 use crate::sys;
 use std::ptr::null_mut;
@@ -10,7 +12,7 @@ use std::ptr::null_mut;
 /// How a search is done.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Search<'a> {
-    /// `[axes][2]` the part of the domain that is searched; empty: all of it.
+    /// The part `[axes][2]` of the domain that is searched; empty: all of it.
     pub range: &'a [f64],
     /// How much nearer or farther another point may be.
     pub tolerance: f64,
@@ -20,7 +22,8 @@ pub struct Search<'a> {
     pub flags: u32,
 }
 
-/// Parameters `[n][axes]`, points `[n][dim]`, distances, and sums of `NURBS_CLOSEST_` bits.
+/// Points of a spline: parameters `[n][axes]`, points `[n][dim]`, distances, and sums of `NURBS_CLOSEST_`
+/// bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ClosestPoints {
@@ -35,7 +38,7 @@ pub struct ClosestPoints {
 }
 
 /// Where they are written; those that are `None` are not wanted.
-#[derive(Default, Debug)]
+#[derive(Debug, Default)]
 pub struct ClosestPointsMut<'a> {
     /// `[n][axes]`
     pub params: Option<RecordsMut<'a>>,
@@ -47,27 +50,7 @@ pub struct ClosestPointsMut<'a> {
     pub status: Option<&'a mut [i32]>,
 }
 
-impl ClosestPoints {
-    fn room(g: &Spline, n: usize) -> Result<ClosestPoints> {
-        let (axes, dim) = (g.axes()? as usize, g.dimension()? as usize);
-        Ok(ClosestPoints {
-            params: vec![0.0; n * axes],
-            points: vec![0.0; n * dim],
-            distances: vec![0.0; n],
-            status: vec![0; n],
-        })
-    }
-    fn outputs(&mut self) -> ClosestPointsMut<'_> {
-        ClosestPointsMut {
-            params: Some((&mut self.params).into()),
-            points: Some((&mut self.points).into()),
-            distances: Some((&mut self.distances).into()),
-            status: Some(&mut self.status),
-        }
-    }
-}
-
-/// n points as near as the nearest one: parameters `[n][axes]`, and the status of the search.
+/// Points as near as the nearest one to the tolerance: parameters `[n][axes]`, and the status of the search.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ClosestAll {
@@ -79,7 +62,8 @@ pub struct ClosestAll {
     pub status: i32,
 }
 
-/// Critical points: parameters `[n][axes]`, `NURBS_CRITICAL_` constants, and the status of the search.
+/// Critical points of the distance: parameters `[n][axes]`, `NURBS_CRITICAL_` constants, and the status of
+/// the search.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CriticalPoints {
@@ -111,16 +95,16 @@ pub struct SignedDistances {
 pub struct Distance {
     /// A proven lower bound.
     pub at_least: f64,
-    /// The distance of the points at `params`.
+    /// The distance of the points at the parameters.
     pub at_most: f64,
-    /// Parameters of a point of each spline.
+    /// Of a point of each spline.
     pub params: [Vec<f64>; 2],
     /// `NURBS_CLOSEST_CERTIFIED` or `NURBS_CLOSEST_BUDGET`.
     pub status: i32,
 }
 
-/// Bounds of the distances from the first to the second spline and back, and the parameters of points of each that are
-/// `at_least` so far away.
+/// Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so far
+/// away.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct HausdorffDistance {
@@ -128,78 +112,73 @@ pub struct HausdorffDistance {
     pub at_least: [f64; 2],
     /// Upper bounds of them.
     pub at_most: [f64; 2],
-    /// Parameters of points that are at least so far away.
+    /// Of points of each that are at least so far away.
     pub params: [Vec<f64>; 2],
     /// `NURBS_CLOSEST_CERTIFIED` or `NURBS_CLOSEST_BUDGET`.
     pub status: i32,
 }
 
-fn status_pointer(status: &mut Option<&mut [i32]>, n: usize) -> Result<*mut i32> {
-    match status {
-        None => Ok(null_mut()),
-        Some(values) if values.len() == n => Ok(values.as_mut_ptr()),
-        Some(values) => Err(Error::size("status", values.len(), n.to_string())),
-    }
-}
-
-/// `nurbs_closest_points` or `nurbs_farthest_points`.
-type SearchFunction = unsafe extern "C" fn(
-    *const sys::nurbs,
-    i64,
-    *const f64,
-    i64,
-    i64,
-    *const f64,
-    f64,
-    i64,
-    *mut f64,
-    i64,
-    i64,
-    *mut f64,
-    i64,
-    i64,
-    *mut f64,
-    i64,
-    *mut i32,
-    u32,
-) -> sys::nurbs_status;
-
-/// An output as the library takes it: a pointer and its strides.
-type Layout = (*mut f64, i64, i64);
-
-/// Closest points.
+/// Distances and closest points.
 impl Spline {
-    fn queries(&self, points: &Records) -> Result<usize> {
-        points.count(self.dimension()? as usize, "points")
-    }
-    pub(crate) fn range(&self, range: &[f64]) -> Result<*const f64> {
-        if_given(range, 2 * self.axes()? as usize, "range")
-    }
-    fn layouts(&self, out: &mut ClosestPointsMut, n: usize) -> Result<(Layout, Layout, Layout, *mut i32)> {
-        Ok((
-            layout(&mut out.params, n, self.axes()? as usize, "params")?,
-            layout(&mut out.points, n, self.dimension()? as usize, "points")?,
-            layout(&mut out.distances, n, 1, "distances")?,
-            status_pointer(&mut out.status, n)?,
-        ))
+    /// The nearest points of a spline; in a volume this is inversion.
+    pub fn closest_points<'a>(&self, points: impl Into<Records<'a>>, how: Search) -> Result<ClosestPoints> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut params = vec![0.0; n * axes];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_closest_points(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.as_mut_ptr(),
+                0,
+                0,
+                feet.as_mut_ptr(),
+                0,
+                0,
+                distances.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                how.flags,
+            )
+        })?;
+        Ok(ClosestPoints { params, points: feet, distances, status })
     }
 
-    fn search(
+    /// The same, written to arrays of the caller.
+    pub fn closest_points_into<'a>(
         &self,
-        function: SearchFunction,
-        x: Records,
+        points: impl Into<Records<'a>>,
         mut out: ClosestPointsMut,
         how: Search,
     ) -> Result<()> {
-        let (n, range) = (self.queries(&x)?, self.range(how.range)?);
-        let (params, feet, distances, status) = self.layouts(&mut out, n)?;
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let params = layout(&mut out.params, n, axes, "params")?;
+        let feet = layout(&mut out.points, n, dim, "points")?;
+        let distances = layout(&mut out.distances, n, 1, "distances")?;
+        let status = exactly_mut(&mut out.status, n, "status")?;
         check(unsafe {
-            function(
+            sys::nurbs_closest_points(
                 self.raw(),
                 n as i64,
-                x.pointer(),
-                x.stride(),
-                x.component_stride(),
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 range,
                 how.tolerance,
                 how.budget,
@@ -217,38 +196,248 @@ impl Spline {
         })
     }
 
-    /// The nearest points; in a volume this is inversion.
-    pub fn closest_points<'a>(&self, points: impl Into<Records<'a>>, how: Search) -> Result<ClosestPoints> {
-        let x = points.into();
-        let mut found = ClosestPoints::room(self, self.queries(&x)?)?;
-        self.closest_points_into(x, found.outputs(), how)?;
-        Ok(found)
-    }
-    /// The same, written to arrays of the caller.
-    pub fn closest_points_into<'a>(
+    /// The same as `closest_points`; it can be watched and stopped.
+    pub fn closest_points_with<'a>(
         &self,
         points: impl Into<Records<'a>>,
-        out: ClosestPointsMut,
         how: Search,
-    ) -> Result<()> {
-        self.search(sys::nurbs_closest_points, points.into(), out, how)
+        call: &mut Call,
+    ) -> Result<ClosestPoints> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut params = vec![0.0; n * axes];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            crate::call::nurbs_closest_points_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.as_mut_ptr(),
+                0,
+                0,
+                feet.as_mut_ptr(),
+                0,
+                0,
+                distances.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                how.flags,
+                call.options(),
+            )
+        })?;
+        Ok(ClosestPoints { params, points: feet, distances, status })
     }
 
-    /// The farthest points.
-    pub fn farthest_points<'a>(&self, points: impl Into<Records<'a>>, how: Search) -> Result<ClosestPoints> {
-        let x = points.into();
-        let mut found = ClosestPoints::room(self, self.queries(&x)?)?;
-        self.farthest_points_into(x, found.outputs(), how)?;
-        Ok(found)
+    /// The same, written to arrays of the caller.
+    pub fn closest_points_into_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        mut out: ClosestPointsMut,
+        how: Search,
+        call: &mut Call,
+    ) -> Result<()> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let params = layout(&mut out.params, n, axes, "params")?;
+        let feet = layout(&mut out.points, n, dim, "points")?;
+        let distances = layout(&mut out.distances, n, 1, "distances")?;
+        let status = exactly_mut(&mut out.status, n, "status")?;
+        check(unsafe {
+            crate::call::nurbs_closest_points_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.0,
+                params.1,
+                params.2,
+                feet.0,
+                feet.1,
+                feet.2,
+                distances.0,
+                distances.1,
+                status,
+                how.flags,
+                call.options(),
+            )
+        })
     }
+
+    /// The farthest points of a spline.
+    pub fn farthest_points<'a>(&self, points: impl Into<Records<'a>>, how: Search) -> Result<ClosestPoints> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut params = vec![0.0; n * axes];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_farthest_points(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.as_mut_ptr(),
+                0,
+                0,
+                feet.as_mut_ptr(),
+                0,
+                0,
+                distances.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                how.flags,
+            )
+        })?;
+        Ok(ClosestPoints { params, points: feet, distances, status })
+    }
+
     /// The same, written to arrays of the caller.
     pub fn farthest_points_into<'a>(
         &self,
         points: impl Into<Records<'a>>,
-        out: ClosestPointsMut,
+        mut out: ClosestPointsMut,
         how: Search,
     ) -> Result<()> {
-        self.search(sys::nurbs_farthest_points, points.into(), out, how)
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let params = layout(&mut out.params, n, axes, "params")?;
+        let feet = layout(&mut out.points, n, dim, "points")?;
+        let distances = layout(&mut out.distances, n, 1, "distances")?;
+        let status = exactly_mut(&mut out.status, n, "status")?;
+        check(unsafe {
+            sys::nurbs_farthest_points(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.0,
+                params.1,
+                params.2,
+                feet.0,
+                feet.1,
+                feet.2,
+                distances.0,
+                distances.1,
+                status,
+                how.flags,
+            )
+        })
+    }
+
+    /// The same as `farthest_points`; it can be watched and stopped.
+    pub fn farthest_points_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        how: Search,
+        call: &mut Call,
+    ) -> Result<ClosestPoints> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut params = vec![0.0; n * axes];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            crate::call::nurbs_farthest_points_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.as_mut_ptr(),
+                0,
+                0,
+                feet.as_mut_ptr(),
+                0,
+                0,
+                distances.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                how.flags,
+                call.options(),
+            )
+        })?;
+        Ok(ClosestPoints { params, points: feet, distances, status })
+    }
+
+    /// The same, written to arrays of the caller.
+    pub fn farthest_points_into_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        mut out: ClosestPointsMut,
+        how: Search,
+        call: &mut Call,
+    ) -> Result<()> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let params = layout(&mut out.params, n, axes, "params")?;
+        let feet = layout(&mut out.points, n, dim, "points")?;
+        let distances = layout(&mut out.distances, n, 1, "distances")?;
+        let status = exactly_mut(&mut out.status, n, "status")?;
+        check(unsafe {
+            crate::call::nurbs_farthest_points_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                range,
+                how.tolerance,
+                how.budget,
+                params.0,
+                params.1,
+                params.2,
+                feet.0,
+                feet.1,
+                feet.2,
+                distances.0,
+                distances.1,
+                status,
+                how.flags,
+                call.options(),
+            )
+        })
     }
 
     /// Local minima of the distance, each the one that a descent from a guess `[axes]` comes to.
@@ -258,11 +447,41 @@ impl Spline {
         guesses: impl Into<Records<'b>>,
         flags: u32,
     ) -> Result<ClosestPoints> {
-        let x = points.into();
-        let mut found = ClosestPoints::room(self, self.queries(&x)?)?;
-        self.closest_local_into(x, guesses, found.outputs(), flags)?;
-        Ok(found)
+        let points = points.into();
+        let guesses = guesses.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        guesses.require(n, axes, "guesses")?;
+        let mut params = vec![0.0; n * axes];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_closest_local(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                guesses.pointer(),
+                guesses.stride(),
+                guesses.component_stride(),
+                params.as_mut_ptr(),
+                0,
+                0,
+                feet.as_mut_ptr(),
+                0,
+                0,
+                distances.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                flags,
+            )
+        })?;
+        Ok(ClosestPoints { params, points: feet, distances, status })
     }
+
     /// The same, written to arrays of the caller.
     pub fn closest_local_into<'a, 'b>(
         &self,
@@ -271,20 +490,26 @@ impl Spline {
         mut out: ClosestPointsMut,
         flags: u32,
     ) -> Result<()> {
-        let (x, start) = (points.into(), guesses.into());
-        let n = self.queries(&x)?;
-        start.require(n, self.axes()? as usize, "guesses")?;
-        let (params, feet, distances, status) = self.layouts(&mut out, n)?;
+        let points = points.into();
+        let guesses = guesses.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        guesses.require(n, axes, "guesses")?;
+        let params = layout(&mut out.params, n, axes, "params")?;
+        let feet = layout(&mut out.points, n, dim, "points")?;
+        let distances = layout(&mut out.distances, n, 1, "distances")?;
+        let status = exactly_mut(&mut out.status, n, "status")?;
         check(unsafe {
             sys::nurbs_closest_local(
                 self.raw(),
                 n as i64,
-                x.pointer(),
-                x.stride(),
-                x.component_stride(),
-                start.pointer(),
-                start.stride(),
-                start.component_stride(),
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                guesses.pointer(),
+                guesses.stride(),
+                guesses.component_stride(),
                 params.0,
                 params.1,
                 params.2,
@@ -299,83 +524,240 @@ impl Spline {
         })
     }
 
+    /// The same as `closest_local`; it can be watched and stopped.
+    pub fn closest_local_with<'a, 'b>(
+        &self,
+        points: impl Into<Records<'a>>,
+        guesses: impl Into<Records<'b>>,
+        flags: u32,
+        call: &mut Call,
+    ) -> Result<ClosestPoints> {
+        let points = points.into();
+        let guesses = guesses.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        guesses.require(n, axes, "guesses")?;
+        let mut params = vec![0.0; n * axes];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            crate::call::nurbs_closest_local_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                guesses.pointer(),
+                guesses.stride(),
+                guesses.component_stride(),
+                params.as_mut_ptr(),
+                0,
+                0,
+                feet.as_mut_ptr(),
+                0,
+                0,
+                distances.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                flags,
+                call.options(),
+            )
+        })?;
+        Ok(ClosestPoints { params, points: feet, distances, status })
+    }
+
+    /// The same, written to arrays of the caller.
+    pub fn closest_local_into_with<'a, 'b>(
+        &self,
+        points: impl Into<Records<'a>>,
+        guesses: impl Into<Records<'b>>,
+        mut out: ClosestPointsMut,
+        flags: u32,
+        call: &mut Call,
+    ) -> Result<()> {
+        let points = points.into();
+        let guesses = guesses.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let axes = self.axes()? as usize;
+        guesses.require(n, axes, "guesses")?;
+        let params = layout(&mut out.params, n, axes, "params")?;
+        let feet = layout(&mut out.points, n, dim, "points")?;
+        let distances = layout(&mut out.distances, n, 1, "distances")?;
+        let status = exactly_mut(&mut out.status, n, "status")?;
+        check(unsafe {
+            crate::call::nurbs_closest_local_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                guesses.pointer(),
+                guesses.stride(),
+                guesses.component_stride(),
+                params.0,
+                params.1,
+                params.2,
+                feet.0,
+                feet.1,
+                feet.2,
+                distances.0,
+                distances.1,
+                status,
+                flags,
+                call.options(),
+            )
+        })
+    }
+
     /// All points that are local minima of the distance and as near as the nearest one to the tolerance.
     pub fn closest_all(&self, point: &[f64], how: Search) -> Result<ClosestAll> {
-        let (axes, x) = (self.axes()? as usize, exactly(point, self.dimension()? as usize, "point")?);
-        let (range, tolerance, budget) = (self.range(how.range)?, how.tolerance, how.budget);
-        let (mut found, mut count) = (ClosestAll::default(), 0i64);
-        let mut call = |cap: i64, params, distances, status: &mut i32| {
-            check(unsafe {
-                sys::nurbs_closest_all(
-                    self.raw(),
-                    x,
-                    range,
-                    tolerance,
-                    budget,
-                    cap,
-                    params,
-                    distances,
-                    &mut count,
-                    status,
-                )
-            })?;
-            Ok(count)
+        let point = exactly(point, self.dimension()? as usize, "point")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut status = 0;
+        let mut fill = |cap, params, distances, count| unsafe {
+            sys::nurbs_closest_all(
+                self.raw(),
+                point,
+                range,
+                how.tolerance,
+                how.budget,
+                cap,
+                params,
+                distances,
+                count,
+                &mut status,
+            )
         };
-        let n = call(0, null_mut(), null_mut(), &mut found.status)?;
-        found.params.resize(n as usize * axes, 0.0);
-        found.distances.resize(n as usize, 0.0);
-        call(n, found.params.as_mut_ptr(), found.distances.as_mut_ptr(), &mut found.status)?;
-        Ok(found)
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut distances = vec![0.0; n];
+        check(fill(count, params.as_mut_ptr(), distances.as_mut_ptr(), &mut count))?;
+        Ok(ClosestAll { params, distances, status })
+    }
+
+    /// The same as `closest_all`; it can be watched and stopped.
+    pub fn closest_all_with(&self, point: &[f64], how: Search, call: &mut Call) -> Result<ClosestAll> {
+        let point = exactly(point, self.dimension()? as usize, "point")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut status = 0;
+        let mut fill = |cap, params, distances, count| unsafe {
+            sys::nurbs_closest_all_with(
+                self.raw(),
+                point,
+                range,
+                how.tolerance,
+                how.budget,
+                cap,
+                params,
+                distances,
+                count,
+                &mut status,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut distances = vec![0.0; n];
+        check(fill(count, params.as_mut_ptr(), distances.as_mut_ptr(), &mut count))?;
+        Ok(ClosestAll { params, distances, status })
     }
 
     /// All critical points of the distance from a point.
     pub fn critical_points(&self, point: &[f64], how: Search) -> Result<CriticalPoints> {
-        let (axes, x) = (self.axes()? as usize, exactly(point, self.dimension()? as usize, "point")?);
-        let (range, tolerance, budget) = (self.range(how.range)?, how.tolerance, how.budget);
-        let (mut found, mut count) = (CriticalPoints::default(), 0i64);
-        let mut call = |cap: i64, params, distances, kinds, status: &mut i32| {
-            check(unsafe {
-                sys::nurbs_critical_points(
-                    self.raw(),
-                    x,
-                    range,
-                    tolerance,
-                    budget,
-                    cap,
-                    params,
-                    distances,
-                    kinds,
-                    &mut count,
-                    status,
-                )
-            })?;
-            Ok(count)
+        let point = exactly(point, self.dimension()? as usize, "point")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut status = 0;
+        let mut fill = |cap, params, distances, kinds, count| unsafe {
+            sys::nurbs_critical_points(
+                self.raw(),
+                point,
+                range,
+                how.tolerance,
+                how.budget,
+                cap,
+                params,
+                distances,
+                kinds,
+                count,
+                &mut status,
+            )
         };
-        let n = call(0, null_mut(), null_mut(), null_mut(), &mut found.status)?;
-        found.params.resize(n as usize * axes, 0.0);
-        found.distances.resize(n as usize, 0.0);
-        found.kinds.resize(n as usize, 0);
-        let (params, distances) = (found.params.as_mut_ptr(), found.distances.as_mut_ptr());
-        call(n, params, distances, found.kinds.as_mut_ptr(), &mut found.status)?;
-        Ok(found)
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut distances = vec![0.0; n];
+        let mut kinds = vec![0; n];
+        check(fill(count, params.as_mut_ptr(), distances.as_mut_ptr(), kinds.as_mut_ptr(), &mut count))?;
+        Ok(CriticalPoints { params, distances, kinds, status })
     }
 
-    /// Signed distances of points `[n][2]` from a curve in the plane, positive to its left; the search has no range.
+    /// The same as `critical_points`; it can be watched and stopped.
+    pub fn critical_points_with(
+        &self,
+        point: &[f64],
+        how: Search,
+        call: &mut Call,
+    ) -> Result<CriticalPoints> {
+        let point = exactly(point, self.dimension()? as usize, "point")?;
+        let axes = self.axes()? as usize;
+        let range = if_given(how.range, 2 * axes, "range")?;
+        let mut status = 0;
+        let mut fill = |cap, params, distances, kinds, count| unsafe {
+            sys::nurbs_critical_points_with(
+                self.raw(),
+                point,
+                range,
+                how.tolerance,
+                how.budget,
+                cap,
+                params,
+                distances,
+                kinds,
+                count,
+                &mut status,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut distances = vec![0.0; n];
+        let mut kinds = vec![0; n];
+        check(fill(count, params.as_mut_ptr(), distances.as_mut_ptr(), kinds.as_mut_ptr(), &mut count))?;
+        Ok(CriticalPoints { params, distances, kinds, status })
+    }
+
+    /// Signed distances of points `[n][2]` from a curve in the plane, positive to its left; the search has no
+    /// range.
     pub fn signed_distances<'a>(
         &self,
         points: impl Into<Records<'a>>,
         how: Search,
     ) -> Result<SignedDistances> {
-        let x = points.into();
-        let n = self.queries(&x)?;
-        let (mut distances, mut params, mut status) = (vec![0.0; n], vec![0.0; n], vec![0; n]);
+        let points = points.into();
+        let n = points.count(self.dimension()? as usize, "points")?;
+        let mut distances = vec![0.0; n];
+        let mut params = vec![0.0; n];
+        let mut status = vec![0; n];
         check(unsafe {
             sys::nurbs_curve_signed_distances(
                 self.raw(),
                 n as i64,
-                x.pointer(),
-                x.stride(),
-                x.component_stride(),
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 how.tolerance,
                 how.budget,
                 distances.as_mut_ptr(),
@@ -389,16 +771,90 @@ impl Spline {
         Ok(SignedDistances { distances, params, status })
     }
 
+    /// The same as `signed_distances`; it can be watched and stopped.
+    pub fn signed_distances_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        how: Search,
+        call: &mut Call,
+    ) -> Result<SignedDistances> {
+        let points = points.into();
+        let n = points.count(self.dimension()? as usize, "points")?;
+        let mut distances = vec![0.0; n];
+        let mut params = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            crate::call::nurbs_curve_signed_distances_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                how.tolerance,
+                how.budget,
+                distances.as_mut_ptr(),
+                0,
+                params.as_mut_ptr(),
+                0,
+                status.as_mut_ptr(),
+                how.flags,
+                call.options(),
+            )
+        })?;
+        Ok(SignedDistances { distances, params, status })
+    }
+
     /// The smallest distance to another spline; the points of the parameters are `at_most` apart.
     pub fn distance(&self, other: &Spline, tolerance: f64, budget: i64) -> Result<Distance> {
-        let (a, b) = (self.raw(), other.raw());
-        let mut params = [vec![0.0; self.axes()? as usize], vec![0.0; other.axes()? as usize]];
-        let (pa, pb) = (params[0].as_mut_ptr(), params[1].as_mut_ptr());
-        let (mut at_least, mut at_most, mut status) = (0.0, 0.0, 0);
+        let mut at_least = 0.0;
+        let mut at_most = 0.0;
+        let mut params_a = vec![0.0; self.axes()? as usize];
+        let mut params_b = vec![0.0; other.axes()? as usize];
+        let mut status = 0;
         check(unsafe {
-            sys::nurbs_distance(a, b, tolerance, budget, &mut at_least, &mut at_most, pa, pb, &mut status)
+            sys::nurbs_distance(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                budget,
+                &mut at_least,
+                &mut at_most,
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+            )
         })?;
-        Ok(Distance { at_least, at_most, params, status })
+        Ok(Distance { at_least, at_most, params: [params_a, params_b], status })
+    }
+
+    /// The same as `distance`; it can be watched and stopped.
+    pub fn distance_with(
+        &self,
+        other: &Spline,
+        tolerance: f64,
+        budget: i64,
+        call: &mut Call,
+    ) -> Result<Distance> {
+        let mut at_least = 0.0;
+        let mut at_most = 0.0;
+        let mut params_a = vec![0.0; self.axes()? as usize];
+        let mut params_b = vec![0.0; other.axes()? as usize];
+        let mut status = 0;
+        check(unsafe {
+            sys::nurbs_distance_with(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                budget,
+                &mut at_least,
+                &mut at_most,
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+                call.options(),
+            )
+        })?;
+        Ok(Distance { at_least, at_most, params: [params_a, params_b], status })
     }
 
     /// How far the points that are farthest from the other spline are from it, and the other way round.
@@ -408,14 +864,54 @@ impl Spline {
         tolerance: f64,
         budget: i64,
     ) -> Result<HausdorffDistance> {
-        let (a, b) = (self.raw(), other.raw());
-        let mut params = [vec![0.0; self.axes()? as usize], vec![0.0; other.axes()? as usize]];
-        let (pa, pb) = (params[0].as_mut_ptr(), params[1].as_mut_ptr());
-        let (mut at_least, mut at_most, mut status) = ([0.0; 2], [0.0; 2], 0);
-        let (low, high) = (at_least.as_mut_ptr(), at_most.as_mut_ptr());
+        let mut at_least = [0.0; 2];
+        let mut at_most = [0.0; 2];
+        let mut params_a = vec![0.0; self.axes()? as usize];
+        let mut params_b = vec![0.0; other.axes()? as usize];
+        let mut status = 0;
         check(unsafe {
-            sys::nurbs_hausdorff_distance(a, b, tolerance, budget, low, high, pa, pb, &mut status)
+            sys::nurbs_hausdorff_distance(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                budget,
+                at_least.as_mut_ptr(),
+                at_most.as_mut_ptr(),
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+            )
         })?;
-        Ok(HausdorffDistance { at_least, at_most, params, status })
+        Ok(HausdorffDistance { at_least, at_most, params: [params_a, params_b], status })
+    }
+
+    /// The same as `hausdorff_distance`; it can be watched and stopped.
+    pub fn hausdorff_distance_with(
+        &self,
+        other: &Spline,
+        tolerance: f64,
+        budget: i64,
+        call: &mut Call,
+    ) -> Result<HausdorffDistance> {
+        let mut at_least = [0.0; 2];
+        let mut at_most = [0.0; 2];
+        let mut params_a = vec![0.0; self.axes()? as usize];
+        let mut params_b = vec![0.0; other.axes()? as usize];
+        let mut status = 0;
+        check(unsafe {
+            sys::nurbs_hausdorff_distance_with(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                budget,
+                at_least.as_mut_ptr(),
+                at_most.as_mut_ptr(),
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+                call.options(),
+            )
+        })?;
+        Ok(HausdorffDistance { at_least, at_most, params: [params_a, params_b], status })
     }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Continuity at knots and between ends.
 
 use crate::error::{check, Result};
@@ -7,7 +8,7 @@ use crate::sys;
 use std::ptr::null_mut;
 
 /// What counts as no gap: a distance, a part of a derivative, an angle.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContinuityTolerances {
     /// Of points.
     pub position: f64,
@@ -18,7 +19,7 @@ pub struct ContinuityTolerances {
 }
 
 /// How two pieces meet.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Continuity {
     /// Of the derivatives.
@@ -34,7 +35,7 @@ pub struct Continuity {
 }
 
 /// How they meet at a knot, and the order that the knots guarantee.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct KnotContinuity {
     /// A knot inside the domain.
@@ -51,84 +52,103 @@ pub fn continuity_between(
     b: (&Spline, i32),
     allowed: ContinuityTolerances,
 ) -> Result<Continuity> {
-    let mut r = Continuity::default();
-    let t = allowed;
+    let mut order = 0;
+    let mut geometric = 0;
+    let mut position_gap = 0.0;
+    let mut angle = 0.0;
+    let mut curvature_gap = 0.0;
     check(unsafe {
         sys::nurbs_continuity_between(
             a.0.raw(),
             a.1,
             b.0.raw(),
             b.1,
-            t.position,
-            t.derivative,
-            t.angle,
-            &mut r.order,
-            &mut r.geometric,
-            &mut r.position_gap,
-            &mut r.angle,
-            &mut r.curvature_gap,
+            allowed.position,
+            allowed.derivative,
+            allowed.angle,
+            &mut order,
+            &mut geometric,
+            &mut position_gap,
+            &mut angle,
+            &mut curvature_gap,
         )
     })?;
-    Ok(r)
+    Ok(Continuity { order, geometric, position_gap, angle, curvature_gap })
 }
 
+/// Continuity at knots and between ends.
 impl Spline {
     /// Continuity at the knots of an axis and at its seam.
     pub fn continuity(&self, axis: i32, allowed: ContinuityTolerances) -> Result<Vec<KnotContinuity>> {
-        let (g, t) = (self.raw(), allowed);
-        let mut n = 0i64;
-        let none = null_mut::<i32>();
-        let skip = null_mut::<f64>();
-        check(unsafe {
+        let fill = |cap,
+                    knots,
+                    knot_orders,
+                    orders,
+                    geometric_orders,
+                    position_gaps,
+                    angles,
+                    curvature_gaps,
+                    count| unsafe {
             sys::nurbs_continuity(
-                g,
+                self.raw(),
                 axis,
-                t.position,
-                t.derivative,
-                t.angle,
-                0,
-                skip,
-                none,
-                none,
-                none,
-                skip,
-                skip,
-                skip,
-                &mut n,
+                allowed.position,
+                allowed.derivative,
+                allowed.angle,
+                cap,
+                knots,
+                knot_orders,
+                orders,
+                geometric_orders,
+                position_gaps,
+                angles,
+                curvature_gaps,
+                count,
             )
-        })?;
-        let size = n as usize;
-        let mut values = vec![vec![0.0f64; size]; 4];
-        let mut orders = vec![vec![0i32; size]; 3];
-        let v: Vec<*mut f64> = values.iter_mut().map(|x| x.as_mut_ptr()).collect();
-        let o: Vec<*mut i32> = orders.iter_mut().map(|x| x.as_mut_ptr()).collect();
-        check(unsafe {
-            sys::nurbs_continuity(
-                g,
-                axis,
-                t.position,
-                t.derivative,
-                t.angle,
-                n,
-                v[0],
-                o[0],
-                o[1],
-                o[2],
-                v[1],
-                v[2],
-                v[3],
-                null_mut(),
-            )
-        })?;
-        let row = |i: usize| Continuity {
-            order: orders[1][i],
-            geometric: orders[2][i],
-            position_gap: values[1][i],
-            angle: values[2][i],
-            curvature_gap: values[3][i],
         };
-        Ok((0..size)
-            .map(|i| KnotContinuity { knot: values[0][i], knot_order: orders[0][i], found: row(i) })
+        let mut count = 0;
+        check(fill(
+            0,
+            null_mut(),
+            null_mut(),
+            null_mut(),
+            null_mut(),
+            null_mut(),
+            null_mut(),
+            null_mut(),
+            &mut count,
+        ))?;
+        let n = count as usize;
+        let mut knots = vec![0.0; n];
+        let mut knot_orders = vec![0; n];
+        let mut orders = vec![0; n];
+        let mut geometric_orders = vec![0; n];
+        let mut position_gaps = vec![0.0; n];
+        let mut angles = vec![0.0; n];
+        let mut curvature_gaps = vec![0.0; n];
+        check(fill(
+            count,
+            knots.as_mut_ptr(),
+            knot_orders.as_mut_ptr(),
+            orders.as_mut_ptr(),
+            geometric_orders.as_mut_ptr(),
+            position_gaps.as_mut_ptr(),
+            angles.as_mut_ptr(),
+            curvature_gaps.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok((0..n)
+            .map(|i| KnotContinuity {
+                knot: knots[i],
+                knot_order: knot_orders[i],
+                found: Continuity {
+                    order: orders[i],
+                    geometric: geometric_orders[i],
+                    position_gap: position_gaps[i],
+                    angle: angles[i],
+                    curvature_gap: curvature_gaps[i],
+                },
+            })
             .collect())
     }
 }

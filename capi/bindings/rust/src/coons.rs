@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-//! Surfaces and volumes from their boundaries, which are counted by axis, then by end.
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Surfaces and volumes from their boundaries.
 
-use crate::arrays::exactly;
+use crate::arrays::optional;
 use crate::error::{check, Result};
 use crate::list::List;
 use crate::spline::Spline;
@@ -9,7 +10,7 @@ use crate::sys;
 use std::ptr::null;
 
 /// What `Spline::coons_hermite` blends.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HermiteBoundaries<'a> {
     /// The boundaries, as those of `Spline::coons`.
     pub curves: [&'a Spline; 4],
@@ -33,48 +34,61 @@ pub struct CoonsGaps {
     pub twists: [f64; 4],
 }
 
-fn raw<const N: usize>(splines: [&Spline; N]) -> [*const sys::nurbs; N] {
-    splines.map(Spline::raw)
-}
-
 /// The differences at the corners of a surface to be.
 pub fn coons_gaps(curves: [&Spline; 4], cross: Option<[&Spline; 4]>) -> Result<CoonsGaps> {
-    let (curves, cross) = (raw(curves), cross.map(raw));
-    let across = cross.as_ref().map_or(null(), |handles| handles.as_ptr());
-    let mut gaps = CoonsGaps::default();
-    let (p, t) = (gaps.positions.as_mut_ptr(), gaps.tangents.as_mut_ptr().cast());
-    check(unsafe { sys::nurbs_coons_gaps(curves.as_ptr(), across, p, t, gaps.twists.as_mut_ptr()) })?;
-    Ok(gaps)
+    let curves = curves.map(Spline::raw);
+    let cross = cross.map(|splines| splines.map(Spline::raw));
+    let mut positions = [0.0; 4];
+    let mut tangents = [[0.0; 2]; 4];
+    let mut twists = [0.0; 4];
+    check(unsafe {
+        sys::nurbs_coons_gaps(
+            curves.as_ptr(),
+            cross.as_ref().map_or(null(), |handles| handles.as_ptr()),
+            positions.as_mut_ptr(),
+            tangents.as_mut_ptr().cast(),
+            twists.as_mut_ptr(),
+        )
+    })?;
+    Ok(CoonsGaps { positions, tangents, twists })
 }
 
-/// Boundaries, and blends of them.
+/// Surfaces and volumes from their boundaries.
 impl Spline {
     /// The four curves of a surface, or the six faces of a volume.
     pub fn boundaries(&self) -> Result<List> {
         List::made(|out| unsafe { sys::nurbs_boundaries(self.raw(), out) })
     }
+
     /// The bilinear blend of four curves.
     pub fn coons(curves: [&Spline; 4], tolerance: f64) -> Result<Spline> {
-        let curves = raw(curves);
+        let curves = curves.map(Spline::raw);
         Spline::made(|out| unsafe { sys::nurbs_surface_coons(curves.as_ptr(), tolerance, out) })
     }
+
     /// The bicubic blend, and the largest difference between its twists and those of the cross tangents.
     pub fn coons_hermite(given: HermiteBoundaries, tolerance: f64) -> Result<(Spline, f64)> {
-        if let Some(twists) = given.twists {
-            exactly(twists, 4 * given.curves[0].dimension()? as usize, "twists")?;
-        }
-        let (curves, cross) = (raw(given.curves), given.cross.map(raw));
-        let across = cross.as_ref().map_or(null(), |handles| handles.as_ptr());
-        let (c, twists) = (curves.as_ptr(), given.twists.map_or(null(), |values| values.as_ptr()));
+        let boundaries = given.curves.map(Spline::raw);
+        let cross = given.cross.map(|splines| splines.map(Spline::raw));
+        let twists = optional(given.twists, 4 * given.curves[0].dimension()? as usize, "twists")?;
         let mut bound = 0.0;
         let spline = Spline::made(|out| unsafe {
-            sys::nurbs_surface_coons_hermite(c, across, given.twist, twists, tolerance, &mut bound, out)
+            sys::nurbs_surface_coons_hermite(
+                boundaries.as_ptr(),
+                cross.as_ref().map_or(null(), |handles| handles.as_ptr()),
+                given.twist,
+                twists,
+                tolerance,
+                &mut bound,
+                out,
+            )
         })?;
         Ok((spline, bound))
     }
+
     /// The linear blend of six faces.
     pub fn coons_volume(faces: [&Spline; 6], tolerance: f64) -> Result<Spline> {
-        let faces = raw(faces);
+        let faces = faces.map(Spline::raw);
         Spline::made(|out| unsafe { sys::nurbs_volume_coons(faces.as_ptr(), tolerance, out) })
     }
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Lines, conics and helices.
 
-use crate::arrays::Records;
-use crate::error::{check, Error, Result};
+use crate::arrays::{optional, Records};
+use crate::error::{check, Result};
 use crate::placement::{dimension_of, pointer, require_length, Placement, Turn};
+use crate::sizes::positive;
 use crate::spline::Spline;
 use crate::sys;
-use std::ptr::null;
 
-/// A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or focal length.
+/// A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or
+/// focal length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ConicAxes {
@@ -45,10 +47,20 @@ impl Default for HelixShape {
 
 /// Kind and axes of A x^2 + B x y + C y^2 + D x + E y + F = 0.
 pub fn conic_axes(coefficients: &[f64; 6]) -> Result<ConicAxes> {
-    let mut axes = ConicAxes::default();
-    let (origin, x, sizes) = (axes.origin.as_mut_ptr(), axes.x.as_mut_ptr(), axes.sizes.as_mut_ptr());
-    check(unsafe { sys::nurbs_conic_axes(coefficients.as_ptr(), &mut axes.kind, origin, x, sizes) })?;
-    Ok(axes)
+    let mut kind = 0;
+    let mut origin = [0.0; 2];
+    let mut x = [0.0; 2];
+    let mut sizes = [0.0; 2];
+    check(unsafe {
+        sys::nurbs_conic_axes(
+            coefficients.as_ptr(),
+            &mut kind,
+            origin.as_mut_ptr(),
+            x.as_mut_ptr(),
+            sizes.as_mut_ptr(),
+        )
+    })?;
+    Ok(ConicAxes { kind, origin, x, sizes })
 }
 
 /// Lines.
@@ -59,57 +71,73 @@ impl Spline {
         require_length(dim, &[b])?;
         Spline::made(|out| unsafe { sys::nurbs_curve_line(dim, a.as_ptr(), b.as_ptr(), out) })
     }
+
     /// Through points `[n][dim]`, at 0, 1, ..., n - 1 unless parameters are given.
     pub fn polyline<'a>(dim: i32, points: impl Into<Records<'a>>, params: Option<&[f64]>) -> Result<Spline> {
-        let p = points.into();
-        let n = p.count(dim.max(0) as usize, "points")?;
-        if let Some(values) = params.filter(|values| values.len() != n) {
-            return Err(Error::size("params", values.len(), n.to_string()));
-        }
-        let (n, at) = (n as i64, params.map_or(null(), |values| values.as_ptr()));
-        let (first, stride, component) = (p.pointer(), p.stride(), p.component_stride());
-        Spline::made(|out| unsafe { sys::nurbs_curve_polyline(n, dim, first, stride, component, at, 0, out) })
+        let points = points.into();
+        let n = points.count(positive(dim), "points")?;
+        let params = optional(params, n, "params")?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_polyline(
+                n as i64,
+                dim,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                params,
+                0,
+                out,
+            )
+        })
     }
+
     /// A closed regular polygon; the radius is that of its corners.
     pub fn polygon(at: Placement, radius: f64, sides: i64) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
-        Spline::made(|out| unsafe { sys::nurbs_curve_polygon(dim, o, z, x, radius, sides, out) })
+        let (dim, [center, axis, x]) = at.place(2)?;
+        Spline::made(|out| unsafe { sys::nurbs_curve_polygon(dim, center, axis, x, radius, sides, out) })
     }
+
     /// A rectangle about a centre, its corners quarter circles.
     pub fn rounded_rectangle(at: Placement, width: f64, height: f64, corner_radius: f64) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
+        let (dim, [center, axis, x]) = at.place(2)?;
         Spline::made(|out| unsafe {
-            sys::nurbs_curve_rounded_rectangle(dim, o, z, x, width, height, corner_radius, out)
+            sys::nurbs_curve_rounded_rectangle(dim, center, axis, x, width, height, corner_radius, out)
         })
     }
 }
 
-/// Circles. The form is a `NURBS_ARC_` constant.
+/// Circles.
 impl Spline {
     /// A full circle; `form` is one of the `NURBS_ARC_` constants, as in all that follow.
     pub fn circle(at: Placement, radius: f64, form: i32) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
-        Spline::made(|out| unsafe { sys::nurbs_curve_circle(dim, o, z, x, radius, form, out) })
+        let (dim, [center, axis, x]) = at.place(2)?;
+        Spline::made(|out| unsafe { sys::nurbs_curve_circle(dim, center, axis, x, radius, form, out) })
     }
+
     /// A part of a circle.
     pub fn arc(at: Placement, radius: f64, turn: Turn, form: i32) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
-        let Turn { start, sweep } = turn;
-        Spline::made(|out| unsafe { sys::nurbs_curve_arc(dim, o, z, x, radius, start, sweep, form, out) })
+        let (dim, [center, axis, x]) = at.place(2)?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_arc(dim, center, axis, x, radius, turn.start, turn.sweep, form, out)
+        })
     }
+
     /// From a through b to c.
     pub fn arc_through(a: &[f64], b: &[f64], c: &[f64], form: i32) -> Result<Spline> {
         let dim = a.len() as i32;
         require_length(dim, &[b, c])?;
-        let [a, b, c] = [a, b, c].map(<[f64]>::as_ptr);
-        Spline::made(|out| unsafe { sys::nurbs_curve_arc_through(dim, a, b, c, form, out) })
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_arc_through(dim, a.as_ptr(), b.as_ptr(), c.as_ptr(), form, out)
+        })
     }
+
     /// From a in the direction of a tangent to b.
     pub fn arc_tangent(a: &[f64], tangent: &[f64], b: &[f64], form: i32) -> Result<Spline> {
         let dim = a.len() as i32;
         require_length(dim, &[tangent, b])?;
-        let [a, t, b] = [a, tangent, b].map(<[f64]>::as_ptr);
-        Spline::made(|out| unsafe { sys::nurbs_curve_arc_tangent(dim, a, t, b, form, out) })
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_arc_tangent(dim, a.as_ptr(), tangent.as_ptr(), b.as_ptr(), form, out)
+        })
     }
 }
 
@@ -117,29 +145,41 @@ impl Spline {
 impl Spline {
     /// Semi-axes along X and Y; angles are eccentric ones.
     pub fn ellipse(at: Placement, radii: [f64; 2], turn: Turn, form: i32) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
-        let ([rx, ry], Turn { start, sweep }) = (radii, turn);
-        Spline::made(|out| unsafe { sys::nurbs_curve_ellipse(dim, o, z, x, rx, ry, start, sweep, form, out) })
+        let (dim, [center, axis, x]) = at.place(2)?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_ellipse(
+                dim, center, axis, x, radii[0], radii[1], turn.start, turn.sweep, form, out,
+            )
+        })
     }
+
     /// Over [start, end], the coordinates along Y; x points from the vertex to the focus.
     pub fn parabola(at: Placement, focal_length: f64, start: f64, end: f64) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
-        Spline::made(|out| unsafe { sys::nurbs_curve_parabola(dim, o, z, x, focal_length, start, end, out) })
+        let (dim, [vertex, axis, x]) = at.place(2)?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_parabola(dim, vertex, axis, x, focal_length, start, end, out)
+        })
     }
+
     /// The branch that opens to x.
     pub fn hyperbola(at: Placement, radii: [f64; 2], start: f64, end: f64) -> Result<Spline> {
-        let (dim, [o, z, x]) = at.place(2)?;
-        let [rx, ry] = radii;
-        Spline::made(|out| unsafe { sys::nurbs_curve_hyperbola(dim, o, z, x, rx, ry, start, end, out) })
+        let (dim, [center, axis, x]) = at.place(2)?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_hyperbola(dim, center, axis, x, radii[0], radii[1], start, end, out)
+        })
     }
+
     /// By a control triangle and C_sf = w1^2 / (w0 w2).
     pub fn conic_triangle(p0: &[f64], p1: &[f64], p2: &[f64], shape_factor: f64) -> Result<Spline> {
         let dim = p0.len() as i32;
         require_length(dim, &[p1, p2])?;
-        let [a, b, c] = [p0, p1, p2].map(<[f64]>::as_ptr);
-        Spline::made(|out| unsafe { sys::nurbs_curve_conic_triangle(dim, a, b, c, shape_factor, out) })
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_conic_triangle(dim, p0.as_ptr(), p1.as_ptr(), p2.as_ptr(), shape_factor, out)
+        })
     }
-    /// By two points with tangents, and how far the shoulder point is on its way from the chord to the tangents.
+
+    /// By two points with tangents, and how far the shoulder point is on its way from the chord to the
+    /// tangents.
     pub fn conic_shoulder(
         a: &[f64],
         tangent_a: &[f64],
@@ -149,9 +189,19 @@ impl Spline {
     ) -> Result<Spline> {
         let dim = a.len() as i32;
         require_length(dim, &[tangent_a, b, tangent_b])?;
-        let [a, ta, b, tb] = [a, tangent_a, b, tangent_b].map(<[f64]>::as_ptr);
-        Spline::made(|out| unsafe { sys::nurbs_curve_conic_shoulder(dim, a, ta, b, tb, rho, out) })
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_conic_shoulder(
+                dim,
+                a.as_ptr(),
+                tangent_a.as_ptr(),
+                b.as_ptr(),
+                tangent_b.as_ptr(),
+                rho,
+                out,
+            )
+        })
     }
+
     /// By two points with tangent lines, and a third point between them.
     pub fn conic_point(
         a: &[f64],
@@ -163,23 +213,43 @@ impl Spline {
     ) -> Result<Spline> {
         let dim = a.len() as i32;
         require_length(dim, &[tangent_a, b, tangent_b, point])?;
-        let [a, ta, b, tb, p] = [a, tangent_a, b, tangent_b, point].map(<[f64]>::as_ptr);
-        Spline::made(|out| unsafe { sys::nurbs_curve_conic_point(dim, a, ta, b, tb, p, form, out) })
-    }
-    /// Through five points `[5][dim]`.
-    pub fn conic_through<'a>(dim: i32, points: impl Into<Records<'a>>, form: i32) -> Result<Spline> {
-        let p = points.into();
-        p.require(5, dim.max(0) as usize, "points")?;
-        let (first, stride, component) = (p.pointer(), p.stride(), p.component_stride());
         Spline::made(|out| unsafe {
-            sys::nurbs_curve_conic_through(dim, first, stride, component, form, out)
+            sys::nurbs_curve_conic_point(
+                dim,
+                a.as_ptr(),
+                tangent_a.as_ptr(),
+                b.as_ptr(),
+                tangent_b.as_ptr(),
+                point.as_ptr(),
+                form,
+                out,
+            )
         })
     }
+
+    /// Through five points `[5][dim]`.
+    pub fn conic_through<'a>(dim: i32, points: impl Into<Records<'a>>, form: i32) -> Result<Spline> {
+        let points = points.into();
+        points.require(5, positive(dim), "points")?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_conic_through(
+                dim,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                form,
+                out,
+            )
+        })
+    }
+
     /// An arc of the conic that `conic_axes` describes.
     pub fn conic_implicit(coefficients: &[f64; 6], start: f64, end: f64, form: i32) -> Result<Spline> {
-        let c = coefficients.as_ptr();
-        Spline::made(|out| unsafe { sys::nurbs_curve_conic_implicit(c, start, end, form, out) })
+        Spline::made(|out| unsafe {
+            sys::nurbs_curve_conic_implicit(coefficients.as_ptr(), start, end, form, out)
+        })
     }
+
     /// By a focus, the nearest point of the directrix, and the eccentricity; the axis is empty in the plane.
     pub fn conic_focus(
         focus: &[f64],
@@ -189,17 +259,27 @@ impl Spline {
         turn: Turn,
         form: i32,
     ) -> Result<Spline> {
-        let dim = dimension_of(&[focus, axis], 0)?;
+        let dim = dimension_of(&[focus, axis, foot], 0)?;
         require_length(dim, &[focus, foot])?;
-        let (f, z, d) = (focus.as_ptr(), pointer(axis), foot.as_ptr());
-        let Turn { start, sweep } = turn;
         Spline::made(|out| unsafe {
-            sys::nurbs_curve_conic_focus(dim, f, z, d, eccentricity, start, sweep, form, out)
+            sys::nurbs_curve_conic_focus(
+                dim,
+                focus.as_ptr(),
+                pointer(axis),
+                foot.as_ptr(),
+                eccentricity,
+                turn.start,
+                turn.sweep,
+                form,
+                out,
+            )
         })
     }
+
     /// C_sf and the kind, a `NURBS_CONIC_` constant, of a conic segment of degree 2.
     pub fn shape_factor(&self) -> Result<(f64, i32)> {
-        let (mut factor, mut kind) = (0.0, 0);
+        let mut factor = 0.0;
+        let mut kind = 0;
         check(unsafe { sys::nurbs_curve_shape_factor(self.raw(), &mut factor, &mut kind) })?;
         Ok((factor, kind))
     }
@@ -209,12 +289,22 @@ impl Spline {
 impl Spline {
     /// The curve, and a proven bound of its distance from the true one.
     pub fn helix(at: Placement, shape: HelixShape, tolerance: f64) -> Result<(Spline, f64)> {
-        let (dim, [o, z, x]) = at.place(3)?;
-        let HelixShape { radius, growth, pitch, start, turns } = shape;
+        let (dim, [origin, axis, x]) = at.place(3)?;
         let mut error = 0.0;
         let spline = Spline::made(|out| unsafe {
             sys::nurbs_curve_helix(
-                dim, o, z, x, radius, growth, pitch, start, turns, tolerance, &mut error, out,
+                dim,
+                origin,
+                axis,
+                x,
+                shape.radius,
+                shape.growth,
+                shape.pitch,
+                shape.start,
+                shape.turns,
+                tolerance,
+                &mut error,
+                out,
             )
         })?;
         Ok((spline, error))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Changes of weights and control points, and knots that make points of the polygon control points.
 
 use crate::arrays::{exactly, Records};
@@ -30,7 +31,7 @@ pub struct Influence {
 }
 
 /// The spline, the leg by the control point where it starts, the place on it, and the knot.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LegEdit {
     /// With one knot more.
@@ -43,7 +44,7 @@ pub struct LegEdit {
     pub knot: f64,
 }
 
-/// The weight from a control point and the three points of `Spline::weight_points`.
+/// The weight from a control point and the three points of `Spline::weight_points`, all of one dimension.
 pub fn weight_cross_ratio(
     control_point: &[f64],
     at_zero: &[f64],
@@ -52,51 +53,80 @@ pub fn weight_cross_ratio(
 ) -> Result<f64> {
     let dim = control_point.len() as i32;
     require_length(dim, &[at_zero, at_one, at_weight])?;
-    let (p, zero, one) = (control_point.as_ptr(), at_zero.as_ptr(), at_one.as_ptr());
-    value(|v| unsafe { sys::nurbs_weight_cross_ratio(dim, p, zero, one, at_weight.as_ptr(), v) })
+    value(|weight| unsafe {
+        sys::nurbs_weight_cross_ratio(
+            dim,
+            control_point.as_ptr(),
+            at_zero.as_ptr(),
+            at_one.as_ptr(),
+            at_weight.as_ptr(),
+            weight,
+        )
+    })
 }
 
-/// Weights and control points. The number beside a new spline is the weight, the factor of the weights, or how far the
-/// control point moved.
+/// Changes of weights and control points, and knots that make points of the polygon control points.
 impl Spline {
-    fn at(&self, params: &[f64]) -> Result<*const f64> {
-        exactly(params, self.axes()? as usize, "params")
-    }
-    pub(crate) fn vector(&self, values: &[f64], what: &str) -> Result<*const f64> {
-        exactly(values, self.dimension()? as usize, what)
-    }
-
-    /// A weight changed so that the point at `params` moves by a distance towards the control point.
+    /// A weight changed so that the point at `params` `[axes]` moves by a distance towards the control point;
+    /// and that weight.
     pub fn pull_weight(&self, index: i64, params: &[f64], distance: f64) -> Result<(Spline, f64)> {
-        let (g, at, mut weight) = (self.raw(), self.at(params)?, 0.0);
-        let spline =
-            Spline::made(|out| unsafe { sys::nurbs_pull_weight(g, index, at, distance, &mut weight, out) })?;
+        let params = exactly(params, self.axes()? as usize, "params")?;
+        let mut weight = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_pull_weight(self.raw(), index, params, distance, &mut weight, out)
+        })?;
         Ok((spline, weight))
     }
-    /// Several weights multiplied by one factor, so that the point moves towards their common centre.
+
+    /// Several weights multiplied by one factor, so that the point moves towards their common centre; and
+    /// that factor.
     pub fn pull_weights(&self, indices: &[i64], params: &[f64], distance: f64) -> Result<(Spline, f64)> {
-        let (g, at, mut factor) = (self.raw(), self.at(params)?, 0.0);
-        let (count, first) = (indices.len() as i64, indices.as_ptr());
+        let params = exactly(params, self.axes()? as usize, "params")?;
+        let mut factor = 0.0;
         let spline = Spline::made(|out| unsafe {
-            sys::nurbs_pull_weights(g, count, first, at, distance, &mut factor, out)
+            sys::nurbs_pull_weights(
+                self.raw(),
+                indices.len() as i64,
+                indices.as_ptr(),
+                params,
+                distance,
+                &mut factor,
+                out,
+            )
         })?;
         Ok((spline, factor))
     }
+
     /// The weights of some control points set.
     pub fn set_weights(&self, indices: &[i64], weights: &[f64]) -> Result<Spline> {
-        let (count, first) = (indices.len() as i64, indices.as_ptr());
-        let values = exactly(weights, indices.len(), "weights")?;
-        Spline::made(|out| unsafe { sys::nurbs_set_weights(self.raw(), count, first, values, out) })
+        let count = indices.len();
+        let weights = exactly(weights, count, "weights")?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_set_weights(self.raw(), count as i64, indices.as_ptr(), weights, out)
+        })
     }
+
     /// The points at a parameter for the weights 0, 1 and the present one of a control point.
     pub fn weight_points(&self, index: i64, params: &[f64]) -> Result<WeightPoints> {
-        let (at, dim) = (self.at(params)?, self.dimension()? as usize);
-        let (mut at_zero, mut at_one, mut at_weight) = (vec![0.0; dim], vec![0.0; dim], vec![0.0; dim]);
-        let (zero, one, now) = (at_zero.as_mut_ptr(), at_one.as_mut_ptr(), at_weight.as_mut_ptr());
-        check(unsafe { sys::nurbs_weight_points(self.raw(), index, at, zero, one, now) })?;
+        let params = exactly(params, self.axes()? as usize, "params")?;
+        let dim = self.dimension()? as usize;
+        let mut at_zero = vec![0.0; dim];
+        let mut at_one = vec![0.0; dim];
+        let mut at_weight = vec![0.0; dim];
+        check(unsafe {
+            sys::nurbs_weight_points(
+                self.raw(),
+                index,
+                params,
+                at_zero.as_mut_ptr(),
+                at_one.as_mut_ptr(),
+                at_weight.as_mut_ptr(),
+            )
+        })?;
         Ok(WeightPoints { at_zero, at_one, at_weight })
     }
-    /// A weight set so that the point at `params` becomes the target.
+
+    /// A weight set so that the point at `params` `[axes]` becomes the target `[dim]`; and that weight.
     pub fn weight_through(
         &self,
         index: i64,
@@ -104,14 +134,17 @@ impl Spline {
         target: &[f64],
         tolerance: f64,
     ) -> Result<(Spline, f64)> {
-        let (g, at, to) = (self.raw(), self.at(params)?, self.vector(target, "target")?);
+        let params = exactly(params, self.axes()? as usize, "params")?;
+        let target = exactly(target, self.dimension()? as usize, "target")?;
         let mut weight = 0.0;
         let spline = Spline::made(|out| unsafe {
-            sys::nurbs_weight_through(g, index, at, to, tolerance, &mut weight, out)
+            sys::nurbs_weight_through(self.raw(), index, params, target, tolerance, &mut weight, out)
         })?;
         Ok((spline, weight))
     }
-    /// A control point moved so that the point at `params` moves by a distance along a direction.
+
+    /// A control point moved so that the point at `params` `[axes]` moves by a distance along a direction
+    /// `[dim]`; and how far it moved.
     pub fn pull_point(
         &self,
         index: i64,
@@ -119,40 +152,61 @@ impl Spline {
         direction: &[f64],
         distance: f64,
     ) -> Result<(Spline, f64)> {
-        let (g, at, along) = (self.raw(), self.at(params)?, self.vector(direction, "direction")?);
+        let params = exactly(params, self.axes()? as usize, "params")?;
+        let direction = exactly(direction, self.dimension()? as usize, "direction")?;
         let mut moved = 0.0;
         let spline = Spline::made(|out| unsafe {
-            sys::nurbs_pull_point(g, index, at, along, distance, &mut moved, out)
+            sys::nurbs_pull_point(self.raw(), index, params, direction, distance, &mut moved, out)
         })?;
         Ok((spline, moved))
     }
-    /// The control point with the largest |R_i| at each of `params`.
+
+    /// The control point with the largest `|R_i|` at each of `params` `[n][axes]`.
     pub fn most_influential<'a>(&self, params: impl Into<Records<'a>>) -> Result<Vec<Influence>> {
-        let (g, p) = (self.raw(), params.into());
-        let n = p.count(self.axes()? as usize, "params")?;
-        let (mut indices, mut influences) = (vec![0; n], vec![0.0; n]);
-        let (first, stride, component_stride) = (p.pointer(), p.stride(), p.component_stride());
-        let (index, influence) = (indices.as_mut_ptr(), influences.as_mut_ptr());
+        let params = params.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut indices = vec![0; n];
+        let mut influences = vec![0.0; n];
         check(unsafe {
-            sys::nurbs_most_influential(g, n as i64, first, stride, component_stride, index, influence)
+            sys::nurbs_most_influential(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                indices.as_mut_ptr(),
+                influences.as_mut_ptr(),
+            )
         })?;
-        let pairs = indices.into_iter().zip(influences);
-        Ok(pairs.map(|(index, influence)| Influence { index, influence }).collect())
+        Ok((0..n).map(|i| Influence { index: indices[i], influence: influences[i] }).collect())
     }
 
     /// The knot inserted that makes a point of a leg of the control polygon a control point.
     pub fn insert_on_leg(&self, axis: i32, index: i64, ratio: f64) -> Result<LegEdit> {
-        let (g, mut knot) = (self.raw(), 0.0);
-        let spline =
-            Spline::made(|out| unsafe { sys::nurbs_insert_on_leg(g, axis, index, ratio, &mut knot, out) })?;
+        let mut knot = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_insert_on_leg(self.raw(), axis, index, ratio, &mut knot, out)
+        })?;
         Ok(LegEdit { spline, index, ratio, knot })
     }
-    /// The same for the point on the leg that is nearest to the one given.
+
+    /// The same for the point on the leg that is nearest to the one given, `[dim]`.
     pub fn insert_at_point(&self, axis: i32, point: &[f64], tolerance: f64) -> Result<LegEdit> {
-        let (g, at) = (self.raw(), self.vector(point, "point")?);
-        let (mut index, mut ratio, mut knot) = (0, 0.0, 0.0);
+        let point = exactly(point, self.dimension()? as usize, "point")?;
+        let mut index = 0;
+        let mut ratio = 0.0;
+        let mut knot = 0.0;
         let spline = Spline::made(|out| unsafe {
-            sys::nurbs_insert_at_point(g, axis, at, tolerance, &mut index, &mut ratio, &mut knot, out)
+            sys::nurbs_insert_at_point(
+                self.raw(),
+                axis,
+                point,
+                tolerance,
+                &mut index,
+                &mut ratio,
+                &mut knot,
+                out,
+            )
         })?;
         Ok(LegEdit { spline, index, ratio, knot })
     }

@@ -66,6 +66,9 @@ pub(crate) fn text(buffer: Vec<u8>) -> String {
 }
 
 pub(crate) fn check(status: i32) -> Result<()> {
+    if status == sys::NURBS_ERROR_CANCELLED {
+        crate::call::resume();
+    }
     match status {
         sys::NURBS_OK => Ok(()),
         _ => Err(Error { status, message: last_error() }),

@@ -1,31 +1,53 @@
 // SPDX-License-Identifier: MIT
-//! Evaluation, and the operations that make new splines.
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Evaluation.
 
-use crate::arrays::{Records, RecordsMut};
-use crate::error::{check, Error, Result};
-use crate::knots::Basis;
-use crate::spline::{derivative_slots, Spline};
+use crate::arrays::{by_axis, Records, RecordsMut};
+use crate::error::{check, Result};
+use crate::sizes::{product, times};
+use crate::spline::Spline;
 use crate::sys;
 
-/// Evaluation and operations.
-impl Spline {
-    fn width(&self) -> Result<usize> {
-        Ok(self.dimension()? as usize)
-    }
-    fn number_of(&self, params: &Records) -> Result<usize> {
-        params.count(self.axes()? as usize, "params")
-    }
-    fn slots(&self, order: i32) -> Result<usize> {
-        derivative_slots(self.axes()?, order)
-    }
+/// Active basis functions at parameters: where they start, and their values.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Basis {
+    /// The span of each parameter.
+    pub spans: Vec<i64>,
+    /// Of the functions that are active there.
+    pub values: Vec<f64>,
+}
 
+/// Number of partial derivatives of orders 0 to `order`: binomial(order + axes, axes).
+pub fn derivative_slots(axes: i32, order: i32) -> Result<usize> {
+    let mut slots = 0;
+    check(unsafe { sys::nurbs_derivative_slots(axes, order, &mut slots) })?;
+    Ok(slots as usize)
+}
+
+/// Evaluation.
+impl Spline {
     /// Points `[n][dim]` at parameters `[n][axes]`.
     pub fn eval<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Vec<f64>> {
         let params = params.into();
-        let mut points = vec![0.0; self.number_of(&params)? * self.width()?];
-        self.eval_into(params, &mut points, flags)?;
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut points = vec![0.0; n * self.dimension()? as usize];
+        check(unsafe {
+            sys::nurbs_eval(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                points.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
         Ok(points)
     }
+
     /// The same, written to an array of the caller.
     pub fn eval_into<'a, 'b>(
         &self,
@@ -33,19 +55,20 @@ impl Spline {
         points: impl Into<RecordsMut<'b>>,
         flags: u32,
     ) -> Result<()> {
-        let (p, mut o) = (params.into(), points.into());
-        let n = self.number_of(&p)?;
-        o.require(n, self.width()?, "points")?;
+        let params = params.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut points = points.into();
+        points.require(n, self.dimension()? as usize, "points")?;
         check(unsafe {
             sys::nurbs_eval(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                o.pointer(),
-                o.stride(),
-                o.component_stride(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 flags,
             )
         })
@@ -59,10 +82,25 @@ impl Spline {
         flags: u32,
     ) -> Result<Vec<f64>> {
         let params = params.into();
-        let mut derivs = vec![0.0; self.number_of(&params)? * self.slots(order)? * self.width()?];
-        self.eval_derivs_into(order, params, &mut derivs, flags)?;
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut derivs = vec![0.0; n * self.slots(order)? * self.dimension()? as usize];
+        check(unsafe {
+            sys::nurbs_eval_derivs(
+                self.raw(),
+                order,
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                derivs.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
         Ok(derivs)
     }
+
     /// The same, written to an array of the caller.
     pub fn eval_derivs_into<'a, 'b>(
         &self,
@@ -71,42 +109,44 @@ impl Spline {
         derivs: impl Into<RecordsMut<'b>>,
         flags: u32,
     ) -> Result<()> {
-        let (p, mut o) = (params.into(), derivs.into());
-        let n = self.number_of(&p)?;
-        o.require(n, self.slots(order)? * self.width()?, "derivs")?;
+        let params = params.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut derivs = derivs.into();
+        derivs.require(n, self.slots(order)? * self.dimension()? as usize, "derivs")?;
         check(unsafe {
             sys::nurbs_eval_derivs(
                 self.raw(),
                 order,
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                o.pointer(),
-                o.stride(),
-                o.component_stride(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                derivs.pointer(),
+                derivs.stride(),
+                derivs.component_stride(),
                 flags,
             )
         })
     }
 
-    /// The number of grid points, and the counts and parameters of all axes one after the other.
-    fn grid(&self, params: &[&[f64]]) -> Result<(usize, Vec<i64>, Vec<f64>)> {
-        let axes = self.axes()? as usize;
-        if params.len() != axes {
-            return Err(Error::size("params", params.len(), format!("{} vectors", axes)));
-        }
-        let n = params.iter().fold(1usize, |product, p| product.saturating_mul(p.len()));
-        let counts = params.iter().map(|p| p.len() as i64).collect();
-        Ok((n, counts, params.concat()))
-    }
     /// Points on the grid of the given parameters, one vector for each axis.
     pub fn eval_grid(&self, params: &[&[f64]], flags: u32) -> Result<Vec<f64>> {
-        let (n, _, _) = self.grid(params)?;
-        let mut points = vec![0.0; n.saturating_mul(self.width()?)];
-        self.eval_grid_into(params, &mut points, flags)?;
+        let (counts, params) = by_axis(params, self.axes()? as usize, "params")?;
+        let mut points = vec![0.0; times(&[product(&counts), self.dimension()? as usize])];
+        check(unsafe {
+            sys::nurbs_eval_grid(
+                self.raw(),
+                counts.as_ptr(),
+                params.as_ptr(),
+                points.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
         Ok(points)
     }
+
     /// The same, written to an array of the caller.
     pub fn eval_grid_into<'b>(
         &self,
@@ -114,29 +154,42 @@ impl Spline {
         points: impl Into<RecordsMut<'b>>,
         flags: u32,
     ) -> Result<()> {
-        let ((n, counts, params), mut o) = (self.grid(params)?, points.into());
-        o.require(n, self.width()?, "points")?;
-        let (stride, component_stride) = (o.stride(), o.component_stride());
+        let (counts, params) = by_axis(params, self.axes()? as usize, "params")?;
+        let mut points = points.into();
+        points.require(product(&counts), self.dimension()? as usize, "points")?;
         check(unsafe {
             sys::nurbs_eval_grid(
                 self.raw(),
                 counts.as_ptr(),
                 params.as_ptr(),
-                o.pointer(),
-                stride,
-                component_stride,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 flags,
             )
         })
     }
+
     /// Points and partial derivatives on a grid.
     pub fn eval_grid_derivs(&self, order: i32, params: &[&[f64]], flags: u32) -> Result<Vec<f64>> {
-        let (n, _, _) = self.grid(params)?;
-        let width = self.slots(order)? * self.width()?;
-        let mut derivs = vec![0.0; n.saturating_mul(width)];
-        self.eval_grid_derivs_into(order, params, &mut derivs, flags)?;
+        let (counts, params) = by_axis(params, self.axes()? as usize, "params")?;
+        let mut derivs =
+            vec![0.0; times(&[product(&counts), self.slots(order)?, self.dimension()? as usize])];
+        check(unsafe {
+            sys::nurbs_eval_grid_derivs(
+                self.raw(),
+                order,
+                counts.as_ptr(),
+                params.as_ptr(),
+                derivs.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
         Ok(derivs)
     }
+
     /// The same, written to an array of the caller.
     pub fn eval_grid_derivs_into<'b>(
         &self,
@@ -145,30 +198,44 @@ impl Spline {
         derivs: impl Into<RecordsMut<'b>>,
         flags: u32,
     ) -> Result<()> {
-        let ((n, counts, params), mut o) = (self.grid(params)?, derivs.into());
-        o.require(n, self.slots(order)? * self.width()?, "derivs")?;
-        let (stride, component_stride) = (o.stride(), o.component_stride());
+        let (counts, params) = by_axis(params, self.axes()? as usize, "params")?;
+        let mut derivs = derivs.into();
+        derivs.require(product(&counts), self.slots(order)? * self.dimension()? as usize, "derivs")?;
         check(unsafe {
             sys::nurbs_eval_grid_derivs(
                 self.raw(),
                 order,
                 counts.as_ptr(),
                 params.as_ptr(),
-                o.pointer(),
-                stride,
-                component_stride,
+                derivs.pointer(),
+                derivs.stride(),
+                derivs.component_stride(),
                 flags,
             )
         })
     }
 
-    /// Points in single precision: those of `eval()`, rounded once.
+    /// Points in single precision: those of `eval`, rounded once.
     pub fn eval_f32<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Vec<f32>> {
         let params = params.into();
-        let mut points = vec![0.0; self.number_of(&params)? * self.width()?];
-        self.eval_f32_into(params, &mut points, flags)?;
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut points = vec![0.0; n * self.dimension()? as usize];
+        check(unsafe {
+            sys::nurbs_eval_f32(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                points.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
         Ok(points)
     }
+
     /// The same, written to an array of the caller.
     pub fn eval_f32_into<'a, 'b>(
         &self,
@@ -176,30 +243,43 @@ impl Spline {
         points: impl Into<RecordsMut<'b, f32>>,
         flags: u32,
     ) -> Result<()> {
-        let (p, mut o) = (params.into(), points.into());
-        let n = self.number_of(&p)?;
-        o.require(n, self.width()?, "points")?;
+        let params = params.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut points = points.into();
+        points.require(n, self.dimension()? as usize, "points")?;
         check(unsafe {
             sys::nurbs_eval_f32(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                o.pointer(),
-                o.stride(),
-                o.component_stride(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 flags,
             )
         })
     }
-    /// Points on a grid in single precision: those of `eval_grid()`, rounded once.
+
+    /// Points on a grid in single precision: those of `eval_grid`, rounded once.
     pub fn eval_grid_f32(&self, params: &[&[f64]], flags: u32) -> Result<Vec<f32>> {
-        let (n, _, _) = self.grid(params)?;
-        let mut points = vec![0.0; n.saturating_mul(self.width()?)];
-        self.eval_grid_f32_into(params, &mut points, flags)?;
+        let (counts, params) = by_axis(params, self.axes()? as usize, "params")?;
+        let mut points = vec![0.0; times(&[product(&counts), self.dimension()? as usize])];
+        check(unsafe {
+            sys::nurbs_eval_grid_f32(
+                self.raw(),
+                counts.as_ptr(),
+                params.as_ptr(),
+                points.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
         Ok(points)
     }
+
     /// The same, written to an array of the caller.
     pub fn eval_grid_f32_into<'b>(
         &self,
@@ -207,59 +287,36 @@ impl Spline {
         points: impl Into<RecordsMut<'b, f32>>,
         flags: u32,
     ) -> Result<()> {
-        let ((n, counts, params), mut o) = (self.grid(params)?, points.into());
-        o.require(n, self.width()?, "points")?;
-        let (stride, component_stride) = (o.stride(), o.component_stride());
+        let (counts, params) = by_axis(params, self.axes()? as usize, "params")?;
+        let mut points = points.into();
+        points.require(product(&counts), self.dimension()? as usize, "points")?;
         check(unsafe {
             sys::nurbs_eval_grid_f32(
                 self.raw(),
                 counts.as_ptr(),
                 params.as_ptr(),
-                o.pointer(),
-                stride,
-                component_stride,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 flags,
             )
         })
     }
 
-    /// The `hull` of the accuracy contract at each parameter.
-    pub fn hull_size<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Vec<f64>> {
-        let p = params.into();
-        let n = self.number_of(&p)?;
-        let mut sizes = vec![0.0; n];
-        check(unsafe {
-            sys::nurbs_hull_size(
-                self.raw(),
-                n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                sizes.as_mut_ptr(),
-                0,
-                flags,
-            )
-        })?;
-        Ok(sizes)
-    }
-
     /// R_i of the active control points at each parameter; the spans are `[n][axes]`.
     pub fn rational_basis<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Basis> {
-        let p = params.into();
-        let (n, axes) = (self.number_of(&p)?, self.axes()?);
-        let mut active = 1;
-        for axis in 0..axes {
-            active *= self.degree(axis)? as usize + 1;
-        }
-        let mut spans = vec![0; n * axes as usize];
-        let mut values = vec![0.0; n * active];
+        let params = params.into();
+        let axes = self.axes()? as usize;
+        let n = params.count(axes, "params")?;
+        let mut spans = vec![0; n * axes];
+        let mut values = vec![0.0; n * self.active()?];
         check(unsafe {
             sys::nurbs_rational_basis(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
                 spans.as_mut_ptr(),
                 values.as_mut_ptr(),
                 0,
@@ -268,14 +325,5 @@ impl Spline {
             )
         })?;
         Ok(Basis { spans, values })
-    }
-
-    /// The spline of one axis less on which the parameter of `axis` is fixed.
-    pub fn iso(&self, axis: i32, param: f64, flags: u32) -> Result<Spline> {
-        Spline::made(|out| unsafe { sys::nurbs_iso(self.raw(), axis, param, flags, out) })
-    }
-    /// The same shape with a knot inserted.
-    pub fn insert_knot(&self, axis: i32, knot: f64, times: i32) -> Result<Spline> {
-        Spline::made(|out| unsafe { sys::nurbs_insert_knot(self.raw(), axis, knot, times, out) })
     }
 }

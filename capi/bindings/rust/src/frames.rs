@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-//! Frames and curvature of curves and surfaces. The bits of a status are `sys::NURBS_FRAME_LIMIT` and its neighbours.
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Frames and curvature of curves and surfaces.
 
-use std::ptr::null;
-
-use crate::arrays::Records;
-use crate::error::{check, Error, Result};
+use crate::arrays::{by_axis, pointer_mut, Records};
+use crate::error::{check, Result};
+use crate::sizes::{product, times};
 use crate::spline::Spline;
 use crate::sys;
+use std::ptr::null;
 
 /// Vectors `[n][3]`, and the status of each point.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,7 +25,7 @@ pub struct SurfaceFrames {
     pub status: Vec<i32>,
 }
 
-/// `principal` is `[n][2]`, `directions` `[n][2][3]`, the others are `[n]`.
+/// Curvatures of a surface, and the status of each point.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Curvatures {
@@ -76,168 +77,148 @@ pub struct MinimalFrames {
     pub status: Vec<i32>,
 }
 
-impl SurfaceFrames {
-    fn room(n: usize) -> Self {
-        let vectors = vec![0.0; n.saturating_mul(3)];
-        SurfaceFrames {
-            points: vectors.clone(),
-            du: vectors.clone(),
-            dv: vectors.clone(),
-            normals: vectors,
-            status: vec![0; n],
-        }
-    }
-}
-
-// An empty array is one that is not wanted.
-fn pointer(values: &mut Vec<f64>) -> *mut f64 {
-    if values.is_empty() {
-        std::ptr::null_mut()
-    } else {
-        values.as_mut_ptr()
-    }
-}
-
-/// Frames and curvature.
+/// Frames and curvature of curves and surfaces.
 impl Spline {
     /// Points, derivatives and unit normals of a surface at parameters `[n][2]`.
     pub fn surface_frames<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<SurfaceFrames> {
-        let p = params.into();
-        let n = p.count(2, "params")?;
-        let mut f = SurfaceFrames::room(n);
+        let params = params.into();
+        let n = params.count(2, "params")?;
+        let mut points = vec![0.0; 3 * n];
+        let mut du = vec![0.0; 3 * n];
+        let mut dv = vec![0.0; 3 * n];
+        let mut normals = vec![0.0; 3 * n];
+        let mut status = vec![0; n];
         check(unsafe {
             sys::nurbs_surface_eval_frames(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                f.points.as_mut_ptr(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                points.as_mut_ptr(),
                 0,
                 0,
-                f.du.as_mut_ptr(),
+                du.as_mut_ptr(),
                 0,
                 0,
-                f.dv.as_mut_ptr(),
+                dv.as_mut_ptr(),
                 0,
                 0,
-                f.normals.as_mut_ptr(),
+                normals.as_mut_ptr(),
                 0,
                 0,
-                f.status.as_mut_ptr(),
+                status.as_mut_ptr(),
                 flags,
             )
         })?;
-        Ok(f)
+        Ok(SurfaceFrames { points, du, dv, normals, status })
     }
 
     /// The same on the grid of the given parameters, one vector for each axis.
     pub fn surface_grid_frames(&self, params: &[&[f64]], flags: u32) -> Result<SurfaceFrames> {
-        if params.len() != 2 {
-            return Err(Error::size("params", params.len(), "2 vectors".to_string()));
-        }
-        let counts = [params[0].len() as i64, params[1].len() as i64];
-        let mut f = SurfaceFrames::room(params[0].len().saturating_mul(params[1].len()));
+        let (counts, params) = by_axis(params, 2, "params")?;
+        let n = product(&counts);
+        let mut points = vec![0.0; times(&[3, n])];
+        let mut du = vec![0.0; times(&[3, n])];
+        let mut dv = vec![0.0; times(&[3, n])];
+        let mut normals = vec![0.0; times(&[3, n])];
+        let mut status = vec![0; n];
         check(unsafe {
             sys::nurbs_surface_eval_grid_frames(
                 self.raw(),
                 counts.as_ptr(),
-                params.concat().as_ptr(),
-                f.points.as_mut_ptr(),
+                params.as_ptr(),
+                points.as_mut_ptr(),
                 0,
                 0,
-                f.du.as_mut_ptr(),
+                du.as_mut_ptr(),
                 0,
                 0,
-                f.dv.as_mut_ptr(),
+                dv.as_mut_ptr(),
                 0,
                 0,
-                f.normals.as_mut_ptr(),
+                normals.as_mut_ptr(),
                 0,
                 0,
-                f.status.as_mut_ptr(),
+                status.as_mut_ptr(),
                 flags,
             )
         })?;
-        Ok(f)
+        Ok(SurfaceFrames { points, du, dv, normals, status })
     }
 
     /// Principal curvatures and directions, mean and Gaussian curvature of a surface at parameters `[n][2]`.
     pub fn surface_curvatures<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Curvatures> {
-        let p = params.into();
-        let n = p.count(2, "params")?;
-        let mut c = Curvatures {
-            principal: vec![0.0; 2 * n],
-            directions: vec![0.0; 6 * n],
-            mean: vec![0.0; n],
-            gaussian: vec![0.0; n],
-            status: vec![0; n],
-        };
+        let params = params.into();
+        let n = params.count(2, "params")?;
+        let mut principal = vec![0.0; 2 * n];
+        let mut directions = vec![0.0; 6 * n];
+        let mut mean = vec![0.0; n];
+        let mut gaussian = vec![0.0; n];
+        let mut status = vec![0; n];
         check(unsafe {
             sys::nurbs_surface_eval_curvatures(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                c.principal.as_mut_ptr(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                principal.as_mut_ptr(),
                 0,
                 0,
-                c.directions.as_mut_ptr(),
+                directions.as_mut_ptr(),
                 0,
                 0,
-                c.mean.as_mut_ptr(),
+                mean.as_mut_ptr(),
                 0,
-                c.gaussian.as_mut_ptr(),
+                gaussian.as_mut_ptr(),
                 0,
-                c.status.as_mut_ptr(),
+                status.as_mut_ptr(),
                 flags,
             )
         })?;
-        Ok(c)
+        Ok(Curvatures { principal, directions, mean, gaussian, status })
     }
 
     /// Frenet frames, curvatures and torsions of a curve at parameters `[n]`.
     pub fn curve_frames<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<CurveFrames> {
-        let p = params.into();
-        let (n, dim) = (p.count(1, "params")?, self.dimension()? as usize);
-        let (vectors, space) = (vec![0.0; n * dim], if dim == 3 { n } else { 0 });
-        let mut f = CurveFrames {
-            points: vectors.clone(),
-            tangents: vectors.clone(),
-            normals: vectors,
-            binormals: vec![0.0; 3 * space],
-            curvatures: vec![0.0; n],
-            torsions: vec![0.0; space],
-            status: vec![0; n],
-        };
+        let params = params.into();
+        let n = params.count(1, "params")?;
+        let dim = self.dimension()? as usize;
+        let mut points = vec![0.0; n * dim];
+        let mut tangents = vec![0.0; n * dim];
+        let mut normals = vec![0.0; n * dim];
+        let mut binormals = vec![0.0; if dim == 3 { 3 * n } else { 0 }];
+        let mut curvatures = vec![0.0; n];
+        let mut torsions = vec![0.0; if dim == 3 { n } else { 0 }];
+        let mut status = vec![0; n];
         check(unsafe {
             sys::nurbs_curve_eval_frames(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.step(),
-                f.points.as_mut_ptr(),
+                params.pointer(),
+                params.step(),
+                points.as_mut_ptr(),
                 0,
                 0,
-                f.tangents.as_mut_ptr(),
+                tangents.as_mut_ptr(),
                 0,
                 0,
-                f.normals.as_mut_ptr(),
+                normals.as_mut_ptr(),
                 0,
                 0,
-                pointer(&mut f.binormals),
+                pointer_mut(&mut binormals),
                 0,
                 0,
-                f.curvatures.as_mut_ptr(),
+                curvatures.as_mut_ptr(),
                 0,
-                pointer(&mut f.torsions),
+                pointer_mut(&mut torsions),
                 0,
-                f.status.as_mut_ptr(),
+                status.as_mut_ptr(),
                 flags,
             )
         })?;
-        Ok(f)
+        Ok(CurveFrames { points, tangents, normals, binormals, curvatures, torsions, status })
     }
 
     /// Frames along a sequence of parameters `[n]` that turn as little as possible.
@@ -247,39 +228,36 @@ impl Spline {
         first_normal: Option<&[f64; 3]>,
         flags: u32,
     ) -> Result<MinimalFrames> {
-        let p = params.into();
-        let n = p.count(1, "params")?;
-        let vectors = vec![0.0; n.saturating_mul(3)];
-        let mut f = MinimalFrames {
-            points: vectors.clone(),
-            tangents: vectors.clone(),
-            normals: vectors.clone(),
-            binormals: vectors,
-            status: vec![0; n],
-        };
+        let params = params.into();
+        let n = params.count(1, "params")?;
+        let mut points = vec![0.0; 3 * n];
+        let mut tangents = vec![0.0; 3 * n];
+        let mut normals = vec![0.0; 3 * n];
+        let mut binormals = vec![0.0; 3 * n];
+        let mut status = vec![0; n];
         check(unsafe {
             sys::nurbs_curve_rotation_minimizing_frames(
                 self.raw(),
                 n as i64,
-                p.pointer(),
-                p.step(),
-                first_normal.map_or(null(), |normal| normal.as_ptr()),
-                f.points.as_mut_ptr(),
+                params.pointer(),
+                params.step(),
+                first_normal.map_or(null(), |values| values.as_ptr()),
+                points.as_mut_ptr(),
                 0,
                 0,
-                f.tangents.as_mut_ptr(),
+                tangents.as_mut_ptr(),
                 0,
                 0,
-                f.normals.as_mut_ptr(),
+                normals.as_mut_ptr(),
                 0,
                 0,
-                f.binormals.as_mut_ptr(),
+                binormals.as_mut_ptr(),
                 0,
                 0,
-                f.status.as_mut_ptr(),
+                status.as_mut_ptr(),
                 flags,
             )
         })?;
-        Ok(f)
+        Ok(MinimalFrames { points, tangents, normals, binormals, status })
     }
 }

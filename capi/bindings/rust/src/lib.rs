@@ -20,8 +20,20 @@
 
 #![deny(missing_docs, missing_debug_implementations)]
 
-mod analysis;
+// By hand.
 mod arrays;
+mod call;
+mod error;
+mod list;
+mod moments;
+mod placement;
+mod sizes;
+mod spline;
+#[allow(missing_docs, missing_debug_implementations)] // nurbs.h is the manual of these
+pub mod sys;
+
+// Generated from the header and the table of the bindings.
+mod analysis;
 mod bounds;
 mod calculus;
 mod closest;
@@ -30,63 +42,55 @@ mod constrain;
 mod continuation;
 mod continuity;
 mod coons;
+mod create;
 mod curves;
 mod deform;
 mod edit;
-mod error;
 mod eval;
+mod files;
 mod forms;
 mod frames;
 mod inspect;
 mod knots;
 mod linear;
-mod list;
 mod measure;
 mod parts;
-mod placement;
 mod projections;
 mod recognize;
 mod reduce;
+mod refine;
 mod segments;
 mod shapes;
-mod spline;
-#[allow(missing_docs, missing_debug_implementations)] // nurbs.h is the manual of these
-pub mod sys;
 
-pub use analysis::{
-    BoundaryContacts, Feature, Features, Fold, MonotonePieces, Planarity, SingularPoints, Straightness,
-};
 pub use arrays::{Records, RecordsMut};
-pub use bounds::{BoundingBox, DirectionCone, ExtremePoint, OrientedBox};
-pub use closest::{
-    ClosestAll, ClosestPoints, ClosestPointsMut, CriticalPoints, Distance, HausdorffDistance, Search,
-    SignedDistances,
-};
-pub use compatible::make_compatible;
-pub use constrain::{ConstrainOptions, Constrained, Constraints};
-pub use continuation::PeriodicForm;
-pub use continuity::{continuity_between, Continuity, ContinuityTolerances, KnotContinuity};
-pub use coons::{coons_gaps, CoonsGaps, HermiteBoundaries};
-pub use curves::{conic_axes, ConicAxes, HelixShape};
-pub use deform::{Bend, Deformed, Faired};
-pub use edit::{weight_cross_ratio, Influence, LegEdit, WeightPoints};
+pub use call::Call;
 pub use error::{last_error, status_name, version, Error, Result};
-pub use frames::{Curvatures, CurveFrames, MinimalFrames, SurfaceFrames};
-pub use knots::{
-    basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_bezier_breaks, knots_open_uniform,
-    knots_periodic, knots_uniform, Basis,
-};
-pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
-pub use list::{List, Note, ReadOptions};
-pub use measure::{
-    enclosed_area, enclosed_volume, Division, EnclosedArea, EnclosedVolume, Measured, Moments,
-};
-pub use parts::{join, Joined};
+pub use list::{List, ReadOptions};
 pub use placement::{Placement, Turn};
-pub use recognize::Recognized;
-pub use reduce::{KnotRemoval, Reduced};
-pub use segments::{basis_matrix, Hermite, PowerForm};
-pub use spline::{derivative_slots, DistinctKnots, Spline};
+pub use spline::Spline;
+
+pub use analysis::*;
+pub use bounds::*;
+pub use closest::*;
+pub use compatible::*;
+pub use constrain::*;
+pub use continuation::*;
+pub use continuity::*;
+pub use coons::*;
+pub use curves::*;
+pub use deform::*;
+pub use edit::*;
+pub use eval::*;
+pub use files::*;
+pub use frames::*;
+pub use inspect::*;
+pub use knots::*;
+pub use linear::*;
+pub use measure::*;
+pub use parts::*;
+pub use recognize::*;
+pub use reduce::*;
+pub use segments::*;
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.
 pub const fn on_axis(axis: u32, flags: u32) -> u32 {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
 
-use crate::arrays::{layout, Records, RecordsMut};
-use crate::error::{check, value, Error, Result};
-use crate::spline::{derivative_slots, Spline};
+use crate::arrays::{if_given, knots_by_axis, layout, Records, RecordsMut};
+use crate::error::{check, Result};
+use crate::sizes::axes_of;
+use crate::spline::Spline;
 use crate::sys;
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 
 /// Compressed sparse rows.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct SparseMatrix {
     /// Row by row.
@@ -19,8 +21,9 @@ pub struct SparseMatrix {
     pub row_pointers: Vec<i64>,
 }
 
-/// Operators `[spans][degree + 1][degree + 1]`, the first control point and the domain of each span.
-#[derive(Clone, Debug, PartialEq)]
+/// Operators `[spans][degree + 1][degree + 1]`, the first control point and the domain `[spans][2]` of each
+/// span.
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Extraction {
     /// `[spans][degree + 1][degree + 1]`
@@ -31,52 +34,31 @@ pub struct Extraction {
     pub domains: Vec<[f64; 2]>,
 }
 
-/// Outputs of [`Spline::eval_adjoint_into`]; those that are `None` are not computed.
-#[derive(Default, Debug)]
-pub struct GradientsMut<'a> {
-    /// With respect to the control points, `[n][dim]`.
-    pub points: Option<RecordsMut<'a>>,
-    /// With respect to the weights, `[n]`.
-    pub weights: Option<RecordsMut<'a>>,
-    /// With respect to the parameters, `[n][axes]`.
-    pub params: Option<RecordsMut<'a>>,
-}
-
 /// Gradients `[N][dim]`, `[N]` and `[n][axes]`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Gradients {
-    /// With respect to the control points, `[n][dim]`.
+    /// With respect to the control points, `[N][dim]`.
     pub points: Vec<f64>,
-    /// With respect to the weights, `[n]`.
+    /// With respect to the weights, `[N]`.
     pub weights: Vec<f64>,
     /// With respect to the parameters, `[n][axes]`.
     pub params: Vec<f64>,
 }
 
-/// fill(cap, values, columns, row_pointers, entries), asked for the size first.
-pub(crate) fn sparse(
-    n: usize,
-    fill: impl Fn(i64, *mut f64, *mut i64, *mut i64, *mut i64) -> i32,
-) -> Result<SparseMatrix> {
-    let entries = value(|v: *mut i64| fill(0, null_mut(), null_mut(), null_mut(), v))?;
-    let (mut values, mut columns) = (vec![0.0; entries as usize], vec![0; entries as usize]);
-    let mut row_pointers = vec![0; n + 1];
-    let rows = row_pointers.as_mut_ptr();
-    check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), rows, null_mut()))?;
-    Ok(SparseMatrix { values, columns, row_pointers })
+/// Where they are written; those that are `None` are not wanted.
+#[derive(Debug, Default)]
+pub struct GradientsMut<'a> {
+    /// With respect to the control points, `[N][dim]`.
+    pub points: Option<RecordsMut<'a>>,
+    /// With respect to the weights, `[N]`.
+    pub weights: Option<RecordsMut<'a>>,
+    /// With respect to the parameters, `[n][axes]`.
+    pub params: Option<RecordsMut<'a>>,
 }
 
-fn checked_orders(orders: &[i32], axes: usize) -> Result<*const i32> {
-    match orders.len() {
-        0 => Ok(null()),
-        n if n == axes => Ok(orders.as_ptr()),
-        n => Err(Error::size("orders", n, axes.to_string())),
-    }
-}
-
-/// The matrix of B-spline basis functions, or of their derivative `orders` (empty: 0); `knots` one vector for
-/// each axis.
+/// The matrix of B-spline basis functions, or of their derivative `orders` (empty: 0); `knots` has one vector
+/// for each axis.
 pub fn collocation<'a>(
     degrees: &[i32],
     knots: &[&[f64]],
@@ -84,37 +66,42 @@ pub fn collocation<'a>(
     params: impl Into<Records<'a>>,
     flags: u32,
 ) -> Result<SparseMatrix> {
+    let params = params.into();
     let axes = degrees.len();
-    if knots.len() != axes {
-        return Err(Error::size("knots", knots.len(), format!("{} vectors", axes)));
-    }
-    let counts: Vec<i64> =
-        knots.iter().zip(degrees).map(|(k, &p)| k.len() as i64 - i64::from(p) - 1).collect();
-    let (all, p) = (knots.concat(), params.into());
-    let (n, of) = (p.count(axes, "params")?, checked_orders(orders, axes)?);
-    sparse(n, |cap, values, columns, rows, entries| unsafe {
+    let n = params.count(axes, "params")?;
+    let (counts, knots) = knots_by_axis(knots, degrees, "knots")?;
+    let orders = if_given(orders, axes, "orders")?;
+    let mut row_pointers = vec![0; n + 1];
+    let mut fill = |cap, values, columns, entries| unsafe {
         sys::nurbs_collocation(
-            axes.min(4) as i32,
+            axes_of(degrees),
             degrees.as_ptr(),
             counts.as_ptr(),
-            all.as_ptr(),
-            all.len() as i64,
-            of,
+            knots.as_ptr(),
+            knots.len() as i64,
+            orders,
             n as i64,
-            p.pointer(),
-            p.stride(),
-            p.component_stride(),
+            params.pointer(),
+            params.stride(),
+            params.component_stride(),
             cap,
             values,
             columns,
-            rows,
+            row_pointers.as_mut_ptr(),
             entries,
             flags,
         )
-    })
+    };
+    let mut entries = 0;
+    check(fill(0, null_mut(), null_mut(), &mut entries))?;
+    let size = entries as usize;
+    let mut values = vec![0.0; size];
+    let mut columns = vec![0; size];
+    check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), &mut entries))?;
+    Ok(SparseMatrix { values, columns, row_pointers })
 }
 
-/// Derivatives with respect to data.
+/// Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
 impl Spline {
     /// The matrix of the rational basis functions, or of their derivative `orders` (empty: 0).
     pub fn rational_collocation<'a>(
@@ -123,38 +110,81 @@ impl Spline {
         params: impl Into<Records<'a>>,
         flags: u32,
     ) -> Result<SparseMatrix> {
-        let (p, axes) = (params.into(), self.axes()? as usize);
-        let (n, of) = (p.count(axes, "params")?, checked_orders(orders, axes)?);
-        sparse(n, |cap, values, columns, rows, entries| unsafe {
+        let params = params.into();
+        let axes = self.axes()? as usize;
+        let n = params.count(axes, "params")?;
+        let orders = if_given(orders, axes, "orders")?;
+        let mut row_pointers = vec![0; n + 1];
+        let mut fill = |cap, values, columns, entries| unsafe {
             sys::nurbs_rational_collocation(
                 self.raw(),
-                of,
+                orders,
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
                 cap,
                 values,
                 columns,
-                rows,
+                row_pointers.as_mut_ptr(),
                 entries,
                 flags,
             )
-        })
+        };
+        let mut entries = 0;
+        check(fill(0, null_mut(), null_mut(), &mut entries))?;
+        let size = entries as usize;
+        let mut values = vec![0.0; size];
+        let mut columns = vec![0; size];
+        check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), &mut entries))?;
+        Ok(SparseMatrix { values, columns, row_pointers })
+    }
+
+    /// The matrix that `Spline::refine` applies along the axis.
+    pub fn refinement_matrix(&self, axis: i32, knots: &[f64]) -> Result<SparseMatrix> {
+        let count = knots.len();
+        let mut row_pointers = vec![0; self.count(axis)? + count + 1];
+        let mut fill = |cap, values, columns, entries| unsafe {
+            sys::nurbs_refinement_matrix(
+                self.raw(),
+                axis,
+                count as i64,
+                knots.as_ptr(),
+                cap,
+                values,
+                columns,
+                row_pointers.as_mut_ptr(),
+                entries,
+            )
+        };
+        let mut entries = 0;
+        check(fill(0, null_mut(), null_mut(), &mut entries))?;
+        let n = entries as usize;
+        let mut values = vec![0.0; n];
+        let mut columns = vec![0; n];
+        check(fill(entries, values.as_mut_ptr(), columns.as_mut_ptr(), &mut entries))?;
+        Ok(SparseMatrix { values, columns, row_pointers })
     }
 
     /// The operators that take Bernstein polynomials to the basis functions of each span.
     pub fn bezier_extraction(&self, axis: i32) -> Result<Extraction> {
-        let g = self.raw();
-        let (no, none) = (null_mut(), null_mut());
-        let spans =
-            value(|v: *mut i64| unsafe { sys::nurbs_bezier_extraction(g, axis, 0, no, none, no, v) })?;
-        let width = self.degree(axis)? as usize + 1;
-        let mut operators = vec![0.0; spans as usize * width * width];
-        let mut firsts = vec![0; spans as usize];
-        let mut domains = vec![[0.0; 2]; spans as usize];
-        let (o, f, d) = (operators.as_mut_ptr(), firsts.as_mut_ptr(), domains.as_mut_ptr().cast());
-        value(|v: *mut i64| unsafe { sys::nurbs_bezier_extraction(g, axis, spans, o, f, d, v) })?;
+        let fill = |cap, operators, firsts, domains, count| unsafe {
+            sys::nurbs_bezier_extraction(self.raw(), axis, cap, operators, firsts, domains, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let degrees = self.degree(axis)? as usize;
+        let mut operators = vec![0.0; n * (degrees + 1) * (degrees + 1)];
+        let mut firsts = vec![0; n];
+        let mut domains = vec![[0.0; 2]; n];
+        check(fill(
+            count,
+            operators.as_mut_ptr(),
+            firsts.as_mut_ptr(),
+            domains.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
         Ok(Extraction { operators, firsts, domains })
     }
 
@@ -166,18 +196,41 @@ impl Spline {
         cotangents: impl Into<Records<'b>>,
         flags: u32,
     ) -> Result<Gradients> {
-        let (p, axes, count) = (params.into(), self.axes()? as usize, self.point_count()?);
-        let mut points = vec![0.0; count * self.dimension()? as usize];
+        let params = params.into();
+        let cotangents = cotangents.into();
+        let axes = self.axes()? as usize;
+        let n = params.count(axes, "params")?;
+        let dim = self.dimension()? as usize;
+        cotangents.require(n, self.slots(order)? * dim, "cotangents")?;
+        let count = self.point_count()?;
+        let mut points = vec![0.0; count * dim];
         let mut weights = vec![0.0; count];
-        let mut to_params = vec![0.0; p.count(axes, "params")? * axes];
-        let out = GradientsMut {
-            points: Some((&mut points).into()),
-            weights: Some((&mut weights).into()),
-            params: Some((&mut to_params).into()),
-        };
-        self.eval_adjoint_into(order, p, cotangents, out, flags)?;
-        Ok(Gradients { points, weights, params: to_params })
+        let mut grad_params = vec![0.0; n * axes];
+        check(unsafe {
+            sys::nurbs_eval_adjoint(
+                self.raw(),
+                order,
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                cotangents.pointer(),
+                cotangents.stride(),
+                cotangents.component_stride(),
+                points.as_mut_ptr(),
+                0,
+                0,
+                weights.as_mut_ptr(),
+                0,
+                grad_params.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
+        Ok(Gradients { points, weights, params: grad_params })
     }
+
     /// The same, written to arrays of the caller.
     pub fn eval_adjoint_into<'a, 'b>(
         &self,
@@ -187,32 +240,35 @@ impl Spline {
         mut out: GradientsMut,
         flags: u32,
     ) -> Result<()> {
-        let (p, g) = (params.into(), cotangents.into());
-        let (axes, dim, count) = (self.axes()?, self.dimension()? as usize, self.point_count()?);
-        let n = p.count(axes as usize, "params")?;
-        g.require(n, derivative_slots(axes, order)? * dim, "cotangents")?;
-        let points = layout(&mut out.points, count, dim, "grad_points")?;
-        let weights = layout(&mut out.weights, count, 1, "grad_weights")?;
-        let to_params = layout(&mut out.params, n, axes as usize, "grad_params")?;
+        let params = params.into();
+        let cotangents = cotangents.into();
+        let axes = self.axes()? as usize;
+        let n = params.count(axes, "params")?;
+        let dim = self.dimension()? as usize;
+        cotangents.require(n, self.slots(order)? * dim, "cotangents")?;
+        let count = self.point_count()?;
+        let grad_points = layout(&mut out.points, count, dim, "grad_points")?;
+        let grad_weights = layout(&mut out.weights, count, 1, "grad_weights")?;
+        let grad_params = layout(&mut out.params, n, axes, "grad_params")?;
         check(unsafe {
             sys::nurbs_eval_adjoint(
                 self.raw(),
                 order,
                 n as i64,
-                p.pointer(),
-                p.stride(),
-                p.component_stride(),
-                g.pointer(),
-                g.stride(),
-                g.component_stride(),
-                points.0,
-                points.1,
-                points.2,
-                weights.0,
-                weights.1,
-                to_params.0,
-                to_params.1,
-                to_params.2,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                cotangents.pointer(),
+                cotangents.stride(),
+                cotangents.component_stride(),
+                grad_points.0,
+                grad_points.1,
+                grad_points.2,
+                grad_weights.0,
+                grad_weights.1,
+                grad_params.0,
+                grad_params.1,
+                grad_params.2,
                 flags,
             )
         })

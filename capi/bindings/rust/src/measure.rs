@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Lengths, areas and moments.
 
-use crate::arrays::Records;
+use crate::arrays::{flat, if_given, Records};
+use crate::call::Call;
 use crate::error::{check, Result};
-use crate::spline::Spline;
+use crate::moments::moments_of;
+use crate::sizes::positive;
+use crate::spline::{handles, Spline};
 use crate::sys;
 
 /// An integral, and an estimate of its error.
@@ -26,9 +30,9 @@ pub struct Division {
     pub size: f64,
 }
 
-/// Length, area or volume, centroid `[dim]`, inertia `[dim][dim]` about it, and an estimate of the error of `content`.
-/// Where the content is 0 there is no centroid: it and the inertia are NaN, as is what overflows; the same holds for what
-/// curves and surfaces enclose.
+/// Length, area or volume, centroid `[dim]`, inertia `[dim][dim]` about it, and an estimate of the error of
+/// content. Where the content is 0 there is no centroid: it and the inertia are NaN, as is what overflows;
+/// the same holds for what curves and surfaces enclose.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Moments {
@@ -38,7 +42,7 @@ pub struct Moments {
     pub centroid: Vec<f64>,
     /// About the centroid, `[dim][dim]`.
     pub inertia: Vec<f64>,
-    /// An estimate of the error of `content`.
+    /// An estimate of the error of the content.
     pub error: f64,
 }
 
@@ -52,11 +56,11 @@ pub struct EnclosedArea {
     pub centroid: [f64; 2],
     /// About the centroid.
     pub inertia: [[f64; 2]; 2],
-    /// An estimate of the error of `area`.
+    /// An estimate of the error of the area.
     pub error: f64,
 }
 
-/// What surfaces enclose; `openness` is the length of the vector area, 0 of a closed shell.
+/// What surfaces enclose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct EnclosedVolume {
@@ -68,99 +72,186 @@ pub struct EnclosedVolume {
     pub inertia: [[f64; 3]; 3],
     /// The length of the vector area: 0 of a closed shell.
     pub openness: f64,
-    /// An estimate of the error of `volume`.
+    /// An estimate of the error of the volume.
     pub error: f64,
-}
-
-/// Calls `f(centroid, inertia)`, which refuses what it cannot give if that is asked for: then it is asked for less, and
-/// the rest is NaN. A content of 0 has no centroid, and inertia overflows first.
-fn moments_of(
-    centroid: &mut [f64],
-    inertia: &mut [f64],
-    mut f: impl FnMut(*mut f64, *mut f64) -> i32,
-) -> Result<()> {
-    let none = std::ptr::null_mut();
-    let mut status = f(centroid.as_mut_ptr(), inertia.as_mut_ptr());
-    if status == sys::NURBS_ERROR_NOT_REPRESENTABLE {
-        inertia.fill(f64::NAN);
-        status = f(centroid.as_mut_ptr(), none);
-    }
-    if status == sys::NURBS_ERROR_LENGTH || status == sys::NURBS_ERROR_NOT_REPRESENTABLE {
-        centroid.fill(f64::NAN);
-        inertia.fill(f64::NAN);
-        status = f(none, none);
-    }
-    check(status)
-}
-
-fn handles(splines: &[&Spline]) -> Vec<*const sys::nurbs> {
-    splines.iter().map(|spline| spline.raw()).collect()
 }
 
 /// The area of the region that closed chains of curves enclose; counterclockwise counts positive.
 pub fn enclosed_area(curves: &[&Spline], tolerance: f64, relative_tolerance: f64) -> Result<EnclosedArea> {
-    let (curves, mut found, mut inertia) = (handles(curves), EnclosedArea::default(), [0.0; 4]);
-    let (area, error) = (&mut found.area, &mut found.error);
-    moments_of(&mut found.centroid, &mut inertia, |centroid, inertia| unsafe {
+    let curves = handles(curves);
+    let mut area = 0.0;
+    let mut centroid = [0.0; 2];
+    let mut inertia = [[0.0; 2]; 2];
+    let mut error = 0.0;
+    moments_of(&mut centroid, flat(&mut inertia), |centroid, inertia| unsafe {
         sys::nurbs_enclosed_area(
             curves.len() as i64,
             curves.as_ptr(),
             tolerance,
             relative_tolerance,
-            area,
+            &mut area,
             centroid,
             inertia,
-            error,
+            &mut error,
         )
     })?;
-    for (i, value) in inertia.iter().enumerate() {
-        found.inertia[i / 2][i % 2] = *value;
-    }
-    Ok(found)
+    Ok(EnclosedArea { area, centroid, inertia, error })
+}
+
+/// The same as `enclosed_area`; it can be watched and stopped.
+pub fn enclosed_area_with(
+    curves: &[&Spline],
+    tolerance: f64,
+    relative_tolerance: f64,
+    call: &mut Call,
+) -> Result<EnclosedArea> {
+    let curves = handles(curves);
+    let mut area = 0.0;
+    let mut centroid = [0.0; 2];
+    let mut inertia = [[0.0; 2]; 2];
+    let mut error = 0.0;
+    moments_of(&mut centroid, flat(&mut inertia), |centroid, inertia| unsafe {
+        sys::nurbs_enclosed_area_with(
+            curves.len() as i64,
+            curves.as_ptr(),
+            tolerance,
+            relative_tolerance,
+            &mut area,
+            centroid,
+            inertia,
+            &mut error,
+            call.options(),
+        )
+    })?;
+    Ok(EnclosedArea { area, centroid, inertia, error })
 }
 
 /// The volume of the body that surfaces enclose whose normals point outwards.
 pub fn enclosed_volume(surfaces: &[&Spline], relative_tolerance: f64) -> Result<EnclosedVolume> {
-    let (surfaces, mut found, mut inertia) = (handles(surfaces), EnclosedVolume::default(), [0.0; 9]);
-    let (volume, openness, error) = (&mut found.volume, &mut found.openness, &mut found.error);
-    moments_of(&mut found.centroid, &mut inertia, |centroid, inertia| unsafe {
+    let surfaces = handles(surfaces);
+    let mut volume = 0.0;
+    let mut centroid = [0.0; 3];
+    let mut inertia = [[0.0; 3]; 3];
+    let mut openness = 0.0;
+    let mut error = 0.0;
+    moments_of(&mut centroid, flat(&mut inertia), |centroid, inertia| unsafe {
         sys::nurbs_enclosed_volume(
             surfaces.len() as i64,
             surfaces.as_ptr(),
             relative_tolerance,
-            volume,
+            &mut volume,
             centroid,
             inertia,
-            openness,
-            error,
+            &mut openness,
+            &mut error,
         )
     })?;
-    for (i, value) in inertia.iter().enumerate() {
-        found.inertia[i / 3][i % 3] = *value;
-    }
-    Ok(found)
+    Ok(EnclosedVolume { volume, centroid, inertia, openness, error })
 }
 
-/// Measures. A range is a part `[axes][2]` of the domain, empty for all of it.
+/// The same as `enclosed_volume`; it can be watched and stopped.
+pub fn enclosed_volume_with(
+    surfaces: &[&Spline],
+    relative_tolerance: f64,
+    call: &mut Call,
+) -> Result<EnclosedVolume> {
+    let surfaces = handles(surfaces);
+    let mut volume = 0.0;
+    let mut centroid = [0.0; 3];
+    let mut inertia = [[0.0; 3]; 3];
+    let mut openness = 0.0;
+    let mut error = 0.0;
+    moments_of(&mut centroid, flat(&mut inertia), |centroid, inertia| unsafe {
+        sys::nurbs_enclosed_volume_with(
+            surfaces.len() as i64,
+            surfaces.as_ptr(),
+            relative_tolerance,
+            &mut volume,
+            centroid,
+            inertia,
+            &mut openness,
+            &mut error,
+            call.options(),
+        )
+    })?;
+    Ok(EnclosedVolume { volume, centroid, inertia, openness, error })
+}
+
+/// Lengths, areas and moments.
 impl Spline {
-    /// Length of a curve.
+    /// Length of a curve over a range `[2]` of its domain, or all of it.
     pub fn length(&self, relative_tolerance: f64, range: &[f64]) -> Result<Measured> {
-        let (part, mut found) = (self.range(range)?, Measured::default());
-        let (value, error) = (&mut found.value, &mut found.error);
-        check(unsafe { sys::nurbs_curve_length(self.raw(), part, relative_tolerance, value, error) })?;
-        Ok(found)
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_curve_length(self.raw(), range, relative_tolerance, &mut value, &mut error)
+        })?;
+        Ok(Measured { value, error })
     }
+
+    /// The same as `length`; it can be watched and stopped.
+    pub fn length_with(&self, relative_tolerance: f64, range: &[f64], call: &mut Call) -> Result<Measured> {
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_curve_length_with(
+                self.raw(),
+                range,
+                relative_tolerance,
+                &mut value,
+                &mut error,
+                call.options(),
+            )
+        })?;
+        Ok(Measured { value, error })
+    }
+
     /// Lengths from the start of the domain to parameters.
     pub fn lengths<'a>(&self, params: impl Into<Records<'a>>, relative_tolerance: f64) -> Result<Vec<f64>> {
-        let p = params.into();
-        let n = p.count(1, "params")?;
-        let mut found = vec![0.0; n];
-        let (first, stride, out) = (p.pointer(), p.step(), found.as_mut_ptr());
+        let params = params.into();
+        let n = params.count(1, "params")?;
+        let mut lengths = vec![0.0; n];
         check(unsafe {
-            sys::nurbs_curve_lengths(self.raw(), n as i64, first, stride, relative_tolerance, out, 0)
+            sys::nurbs_curve_lengths(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.step(),
+                relative_tolerance,
+                lengths.as_mut_ptr(),
+                0,
+            )
         })?;
-        Ok(found)
+        Ok(lengths)
     }
+
+    /// The same as `lengths`; it can be watched and stopped.
+    pub fn lengths_with<'a>(
+        &self,
+        params: impl Into<Records<'a>>,
+        relative_tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Vec<f64>> {
+        let params = params.into();
+        let n = params.count(1, "params")?;
+        let mut lengths = vec![0.0; n];
+        check(unsafe {
+            sys::nurbs_curve_lengths_with(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.step(),
+                relative_tolerance,
+                lengths.as_mut_ptr(),
+                0,
+                call.options(),
+            )
+        })?;
+        Ok(lengths)
+    }
+
     /// Parameters at lengths from the start of the domain; flags: 0 or `NURBS_CLAMP`.
     pub fn params_at_lengths<'a>(
         &self,
@@ -168,39 +259,157 @@ impl Spline {
         relative_tolerance: f64,
         flags: u32,
     ) -> Result<Vec<f64>> {
-        let l = lengths.into();
-        let n = l.count(1, "lengths")?;
-        let mut found = vec![0.0; n];
-        let (g, first, stride, out) = (self.raw(), l.pointer(), l.step(), found.as_mut_ptr());
+        let lengths = lengths.into();
+        let n = lengths.count(1, "lengths")?;
+        let mut params = vec![0.0; n];
         check(unsafe {
-            sys::nurbs_curve_params_at_lengths(g, n as i64, first, stride, relative_tolerance, out, 0, flags)
+            sys::nurbs_curve_params_at_lengths(
+                self.raw(),
+                n as i64,
+                lengths.pointer(),
+                lengths.step(),
+                relative_tolerance,
+                params.as_mut_ptr(),
+                0,
+                flags,
+            )
         })?;
-        Ok(found)
+        Ok(params)
     }
+
+    /// The same as `params_at_lengths`; it can be watched and stopped.
+    pub fn params_at_lengths_with<'a>(
+        &self,
+        lengths: impl Into<Records<'a>>,
+        relative_tolerance: f64,
+        flags: u32,
+        call: &mut Call,
+    ) -> Result<Vec<f64>> {
+        let lengths = lengths.into();
+        let n = lengths.count(1, "lengths")?;
+        let mut params = vec![0.0; n];
+        check(unsafe {
+            sys::nurbs_curve_params_at_lengths_with(
+                self.raw(),
+                n as i64,
+                lengths.pointer(),
+                lengths.step(),
+                relative_tolerance,
+                params.as_mut_ptr(),
+                0,
+                flags,
+                call.options(),
+            )
+        })?;
+        Ok(params)
+    }
+
     /// A curve in parts of equal length, or with `NURBS_EQUAL_CHORDS` with points at equal distances.
     pub fn divide(&self, parts: i64, relative_tolerance: f64, flags: u32, range: &[f64]) -> Result<Division> {
-        let (g, part, mut size) = (self.raw(), self.range(range)?, 0.0);
-        let mut params = vec![0.0; parts.max(0) as usize + 1];
-        let out = params.as_mut_ptr();
-        check(unsafe { sys::nurbs_curve_divide(g, part, parts, relative_tolerance, flags, out, &mut size) })?;
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut params = vec![0.0; positive(parts) + 1];
+        let mut size = 0.0;
+        check(unsafe {
+            sys::nurbs_curve_divide(
+                self.raw(),
+                range,
+                parts,
+                relative_tolerance,
+                flags,
+                params.as_mut_ptr(),
+                &mut size,
+            )
+        })?;
         Ok(Division { params, size })
     }
-    /// Area of a surface.
-    pub fn area(&self, relative_tolerance: f64, range: &[f64]) -> Result<Measured> {
-        let (part, mut found) = (self.range(range)?, Measured::default());
-        let (value, error) = (&mut found.value, &mut found.error);
-        check(unsafe { sys::nurbs_surface_area(self.raw(), part, relative_tolerance, value, error) })?;
-        Ok(found)
-    }
-    /// Of the spline itself: a wire, a sheet or a body.
-    pub fn moments(&self, relative_tolerance: f64) -> Result<Moments> {
-        let dim = self.dimension()? as usize;
-        let mut found =
-            Moments { centroid: vec![0.0; dim], inertia: vec![0.0; dim * dim], ..Moments::default() };
-        let (content, error) = (&mut found.content, &mut found.error);
-        moments_of(&mut found.centroid, &mut found.inertia, |centroid, inertia| unsafe {
-            sys::nurbs_moments(self.raw(), relative_tolerance, content, centroid, inertia, error)
+
+    /// The same as `divide`; it can be watched and stopped.
+    pub fn divide_with(
+        &self,
+        parts: i64,
+        relative_tolerance: f64,
+        flags: u32,
+        range: &[f64],
+        call: &mut Call,
+    ) -> Result<Division> {
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut params = vec![0.0; positive(parts) + 1];
+        let mut size = 0.0;
+        check(unsafe {
+            sys::nurbs_curve_divide_with(
+                self.raw(),
+                range,
+                parts,
+                relative_tolerance,
+                flags,
+                params.as_mut_ptr(),
+                &mut size,
+                call.options(),
+            )
         })?;
-        Ok(found)
+        Ok(Division { params, size })
+    }
+
+    /// Area of a surface over a range `[2][2]` of its domain, or all of it.
+    pub fn area(&self, relative_tolerance: f64, range: &[f64]) -> Result<Measured> {
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_surface_area(self.raw(), range, relative_tolerance, &mut value, &mut error)
+        })?;
+        Ok(Measured { value, error })
+    }
+
+    /// The same as `area`; it can be watched and stopped.
+    pub fn area_with(&self, relative_tolerance: f64, range: &[f64], call: &mut Call) -> Result<Measured> {
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_surface_area_with(
+                self.raw(),
+                range,
+                relative_tolerance,
+                &mut value,
+                &mut error,
+                call.options(),
+            )
+        })?;
+        Ok(Measured { value, error })
+    }
+
+    /// The moments of the spline itself: a wire, a sheet or a body.
+    pub fn moments(&self, relative_tolerance: f64) -> Result<Moments> {
+        let mut content = 0.0;
+        let dim = self.dimension()? as usize;
+        let mut centroid = vec![0.0; dim];
+        let mut inertia = vec![0.0; dim * dim];
+        let mut error = 0.0;
+        moments_of(&mut centroid, &mut inertia, |centroid, inertia| unsafe {
+            sys::nurbs_moments(self.raw(), relative_tolerance, &mut content, centroid, inertia, &mut error)
+        })?;
+        Ok(Moments { content, centroid, inertia, error })
+    }
+
+    /// The same as `moments`; it can be watched and stopped.
+    pub fn moments_with(&self, relative_tolerance: f64, call: &mut Call) -> Result<Moments> {
+        let mut content = 0.0;
+        let dim = self.dimension()? as usize;
+        let mut centroid = vec![0.0; dim];
+        let mut inertia = vec![0.0; dim * dim];
+        let mut error = 0.0;
+        moments_of(&mut centroid, &mut inertia, |centroid, inertia| unsafe {
+            sys::nurbs_moments_with(
+                self.raw(),
+                relative_tolerance,
+                &mut content,
+                centroid,
+                inertia,
+                &mut error,
+                call.options(),
+            )
+        })?;
+        Ok(Moments { content, centroid, inertia, error })
     }
 }

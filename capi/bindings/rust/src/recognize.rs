@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Recognition of shapes.
 
+use crate::call::Call;
 use crate::error::{check, Result};
 use crate::spline::Spline;
 use crate::sys;
 
-/// A `NURBS_SHAPE_` constant, its placement and sizes as `nurbs_recognize` describes them, and a proven bound of the
-/// distance from it.
+/// A shape, its placement and sizes as `nurbs_recognize` describes them, and a proven bound of the distance
+/// from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Recognized {
@@ -24,15 +26,44 @@ pub struct Recognized {
     pub deviation: f64,
 }
 
+/// Recognition of shapes.
 impl Spline {
     /// The first shape of the list from which no point is farther than the tolerance.
     pub fn recognize(&self, tolerance: f64) -> Result<Recognized> {
-        let (mut found, mut placement) = (Recognized::default(), [[0.0; 3]; 3]);
-        let (place, sizes) = (placement.as_mut_ptr().cast(), found.sizes.as_mut_ptr());
+        let mut shape = 0;
+        let mut placement = [[0.0; 3]; 3];
+        let mut sizes = [0.0; 3];
+        let mut deviation = 0.0;
         check(unsafe {
-            sys::nurbs_recognize(self.raw(), tolerance, &mut found.shape, place, sizes, &mut found.deviation)
+            sys::nurbs_recognize(
+                self.raw(),
+                tolerance,
+                &mut shape,
+                placement.as_mut_ptr().cast(),
+                sizes.as_mut_ptr(),
+                &mut deviation,
+            )
         })?;
-        [found.origin, found.axis, found.x] = placement;
-        Ok(found)
+        Ok(Recognized { shape, origin: placement[0], axis: placement[1], x: placement[2], sizes, deviation })
+    }
+
+    /// The same as `recognize`; it can be watched and stopped.
+    pub fn recognize_with(&self, tolerance: f64, call: &mut Call) -> Result<Recognized> {
+        let mut shape = 0;
+        let mut placement = [[0.0; 3]; 3];
+        let mut sizes = [0.0; 3];
+        let mut deviation = 0.0;
+        check(unsafe {
+            sys::nurbs_recognize_with(
+                self.raw(),
+                tolerance,
+                &mut shape,
+                placement.as_mut_ptr().cast(),
+                sizes.as_mut_ptr(),
+                &mut deviation,
+                call.options(),
+            )
+        })?;
+        Ok(Recognized { shape, origin: placement[0], axis: placement[1], x: placement[2], sizes, deviation })
     }
 }

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Operations that move the shape, each with a proven bound.
 
+use crate::call::Call;
 use crate::error::{check, Result};
 use crate::spline::Spline;
 use crate::sys;
 
-/// A spline within `bound` of the one it was made from.
-#[derive(Debug)]
-#[non_exhaustive]
-pub struct Reduced {
-    /// The spline.
-    pub spline: Spline,
-    /// A proven bound of how far it is from the one given.
-    pub bound: f64,
-}
-
-/// What knot removal gave, and how often the knot went.
-#[derive(Debug)]
+/// A spline, how often a knot was removed, and a bound of the distance to what was given.
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct KnotRemoval {
     /// The spline.
@@ -27,22 +19,36 @@ pub struct KnotRemoval {
     pub bound: f64,
 }
 
-/// Reduction.
+/// A spline within `bound` of the one it was made from.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Reduced {
+    /// The spline.
+    pub spline: Spline,
+    /// A proven bound of how far it is from the one given.
+    pub bound: f64,
+}
+
+/// Operations that move the shape, each with a proven bound.
 impl Spline {
     /// Proven bounds (at least, at most) of the largest distance of two splines over the same domain.
     pub fn deviation(&self, other: &Spline) -> Result<(f64, f64)> {
-        let (mut at_least, mut at_most) = (0.0, 0.0);
+        let mut at_least = 0.0;
+        let mut at_most = 0.0;
         check(unsafe { sys::nurbs_deviation(self.raw(), other.raw(), &mut at_least, &mut at_most) })?;
         Ok((at_least, at_most))
     }
+
     /// Copies of a knot removed, as many as the tolerance allows.
     pub fn remove_knot(&self, axis: i32, knot: f64, times: i32, tolerance: f64) -> Result<KnotRemoval> {
-        let (g, mut removed, mut bound) = (self.raw(), 0, 0.0);
+        let mut removed = 0;
+        let mut bound = 0.0;
         let spline = Spline::made(|out| unsafe {
-            sys::nurbs_remove_knot(g, axis, knot, times, tolerance, &mut removed, &mut bound, out)
+            sys::nurbs_remove_knot(self.raw(), axis, knot, times, tolerance, &mut removed, &mut bound, out)
         })?;
         Ok(KnotRemoval { spline, removed, bound })
     }
+
     /// As few knots as the tolerance allows, on one axis or on every one (-1).
     pub fn reduce_knots(&self, axis: i32, tolerance: f64) -> Result<Reduced> {
         let mut bound = 0.0;
@@ -51,6 +57,16 @@ impl Spline {
         })?;
         Ok(Reduced { spline, bound })
     }
+
+    /// The same as `reduce_knots`; it can be watched and stopped.
+    pub fn reduce_knots_with(&self, axis: i32, tolerance: f64, call: &mut Call) -> Result<Reduced> {
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_reduce_knots_with(self.raw(), axis, tolerance, &mut bound, call.options(), out)
+        })?;
+        Ok(Reduced { spline, bound })
+    }
+
     /// The closest spline of lower degree.
     pub fn reduce_degree(&self, axis: i32, times: i32) -> Result<Reduced> {
         let mut bound = 0.0;
@@ -59,11 +75,30 @@ impl Spline {
         })?;
         Ok(Reduced { spline, bound })
     }
+
+    /// The same as `reduce_degree`; it can be watched and stopped.
+    pub fn reduce_degree_with(&self, axis: i32, times: i32, call: &mut Call) -> Result<Reduced> {
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_reduce_degree_with(self.raw(), axis, times, &mut bound, call.options(), out)
+        })?;
+        Ok(Reduced { spline, bound })
+    }
+
     /// The simplest spline within the tolerance.
     pub fn simplify(&self, tolerance: f64) -> Result<Reduced> {
         let mut bound = 0.0;
         let spline =
             Spline::made(|out| unsafe { sys::nurbs_simplify(self.raw(), tolerance, &mut bound, out) })?;
+        Ok(Reduced { spline, bound })
+    }
+
+    /// The same as `simplify`; it can be watched and stopped.
+    pub fn simplify_with(&self, tolerance: f64, call: &mut Call) -> Result<Reduced> {
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_simplify_with(self.raw(), tolerance, &mut bound, call.options(), out)
+        })?;
         Ok(Reduced { spline, bound })
     }
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Hermite data, the power basis of pieces, and the matrices between bases of a segment.
 
-use crate::error::{check, value, Error, Result};
+use crate::arrays::exactly;
+use crate::error::{check, Result};
+use crate::sizes::{axes_of, bezier_points, homogeneous, matrix_size, positive, product, sum, times};
 use crate::spline::Spline;
 use crate::sys;
 use std::ptr::null_mut;
 
 /// Points and tangents, packed, of a piecewise cubic at its breaks.
-#[derive(Debug)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Hermite {
     /// Breaks.
@@ -19,7 +22,7 @@ pub struct Hermite {
 }
 
 /// The power basis of all pieces, packed, and the breaks of the axes one after the other.
-#[derive(Debug)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PowerForm {
     /// Of all pieces, packed.
     pub coefficients: Vec<f64>,
@@ -31,71 +34,79 @@ pub struct PowerForm {
 
 /// The matrix, row by row, that takes coefficients of one basis to those of another.
 pub fn basis_matrix(from: i32, to: i32, degree: i32) -> Result<Vec<f64>> {
-    let n = if (0..=sys::NURBS_MAX_DEGREE).contains(&degree) { degree as usize + 1 } else { 0 };
-    let mut matrix = vec![0.0; n * n];
-    let size = matrix.len() as i64;
-    check(unsafe { sys::nurbs_basis_matrix(from, to, degree, size, matrix.as_mut_ptr()) })?;
+    let size = matrix_size(degree);
+    let mut matrix = vec![0.0; size];
+    check(unsafe { sys::nurbs_basis_matrix(from, to, degree, size as i64, matrix.as_mut_ptr()) })?;
     Ok(matrix)
 }
 
+/// Hermite data, the power basis of pieces, and the matrices between bases of a segment.
 impl Spline {
     /// The piecewise cubic through points with tangents, both packed.
     pub fn hermite(params: &[f64], dim: i32, points: &[f64], tangents: &[f64]) -> Result<Spline> {
-        let wanted = params.len().saturating_mul(dim.max(0) as usize);
-        for (name, values) in [("points", points), ("tangents", tangents)] {
-            if values.len() != wanted {
-                return Err(Error::size(name, values.len(), wanted.to_string()));
-            }
-        }
-        let (n, t, p, v) = (params.len() as i64, params.as_ptr(), points.as_ptr(), tangents.as_ptr());
-        Spline::made(|out| unsafe { sys::nurbs_create_hermite(n, t, dim, p, 0, 0, v, 0, 0, out) })
+        let n = params.len();
+        let points = exactly(points, n * positive(dim), "points")?;
+        let tangents = exactly(tangents, n * positive(dim), "tangents")?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_create_hermite(n as i64, params.as_ptr(), dim, points, 0, 0, tangents, 0, 0, out)
+        })
     }
 
-    /// The data from which `hermite` makes a C^1 piecewise cubic again.
+    /// The data from which `Spline::hermite` makes a C^1 piecewise cubic again.
     pub fn to_hermite(&self) -> Result<Hermite> {
-        let (g, no) = (self.raw(), null_mut());
-        let n = value(|v: *mut i64| unsafe { sys::nurbs_to_hermite(g, 0, no, no, no, v) })?;
-        let mut params = vec![0.0; n as usize];
-        let mut points = vec![0.0; n as usize * self.dimension()? as usize];
-        let mut tangents = points.clone();
-        let (t, p, d) = (params.as_mut_ptr(), points.as_mut_ptr(), tangents.as_mut_ptr());
-        check(unsafe { sys::nurbs_to_hermite(g, n, t, p, d, null_mut()) })?;
+        let fill = |cap, params, points, tangents, count| unsafe {
+            sys::nurbs_to_hermite(self.raw(), cap, params, points, tangents, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n];
+        let dim = self.dimension()? as usize;
+        let mut points = vec![0.0; n * dim];
+        let mut tangents = vec![0.0; n * dim];
+        check(fill(count, params.as_mut_ptr(), points.as_mut_ptr(), tangents.as_mut_ptr(), &mut count))?;
         Ok(Hermite { params, points, tangents })
     }
 
     /// The power basis of every piece, of homogeneous points if the spline is rational.
     pub fn to_power(&self) -> Result<PowerForm> {
-        let (g, no) = (self.raw(), null_mut());
-        let mut piece_counts = vec![0; self.axes()? as usize];
-        let pieces = piece_counts.as_mut_ptr();
-        let n = value(|v: *mut i64| unsafe { sys::nurbs_to_power(g, 0, no, no, pieces, v) })?;
-        let mut coefficients = vec![0.0; n as usize];
-        let mut breaks = vec![0.0; piece_counts.iter().map(|n| *n as usize + 1).sum()];
-        let (c, b) = (coefficients.as_mut_ptr(), breaks.as_mut_ptr());
-        check(unsafe { sys::nurbs_to_power(g, n, c, b, null_mut(), null_mut()) })?;
+        let axes = self.axes()? as usize;
+        let mut piece_counts = vec![0; axes];
+        let piece_counts_pointer = piece_counts.as_mut_ptr();
+        let fill = |cap, coefficients, breaks, count| unsafe {
+            sys::nurbs_to_power(self.raw(), cap, coefficients, breaks, piece_counts_pointer, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut coefficients = vec![0.0; n];
+        let mut breaks = vec![0.0; sum(&piece_counts) + axes];
+        check(fill(count, coefficients.as_mut_ptr(), breaks.as_mut_ptr(), &mut count))?;
         Ok(PowerForm { coefficients, breaks, piece_counts })
     }
 
     /// The spline of pieces in the power basis; flags: `NURBS_HOMOGENEOUS`.
     pub fn power(degrees: &[i32], dim: i32, form: &PowerForm, flags: u32) -> Result<Spline> {
-        let width = i64::from(dim) + i64::from(flags & sys::NURBS_HOMOGENEOUS != 0);
-        let mut layers =
-            degrees.iter().zip(&form.piece_counts).map(|(p, n)| (i64::from(*p) + 1).checked_mul(*n));
-        let wanted = layers.try_fold(width, |size, n| size.checked_mul(n?));
-        if form.piece_counts.len() != degrees.len() {
-            return Err(Error::size("piece_counts", form.piece_counts.len(), degrees.len().to_string()));
-        }
-        if wanted != Some(form.coefficients.len() as i64) {
-            return Err(Error::size(
-                "coefficients",
-                form.coefficients.len(),
-                wanted.map_or("less".into(), |n| n.to_string()),
-            ));
-        }
-        let (p, n, b) = (degrees.as_ptr(), form.piece_counts.as_ptr(), form.breaks.as_ptr());
-        let (axes, breaks, c) = (degrees.len() as i32, form.breaks.len() as i64, form.coefficients.as_ptr());
+        let piece_counts = exactly(&form.piece_counts, degrees.len(), "piece_counts")?;
+        let coefficients = exactly(
+            &form.coefficients,
+            times(&[product(&form.piece_counts), bezier_points(degrees), positive(dim) + homogeneous(flags)]),
+            "coefficients",
+        )?;
         Spline::made(|out| unsafe {
-            sys::nurbs_create_power(axes, p, n, b, breaks, dim, c, 0, 0, flags, out)
+            sys::nurbs_create_power(
+                axes_of(degrees),
+                degrees.as_ptr(),
+                piece_counts,
+                form.breaks.as_ptr(),
+                form.breaks.len() as i64,
+                dim,
+                coefficients,
+                0,
+                0,
+                flags,
+                out,
+            )
         })
     }
 }

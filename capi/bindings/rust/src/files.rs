@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Reading files: the splines that a file held, their names, and notes on the rest.
+
+use crate::call::Call;
+use crate::error::{check, value, Result};
+use crate::list::{options_pointer, path_text, written, List, ReadOptions};
+use crate::spline::Spline;
+use crate::sys;
+use std::path::Path;
+
+/// An entity of a file that did not become a spline.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct Note {
+    /// Its number in the format of the file.
+    pub entity_type: i32,
+    /// Its line in the directory of the file.
+    pub line: i64,
+    /// Why not: a status.
+    pub reason: i32,
+    /// The same in words.
+    pub text: String,
+}
+
+/// Reading files: the splines that a file held, their names, and notes on the rest.
+impl List {
+    /// Reads the contents of a file from memory.
+    pub fn read(bytes: &[u8], options: Option<&ReadOptions>) -> Result<List> {
+        List::made(|out| unsafe {
+            sys::nurbs_read(bytes.as_ptr().cast(), bytes.len() as i64, options_pointer(options), out)
+        })
+    }
+
+    /// The same as `read`; it can be watched and stopped.
+    pub fn read_with(bytes: &[u8], options: Option<&ReadOptions>, call: &mut Call) -> Result<List> {
+        List::made(|out| unsafe {
+            sys::nurbs_read_with(
+                bytes.as_ptr().cast(),
+                bytes.len() as i64,
+                options_pointer(options),
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// Reads a file by its path.
+    pub fn read_file(path: impl AsRef<Path>, options: Option<&ReadOptions>) -> Result<List> {
+        let path = path_text(path)?;
+        List::made(|out| unsafe { sys::nurbs_read_file(path.as_ptr(), options_pointer(options), out) })
+    }
+
+    /// The same as `read_file`; it can be watched and stopped.
+    pub fn read_file_with(
+        path: impl AsRef<Path>,
+        options: Option<&ReadOptions>,
+        call: &mut Call,
+    ) -> Result<List> {
+        let path = path_text(path)?;
+        List::made(|out| unsafe {
+            sys::nurbs_read_file_with(path.as_ptr(), options_pointer(options), call.options(), out)
+        })
+    }
+
+    /// Spline `index`; it outlives the list.
+    pub fn get(&self, index: usize) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_list_get(self.raw(), index as i64, out) })
+    }
+
+    /// The name of a spline.
+    pub fn name(&self, index: usize) -> Result<String> {
+        written(|buf, cap, length| unsafe {
+            sys::nurbs_list_name(self.raw(), index as i64, buf, cap, length)
+        })
+    }
+
+    /// Number of notes.
+    pub fn note_count(&self) -> Result<usize> {
+        let mut count = 0;
+        check(unsafe { sys::nurbs_list_note_count(self.raw(), &mut count) })?;
+        Ok(count as usize)
+    }
+
+    /// A note.
+    pub fn note(&self, index: usize) -> Result<Note> {
+        let mut entity_type = 0;
+        let mut line = 0;
+        let mut reason = 0;
+        let text = written(|buf, cap, length| unsafe {
+            sys::nurbs_list_note(
+                self.raw(),
+                index as i64,
+                &mut entity_type,
+                &mut line,
+                &mut reason,
+                buf,
+                cap,
+                length,
+            )
+        })?;
+        Ok(Note { entity_type, line, reason, text })
+    }
+
+    /// Metres per unit of length; 0 if the file does not say.
+    pub fn unit(&self) -> Result<f64> {
+        value(|metres| unsafe { sys::nurbs_list_unit(self.raw(), metres) })
+    }
+}
