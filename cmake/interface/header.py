@@ -43,7 +43,7 @@ class Parameter:
 
     @property
     def is_const(self):
-        return "const" in self.c_type
+        return re.search(r"\bconst\b", self.c_type) is not None
 
 
 @dataclass
