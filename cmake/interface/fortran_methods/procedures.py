@@ -119,6 +119,7 @@ class Procedure:
             yield "call settle(code, status)"
 
     def settled_at_once(self, checks):
+        """Whether a single call is all, and nothing depends on its success."""
         simple = not checks and not self.is_counted and not self.passing.handles and not self.is_watched
         return simple and all(self.always(output) for output in self.outputs)
 
@@ -200,18 +201,18 @@ class Procedure:
         if not conditions:
             return []
         fitting = f"code = fitting([{', '.join(conditions)}])"
-        first = self.handle_first(conditions)
+        first = self.handle_first()
         made = [f"{name} = c_null_ptr" for name, _ in self.passing.handles]
         return [*made, f"code = held({first})", f"if ({OK}) {fitting}"] if first else [*made, fitting]
 
-    def handle_first(self, conditions):
+    def handle_first(self):
         """A spline of nothing is found before shapes that do not suit it in its own methods, and where its number of
         points or its weights say what suits it."""
         if self.method.receiver not in ("", "out"):
             return "this%handle"
-        names = {name: number for name, number in self.sizes.numbers.items()
-                 if number.wide.startswith(("points_of", "rational_of"))}
-        return next((number.wide.partition("(")[2].rstrip(")") for number in names.values()), "")
+        texts = [number.wide for number in self.sizes.numbers.values()]
+        return next((text.partition("(")[2].rstrip(")") for text in texts if text.startswith(("points_of", "rational_of"))),
+                    "")
 
     def first_values(self):
         for output in self.outputs:
