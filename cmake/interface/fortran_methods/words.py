@@ -57,8 +57,8 @@ class Words:
         text = argument.default if argument.default is not None else self.field_default(method, argument.pattern.name)
         if text is None:
             entry = method.entry
-            raise TableError(f"{entry.group.name}.toml: {entry.name}: fortran.call: {argument.name} may be left out, but has "
-                             f"no default: write {argument.name}? = ...")
+            raise TableError(f"{entry.group.name}.toml: {entry.name}: fortran.call: {argument.name} may be left out, but "
+                             f"has no default: write {argument.name}? = ...")
         return text
 
     def field_default(self, method, parameter):
