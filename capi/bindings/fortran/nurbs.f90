@@ -15,6 +15,8 @@
 !>   same shape. What copies bit by bit in its place would have handles freed twice: allocate() with source=, and
 !>   in gfortran 12 assignments of types with splines in them; give such a type an assignment of its own, which
 !>   assigns these.
+!> - A procedure that can take long has an optional last argument, call: a nurbs_call with a limit of work, and with a
+!>   function that is told how much is done and may end the call.
 !>
 !> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, nurbs_all.f90 is all
 !> modules in one file:
@@ -25,6 +27,7 @@ module nurbs
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_handles, only: default_read_options
+    use nurbs_calls, only: nurbs_call, nurbs_progress
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
     use nurbs_lists, only: nurbs_list

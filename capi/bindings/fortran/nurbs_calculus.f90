@@ -6,8 +6,10 @@ module nurbs_calculus
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_blossom, nurbs_derivative, nurbs_antiderivative, nurbs_product, nurbs_compose, nurbs_sum, &
-        nurbs_normalize_weights, nurbs_reparametrize_moebius, nurbs_equalize_end_weights
+        nurbs_normalize_weights, nurbs_reparametrize_moebius, nurbs_equalize_end_weights, nurbs_product_with, &
+        nurbs_compose_with
     use nurbs_support
+    use nurbs_calls
     use nurbs_splines
     implicit none
     private
@@ -60,26 +62,36 @@ contains
     end subroutine spline_antiderivative
 
     !> a(t) b(t); flags 0, NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS.
-    subroutine spline_product(a, b, out, flags, status)
+    subroutine spline_product(a, b, out, flags, status, call)
         class(nurbs_spline), intent(in) :: a, b
         type(nurbs_spline), intent(inout) :: out
         integer(c_int32_t), intent(in), optional :: flags
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_product(a%handle, b%handle, given(flags, 0), made)
+        if (present(call)) then
+            code = nurbs_product_with(a%handle, b%handle, given(flags, 0), watched(call), made)
+        else
+            code = nurbs_product(a%handle, b%handle, given(flags, 0), made)
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine spline_product
 
     !> g(f(t)) for a curve f in the parameter space of g.
-    subroutine spline_compose(g, f, out, status)
+    subroutine spline_compose(g, f, out, status, call)
         class(nurbs_spline), intent(in) :: g, f
         type(nurbs_spline), intent(inout) :: out
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_compose(g%handle, f%handle, made)
+        if (present(call)) then
+            code = nurbs_compose_with(g%handle, f%handle, watched(call), made)
+        else
+            code = nurbs_compose(g%handle, f%handle, made)
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine spline_compose

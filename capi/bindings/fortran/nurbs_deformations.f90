@@ -5,8 +5,10 @@
 module nurbs_deformations
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_warp, nurbs_flatten, nurbs_bend, nurbs_free_form_deform, nurbs_fair, nurbs_snap_boundary
+    use nurbs_c, only: nurbs_warp, nurbs_flatten, nurbs_bend, nurbs_free_form_deform, nurbs_fair, nurbs_snap_boundary, &
+        nurbs_bend_with, nurbs_free_form_deform_with, nurbs_fair_with
     use nurbs_support
+    use nurbs_calls
     use nurbs_splines
     implicit none
     private
@@ -53,7 +55,7 @@ contains
 
     !> The part between lower and upper bent about an axis across the plane of along(dim) and across(dim). deviation:
     !> from the exact image, a bound if proven, else of samples.
-    subroutine bend(g, origin, along, across, curvature, tolerance, out, lower, upper, deviation, proven, status)
+    subroutine bend(g, origin, along, across, curvature, tolerance, out, lower, upper, deviation, proven, status, call)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: origin(:), along(:), across(:), curvature, tolerance
         type(nurbs_spline), intent(inout) :: out
@@ -61,6 +63,7 @@ contains
         real(c_double), intent(inout), optional :: deviation
         logical, intent(inout), optional :: proven
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code, answer
         integer(c_int64_t) :: dim
         type(c_ptr) :: made
@@ -68,21 +71,29 @@ contains
         answer = 0
         made = c_null_ptr
         code = fitting([fits(origin, dim), fits(along, dim), fits(across, dim)])
-        if (code == NURBS_OK) code = nurbs_bend(g%handle, origin, along, across, curvature, given(lower, -infinity()), &
-            given(upper, infinity()), tolerance, deviation, answer, made)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_bend_with(g%handle, origin, along, across, curvature, given(lower, -infinity()), &
+                    given(upper, infinity()), tolerance, deviation, answer, watched(call), made)
+            else
+                code = nurbs_bend(g%handle, origin, along, across, curvature, given(lower, -infinity()), &
+                    given(upper, infinity()), tolerance, deviation, answer, made)
+            end if
+        end if
         if (present(proven)) proven = answer /= 0
         call out%replace(made)
         call settle(code, status)
     end subroutine bend
 
     !> A shape in the box from lower(m) to upper(m) mapped by a volume of m axes.
-    subroutine free_form_deform(g, volume, lower, upper, tolerance, out, deviation, proven, status)
+    subroutine free_form_deform(g, volume, lower, upper, tolerance, out, deviation, proven, status, call)
         class(nurbs_spline), intent(in) :: g, volume
         real(c_double), intent(in) :: lower(:), upper(:), tolerance
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(inout), optional :: deviation
         logical, intent(inout), optional :: proven
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code, answer
         integer(c_int64_t) :: axes_volume
         type(c_ptr) :: made
@@ -90,8 +101,14 @@ contains
         answer = 0
         made = c_null_ptr
         code = fitting([fits(lower, axes_volume), fits(upper, axes_volume)])
-        if (code == NURBS_OK) code = nurbs_free_form_deform(g%handle, volume%handle, lower, upper, tolerance, &
-            deviation, answer, made)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_free_form_deform_with(g%handle, volume%handle, lower, upper, tolerance, deviation, &
+                    answer, watched(call), made)
+            else
+                code = nurbs_free_form_deform(g%handle, volume%handle, lower, upper, tolerance, deviation, answer, made)
+            end if
+        end if
         if (present(proven)) proven = answer /= 0
         call out%replace(made)
         call settle(code, status)
@@ -99,7 +116,7 @@ contains
 
     !> Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3. keep(1, k) and keep(2, k): order of the
     !> derivatives that stay at the start and end of axis k, absent: positions; energies: before and after.
-    subroutine fair(g, order, tolerance, out, keep, energies, bound, status)
+    subroutine fair(g, order, tolerance, out, keep, energies, bound, status, call)
         class(nurbs_spline), intent(in) :: g
         integer(c_int32_t), intent(in) :: order
         real(c_double), intent(in) :: tolerance
@@ -107,11 +124,18 @@ contains
         integer(c_int32_t), intent(in), optional :: keep(:, :)
         real(c_double), intent(inout), optional :: energies(2), bound
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
         made = c_null_ptr
         code = fitting([fits(keep, 2_c_int64_t, axes_of(g%handle))])
-        if (code == NURBS_OK) code = nurbs_fair(g%handle, order, keep, tolerance, energies, bound, made)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fair_with(g%handle, order, keep, tolerance, energies, bound, watched(call), made)
+            else
+                code = nurbs_fair(g%handle, order, keep, tolerance, energies, bound, made)
+            end if
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine fair

@@ -9,6 +9,7 @@ module nurbs_edits
         nurbs_weight_cross_ratio, nurbs_weight_through, nurbs_pull_point, nurbs_most_influential, nurbs_insert_on_leg, &
         nurbs_insert_at_point, nurbs_constrain
     use nurbs_support
+    use nurbs_calls
     use nurbs_splines
     implicit none
     private
@@ -202,7 +203,7 @@ contains
     !> constants, absent: values; orders(n, axes) of derivatives; keep(1, k) and keep(2, k): order of the derivatives
     !> that stay at the start and end of axis k; costs and weight_costs: one for each control point.
     subroutine constrain(g, params, targets, out, kinds, orders, keep, costs, weight_costs, tolerance, residuals, &
-            rank, moved, optimality, status)
+            rank, moved, optimality, status, call)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: params(:, :), targets(:, :)
         type(nurbs_spline), intent(inout) :: out
@@ -211,6 +212,7 @@ contains
         real(c_double), intent(inout), optional :: residuals(:), moved, optimality
         integer(c_int64_t), intent(inout), optional :: rank
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         integer(c_int64_t) :: count, axes, points_n
         integer(c_int32_t), allocatable :: orders_c(:, :)
@@ -224,9 +226,16 @@ contains
             fits(kinds, count), fits(orders, count, axes), fits(keep, 2_c_int64_t, axes), fits(costs, points_n), &
             fits(weight_costs, points_n), fits(residuals, count)])
         if (present(orders)) orders_c = transpose(orders)
-        if (code == NURBS_OK) code = nurbs_constrain(g%handle, count, kinds, orders_c, transpose(params), &
-            transpose(targets), keep, costs, weight_costs, given(tolerance, 0d0), residuals, rank, moved, optimality, &
-            made)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = constrain_watched(g%handle, count, kinds, orders_c, transpose(params), transpose(targets), &
+                    keep, costs, weight_costs, given(tolerance, 0d0), residuals, rank, moved, optimality, &
+                    watched(call), made)
+            else
+                code = nurbs_constrain(g%handle, count, kinds, orders_c, transpose(params), transpose(targets), keep, &
+                    costs, weight_costs, given(tolerance, 0d0), residuals, rank, moved, optimality, made)
+            end if
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine constrain

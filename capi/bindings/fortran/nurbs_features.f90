@@ -5,8 +5,10 @@ module nurbs_features
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_curve_features, nurbs_curve_monotone_pieces, nurbs_curve_convexity, nurbs_straightness, &
-        nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_test
+        nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_test, nurbs_curve_features_with, &
+        nurbs_fold_test_with
     use nurbs_support
+    use nurbs_calls
     use nurbs_splines
     implicit none
     private
@@ -17,23 +19,35 @@ contains
 
     !> params(n) in rising order, found(n) one NURBS_FEATURE_ constant each, and values(n): curvature, turning angle or
     !> width there. kinds: a sum of NURBS_FEATURE_ constants.
-    subroutine curve_features(g, kinds, params, found, values, complete, status)
+    subroutine curve_features(g, kinds, params, found, values, complete, status, call)
         class(nurbs_spline), intent(in) :: g
         integer(c_int32_t), intent(in) :: kinds
         real(c_double), allocatable, intent(inout) :: params(:), values(:)
         integer(c_int32_t), allocatable, intent(inout) :: found(:)
         logical, intent(inout), optional :: complete
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code, answer
         integer(c_int64_t) :: n
         n = 0
         answer = 0
-        code = nurbs_curve_features(g%handle, kinds, 0_c_int64_t, count=n)
+        if (present(call)) then
+            code = nurbs_curve_features_with(g%handle, kinds, 0_c_int64_t, count=n, call=watched(call))
+        else
+            code = nurbs_curve_features(g%handle, kinds, 0_c_int64_t, count=n)
+        end if
         if (allocated(params)) deallocate (params)
         if (allocated(found)) deallocate (found)
         if (allocated(values)) deallocate (values)
         allocate (params(n), found(n), values(n))
-        if (code == NURBS_OK) code = nurbs_curve_features(g%handle, kinds, n, params, found, values, complete=answer)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_curve_features_with(g%handle, kinds, n, params, found, values, complete=answer, &
+                    call=watched(call))
+            else
+                code = nurbs_curve_features(g%handle, kinds, n, params, found, values, complete=answer)
+            end if
+        end if
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine curve_features
@@ -139,17 +153,24 @@ contains
 
     !> A NURBS_FOLD_ constant, and parameters positive(axes) and negative(axes) of either sign, NaN if none are known;
     !> reference: the direction that normals are compared with.
-    subroutine fold_test(g, fold, positive, negative, reference, status)
+    subroutine fold_test(g, fold, positive, negative, reference, status, call)
         class(nurbs_spline), intent(in) :: g
         integer(c_int32_t), intent(inout) :: fold
         real(c_double), intent(inout), optional :: positive(:), negative(:)
         real(c_double), intent(in), optional :: reference(3)
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         integer(c_int64_t) :: axes
         axes = axes_of(g%handle)
         code = fitting([fits(positive, axes), fits(negative, axes)])
-        if (code == NURBS_OK) code = nurbs_fold_test(g%handle, reference, fold, positive, negative)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fold_test_with(g%handle, reference, fold, positive, negative, watched(call))
+            else
+                code = nurbs_fold_test(g%handle, reference, fold, positive, negative)
+            end if
+        end if
         call settle(code, status)
     end subroutine fold_test
 end module nurbs_features

@@ -5,8 +5,10 @@ module nurbs_lists
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_decompose, nurbs_split_at_knots, nurbs_read, nurbs_read_file, nurbs_list_count, &
-        nurbs_list_get, nurbs_list_name, nurbs_list_note_count, nurbs_list_note, nurbs_list_unit, nurbs_read_options
+        nurbs_list_get, nurbs_list_name, nurbs_list_note_count, nurbs_list_note, nurbs_list_unit, nurbs_read_with, &
+        nurbs_read_file_with, nurbs_read_options
     use nurbs_support
+    use nurbs_calls
     use nurbs_handles
     use nurbs_splines
     implicit none
@@ -50,27 +52,39 @@ contains
     ! Reading files: the splines that a file held, their names, and notes on the rest
 
     !> Reads the contents of a file from memory.
-    subroutine read(this, contents, options, status)
+    subroutine read(this, contents, options, status, call)
         class(nurbs_list), intent(inout) :: this
         character(kind=c_char, len=*), intent(in), target :: contents
         type(nurbs_read_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
+        integer(c_int64_t) :: size_c
         type(c_ptr) :: made
-        code = nurbs_read(c_loc(contents), len(contents, c_int64_t), options, made)
+        size_c = len(contents, c_int64_t)
+        if (present(call)) then
+            code = nurbs_read_with(c_loc(contents), size_c, options, watched(call), made)
+        else
+            code = nurbs_read(c_loc(contents), size_c, options, made)
+        end if
         call this%replace(made)
         call settle(code, status)
     end subroutine read
 
     !> Reads a file by its path.
-    subroutine read_file(this, path, options, status)
+    subroutine read_file(this, path, options, status, call)
         class(nurbs_list), intent(inout) :: this
         character(kind=c_char, len=*), intent(in) :: path
         type(nurbs_read_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_read_file(path//c_null_char, options, made)
+        if (present(call)) then
+            code = nurbs_read_file_with(path//c_null_char, options, watched(call), made)
+        else
+            code = nurbs_read_file(path//c_null_char, options, made)
+        end if
         call this%replace(made)
         call settle(code, status)
     end subroutine read_file

@@ -4,8 +4,9 @@
 module nurbs_recognition
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_recognize
+    use nurbs_c, only: nurbs_recognize, nurbs_recognize_with
     use nurbs_support
+    use nurbs_calls
     use nurbs_splines
     implicit none
     private
@@ -24,14 +25,20 @@ module nurbs_recognition
 contains
 
     !> The first shape of the list of nurbs_recognize() from which no point is farther than the tolerance.
-    subroutine recognize_spline(g, tolerance, found, status)
+    subroutine recognize_spline(g, tolerance, found, status, call)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: tolerance
         type(recognized_shape), intent(inout) :: found
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         real(c_double) :: placement_c(9)
-        code = nurbs_recognize(g%handle, tolerance, found%shape, placement_c, found%sizes, found%deviation)
+        if (present(call)) then
+            code = nurbs_recognize_with(g%handle, tolerance, found%shape, placement_c, found%sizes, found%deviation, &
+                watched(call))
+        else
+            code = nurbs_recognize(g%handle, tolerance, found%shape, placement_c, found%sizes, found%deviation)
+        end if
         if (code == NURBS_OK) then
             found%origin = placement_c(1:3)
             found%axis = placement_c(4:6)

@@ -4,8 +4,10 @@
 module nurbs_reduction
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_deviation, nurbs_remove_knot, nurbs_reduce_knots, nurbs_reduce_degree, nurbs_simplify
+    use nurbs_c, only: nurbs_deviation, nurbs_remove_knot, nurbs_reduce_knots, nurbs_reduce_degree, nurbs_simplify, &
+        nurbs_reduce_knots_with, nurbs_reduce_degree_with, nurbs_simplify_with
     use nurbs_support
+    use nurbs_calls
     use nurbs_splines
     implicit none
     private
@@ -38,44 +40,59 @@ contains
     end subroutine remove_knot
 
     !> As few knots as the tolerance allows, on one axis or on every one (0).
-    subroutine reduce_knots(g, axis, tolerance, out, bound, status)
+    subroutine reduce_knots(g, axis, tolerance, out, bound, status, call)
         class(nurbs_spline), intent(in) :: g
         integer(c_int32_t), intent(in) :: axis
         real(c_double), intent(in) :: tolerance
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(inout), optional :: bound
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_reduce_knots(g%handle, axis - 1, tolerance, bound, made)
+        if (present(call)) then
+            code = nurbs_reduce_knots_with(g%handle, axis - 1, tolerance, bound, watched(call), made)
+        else
+            code = nurbs_reduce_knots(g%handle, axis - 1, tolerance, bound, made)
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine reduce_knots
 
     !> The closest spline of lower degree.
-    subroutine reduce_degree(g, axis, times, out, bound, status)
+    subroutine reduce_degree(g, axis, times, out, bound, status, call)
         class(nurbs_spline), intent(in) :: g
         integer(c_int32_t), intent(in) :: axis, times
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(inout), optional :: bound
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_reduce_degree(g%handle, axis - 1, times, bound, made)
+        if (present(call)) then
+            code = nurbs_reduce_degree_with(g%handle, axis - 1, times, bound, watched(call), made)
+        else
+            code = nurbs_reduce_degree(g%handle, axis - 1, times, bound, made)
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine reduce_degree
 
     !> The simplest spline within the tolerance.
-    subroutine simplify(g, tolerance, out, bound, status)
+    subroutine simplify(g, tolerance, out, bound, status, call)
         class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: tolerance
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(inout), optional :: bound
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int32_t) :: code
         type(c_ptr) :: made
-        code = nurbs_simplify(g%handle, tolerance, bound, made)
+        if (present(call)) then
+            code = nurbs_simplify_with(g%handle, tolerance, bound, watched(call), made)
+        else
+            code = nurbs_simplify(g%handle, tolerance, bound, made)
+        end if
         call out%replace(made)
         call settle(code, status)
     end subroutine simplify

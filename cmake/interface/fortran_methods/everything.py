@@ -19,7 +19,7 @@ HEAD = """\
 !>   same shape. What copies bit by bit in its place would have handles freed twice: allocate() with source=, and
 !>   in gfortran 12 assignments of types with splines in them; give such a type an assignment of its own, which
 !>   assigns these.
-!>
+{watched}!>
 !> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, nurbs_all.f90 is all
 !> modules in one file:
 !>
@@ -30,6 +30,11 @@ module nurbs
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_handles, only: default_read_options
 """
+WATCHED = """\
+!> - A procedure that can take long has an optional last argument, call: a nurbs_call with a limit of work, and with a
+!>   function that is told how much is done and may end the call.
+"""
+WATCHED_USE = "    use nurbs_calls, only: nurbs_call, nurbs_progress\n"
 TAIL = """\
     implicit none
     public
@@ -40,13 +45,14 @@ ALL = """\
 ! {notice}
 ! All modules in the order in which a compiler needs them, for programs that are built without CMake.
 """
-BY_HAND = ("constants", "c", "support", "handles")
+BY_HAND = ["constants", "c", "support", "handles"]
 
 
-def module(modules, notice):
-    """modules: those that are made of the table, in order."""
-    uses = "\n".join(f"    use nurbs_{module.name}{only(module)}" for module in modules if shown(module))
-    return f"{HEAD.format(notice=notice)}{uses}\n{TAIL}"
+def module(modules, notice, watched):
+    """modules: those that are made of the table, in order; watched: whether there are long calls."""
+    uses = "".join(f"    use nurbs_{module.name}{only(module)}\n" for module in modules if shown(module))
+    head = HEAD.format(notice=notice, watched=WATCHED * watched)
+    return head + WATCHED_USE * watched + uses + TAIL
 
 
 def shown(module):
@@ -60,6 +66,7 @@ def only(module):
     return ", only: " + ", ".join([*module.public(), *[module.type.name] * module.type.shown])
 
 
-def includes(modules, notice):
-    names = [f"nurbs_{name}" for name in (*BY_HAND, *(module.name for module in modules))] + ["nurbs"]
+def includes(modules, notice, watched):
+    by_hand = BY_HAND + ["calls"] * watched
+    names = [f"nurbs_{name}" for name in (*by_hand, *(module.name for module in modules))] + ["nurbs"]
     return ALL.format(notice=notice) + "".join(f"include '{name}.f90'\n" for name in names)

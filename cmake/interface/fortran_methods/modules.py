@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import header
 
 from . import everything
+from .passing import takes_structs
 from .procedures import procedures
 from .statements import STEP, comment, listed, statement
 from .words import TYPES as NUMBERS
@@ -36,7 +37,7 @@ TYPES = {
                   "Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied."),
 }
 #: Where names of other modules come from.
-HOMES = {"nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|handles_of",
+HOMES = {"nurbs_calls": r"nurbs_call\b", "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|handles_of",
          **{f"nurbs_{module}": rf"\b{kind.name}\b" for module, kind in TYPES.items()}}
 
 
@@ -48,8 +49,9 @@ def files(binding):
         modules.setdefault(home(method), []).append(method)
     made = in_order([Module(name, methods, binding, words) for name, methods in modules.items()])
     texts = {f"{FOLDER}/nurbs_{module.name}.f90": module.text() for module in made}
-    texts[f"{FOLDER}/nurbs.f90"] = everything.module(made, NOTICE)
-    texts[f"{FOLDER}/nurbs_all.f90"] = everything.includes(made, NOTICE)
+    watched = any(entry.watched for entry in binding.entries)
+    texts[f"{FOLDER}/nurbs.f90"] = everything.module(made, NOTICE, watched)
+    texts[f"{FOLDER}/nurbs_all.f90"] = everything.includes(made, NOTICE, watched)
     return texts
 
 
@@ -100,7 +102,9 @@ class Module:
     def functions(self, body):
         """What the module needs of nurbs_c: compilers take long to go through all of it again and again."""
         structs = [struct.name for struct in self.binding.manual.structs if struct.name in body]
-        return dict.fromkeys([*(method.entry.name for method in self.methods), *structs])
+        entries = [method.entry for method in self.methods]
+        watched = [entry.watched.name for entry in entries if entry.watched and not takes_structs(entry)]
+        return dict.fromkeys([*(entry.name for entry in entries), *watched, *structs])
 
     def public(self):
         return [method.name for method in self.methods if not self.owner(method)]

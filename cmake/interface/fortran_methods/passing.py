@@ -164,14 +164,32 @@ class Passing:
     # Calls.
 
     def call(self, texts):
-        """The function with these of its parameters; after one that is left out, the names are written."""
+        """The function with these of its parameters."""
+        return self.written(self.method.entry.name, self.method.values, texts)
+
+    def watched_call(self, texts):
+        """The form of it that has `call`, last or before a new handle. Where that takes structs, nurbs_calls has a
+        function with all of the arguments."""
+        names = list(self.method.values)
+        names.insert(len(names) - (names[-1] == "out"), "call")
+        return self.written(watched_name(self.method.entry), names, {**texts, "call": "watched(call)"})
+
+    @staticmethod
+    def written(function, names, texts):
+        """After an argument that is left out, the names are written."""
         words, named = [], False
-        for name in self.method.values:
+        for name in names:
             if name in texts:
                 words.append(f"{name}={texts[name]}" if named else texts[name])
             named = named or name not in texts
-        return f"{self.function}({', '.join(words)})"
+        return f"{function}({', '.join(words)})"
 
-    @property
-    def function(self):
-        return self.method.entry.name
+
+def watched_name(entry):
+    return entry.name.removeprefix("nurbs_") + "_watched" if takes_structs(entry) else entry.watched.name
+
+
+def takes_structs(entry):
+    """Whether the watched form has structs where the function has arguments."""
+    own = {parameter.name for parameter in entry.function.parameters}
+    return not own <= {parameter.name for parameter in entry.watched.parameters}

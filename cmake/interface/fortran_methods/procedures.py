@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from .dummies import Declarations, dummies
 from .passing import Passing
 from .sizes import Sizes
-from .statements import STEP, comment, declarations, statement, under
+from .statements import STEP, block, comment, declarations, indented, statement
 
 OK = "code == NURBS_OK"
 #: Names of methods that hide what Fortran or the module needs under that name.
@@ -45,6 +45,11 @@ class Procedure:
         return self.method.result is not None
 
     @property
+    def is_watched(self):
+        """Whether there is a form of the function that can be told to end."""
+        return self.method.entry.watched is not None
+
+    @property
     def is_counted(self):
         return self.sizes.count is not None
 
@@ -57,15 +62,8 @@ class Procedure:
         yield from declarations([*self.declared(), *self.local_variables(body, variables)], 2)
         for name, text in variables:
             yield from statement(f"{name} = {text}", 2)
-        for text in body:
-            yield from self.broken(text)
+        yield from indented(body, 2)
         yield f"{STEP}end {'function' if self.is_function else 'subroutine'} {self.name}"
-
-    @staticmethod
-    def broken(text):
-        """Statements are joined by line ends where a condition holds for several."""
-        first, *others = text.split("\n")
-        return statement(first, 2) if not others else under(first, others, 2)
 
     def doc(self):
         """Where an array may have one rank less, there are two texts."""
@@ -74,6 +72,7 @@ class Procedure:
 
     def head(self):
         names = ["this"] * bool(self.owner) + [dummy.name for dummy in self.dummies] + ["status"]
+        names += ["call"] * self.is_watched
         if not self.is_function:
             return f"subroutine {self.name}({', '.join(names)})"
         kind = self.result_type() + " " if not self.result_value().extents else ""
@@ -93,6 +92,8 @@ class Procedure:
             yield f"class({self.owner}), intent({'inout' if self.method.receiver == 'out' else 'in'})", "this"
         yield from (made.of(dummy) for dummy in self.dummies)
         yield "integer(c_int32_t), intent(out), optional", "status"
+        if self.is_watched:
+            yield "type(nurbs_call), intent(in), optional, target", "call"
 
     def local_variables(self, body, variables):
         if self.is_function and self.result_value().extents:
@@ -118,7 +119,8 @@ class Procedure:
             yield "call settle(code, status)"
 
     def settled_at_once(self, checks):
-        simple = not checks and not self.is_counted and not self.passing.handles
+        """Whether a single call is all, and nothing depends on its success."""
+        simple = not checks and not self.is_counted and not self.passing.handles and not self.is_watched
         return simple and all(self.always(output) for output in self.outputs)
 
     def once(self, checks):
@@ -127,15 +129,22 @@ class Procedure:
         yield from self.first_values()
         yield from checks
         yield from self.passing.before
-        call = self.passing.call(self.passing.texts)
         if self.settled_at_once(checks):
-            yield f"call settle({call}, status)"
+            yield f"call settle({self.passing.call(self.passing.texts)}, status)"
         else:
-            yield self.guarded(f"code = {call}", checks)
+            yield from self.guarded(self.calls(self.passing.texts), checks)
         yield from self.afterwards()
 
-    def guarded(self, text, checks):
-        return f"if ({OK}) {text}" if checks else text
+    @staticmethod
+    def guarded(statements, checks):
+        return block(OK, statements) if checks else statements
+
+    def calls(self, texts):
+        """The function with these arguments, or the form of it that is watched."""
+        plain = f"code = {self.passing.call(texts)}"
+        if not self.is_watched:
+            return [plain]
+        return ["if (present(call)) then", f"code = {self.passing.watched_call(texts)}", "else", plain, "end if"]
 
     def counted(self, checks):
         """A call that says how much there is, room for that, and a call that fills it."""
@@ -145,14 +154,14 @@ class Procedure:
         yield from self.first_values()
         yield from checks
         yield from self.passing.before
-        yield self.guarded(f"code = {self.passing.call(self.counting())}", checks)
+        yield from self.guarded(self.calls(self.counting()), checks)
         room = list(self.room([output for output in self.outputs if output not in early]))
-        call = f"code = {self.passing.call(self.filling())}"
+        filling = self.calls(self.filling())
         if self.failing == "kept":
-            yield "\n".join([OK, *room, call])
+            yield from block(OK, [*room, *filling])
         else:
             yield from room
-            yield f"if ({OK}) {call}"
+            yield from block(OK, filling)
         yield from self.afterwards()
 
     def counting(self):
@@ -192,18 +201,18 @@ class Procedure:
         if not conditions:
             return []
         fitting = f"code = fitting([{', '.join(conditions)}])"
-        first = self.handle_first(conditions)
+        first = self.handle_first()
         made = [f"{name} = c_null_ptr" for name, _ in self.passing.handles]
         return [*made, f"code = held({first})", f"if ({OK}) {fitting}"] if first else [*made, fitting]
 
-    def handle_first(self, conditions):
+    def handle_first(self):
         """A spline of nothing is found before shapes that do not suit it in its own methods, and where its number of
         points or its weights say what suits it."""
         if self.method.receiver not in ("", "out"):
             return "this%handle"
-        names = {name: number for name, number in self.sizes.numbers.items()
-                 if number.wide.startswith(("points_of", "rational_of"))}
-        return next((number.wide.partition("(")[2].rstrip(")") for number in names.values()), "")
+        texts = [number.wide for number in self.sizes.numbers.values()]
+        return next((text.partition("(")[2].rstrip(")") for text in texts if text.startswith(("points_of", "rational_of"))),
+                    "")
 
     def first_values(self):
         for output in self.outputs:
@@ -253,8 +262,7 @@ class Procedure:
         """Outputs that are not what the library wrote."""
         yield from (self.conversion(output) for output in self.outputs if output.local and self.always(output))
         later = [text for output in self.outputs if not self.always(output) for text in self.after_success(output)]
-        if later:
-            yield "\n".join([OK, *later])
+        yield from block(OK, later)
 
     def always(self, output):
         """Whether it is what it is also after a failure."""

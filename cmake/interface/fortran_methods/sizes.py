@@ -8,6 +8,8 @@ procedure is made, such a number is a mark in its statements, and settle() says 
 import re
 from dataclasses import dataclass
 
+from table import TableError
+
 MARK = re.compile("\x01(\\w+)(,narrow)?\x02")
 #: Functions that are called, so that no variable has their names.
 RESERVED = {"knot_count", "size", "sum", "product"}
@@ -96,7 +98,9 @@ class Sizes:
         """What is added to the name: a number, or a term."""
         kept = [term for term in extent.arguments if name not in term.names()]
         if extent.op != "+" or len(kept) != 1:
-            raise ValueError(f"{self.method.entry.name}: {name} does not follow from a shape")
+            entry = self.method.entry
+            raise TableError(f"{entry.group.name}.toml: {entry.name}: Fortran cannot tell {name} from the shape of an array "
+                             f"that is given; define it: where.{name} = ...")
         return (kept[0].name, "") if kept[0].op == "number" else (0, self.wide(kept[0]))
 
     @staticmethod

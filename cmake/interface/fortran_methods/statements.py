@@ -58,13 +58,17 @@ def declarations(declared, indent):
         yield from listed(f"{attributes} ::", names, indent)
 
 
-def under(condition, statements, indent):
-    """if (condition): one statement or a block."""
-    if not statements:
-        return []
-    if not condition:
-        return [line for text in statements for line in statement(text, indent)]
+def block(condition, statements):
+    """if (condition): one statement, or a block."""
+    statements = list(statements)
     if len(statements) == 1 and not statements[0].startswith("if "):
-        return statement(f"if ({condition}) {statements[0]}", indent)
-    inner = [line for text in statements for line in statement(text, indent + 1)]
-    return [f"{STEP * indent}if ({condition}) then", *inner, f"{STEP * indent}end if"]
+        return [f"if ({condition}) {statements[0]}"]
+    return [f"if ({condition}) then", *statements, "end if"] if statements else []
+
+
+def indented(statements, indent):
+    """Lines of statements, those of blocks deeper."""
+    for text in statements:
+        indent -= text in ("else", "end if")
+        yield from statement(text, indent)
+        indent += text == "else" or text.startswith("if ") and text.endswith(" then")

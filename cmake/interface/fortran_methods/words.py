@@ -3,6 +3,8 @@
 
 import re
 
+from table import TableError
+
 TYPES = {"double": "real(c_double)", "float": "real(c_float)", "int32_t": "integer(c_int32_t)",
          "uint32_t": "integer(c_int32_t)", "nurbs_status": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)"}
 
@@ -54,7 +56,9 @@ class Words:
         """Of an optional number: that of the argument, or of the field of a record of C++."""
         text = argument.default if argument.default is not None else self.field_default(method, argument.pattern.name)
         if text is None:
-            raise ValueError(f"{method.entry.name}: fortran.call: {argument.name} may be left out, but has no default")
+            entry = method.entry
+            raise TableError(f"{entry.group.name}.toml: {entry.name}: fortran.call: {argument.name} may be left out, but "
+                             f"has no default: write {argument.name}? = ...")
         return text
 
     def field_default(self, method, parameter):
