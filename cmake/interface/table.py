@@ -23,7 +23,7 @@ ENTRY_KEYS = {"call", "doc", "section", "where", "shape", "into", "space_only", 
               "by_hand", "watched", "lenient"}
 LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "by_hand", "dim_of", "sizes", "called"}
 RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand", "of_splines"}
-RECORD_LANGUAGE_KEYS = {"name", "outputs", "rename"}
+RECORD_LANGUAGE_KEYS = {"doc", "name", "outputs", "rename"}
 
 
 class TableError(Exception):
