@@ -50,7 +50,8 @@ fn homogeneous_points_and_periods_count() -> Result<()> {
     let homogeneous = |x| Spline::create_homogeneous(&[1], &[2], &knots, 1, &[1., 1., x, 1.], 0);
     assert_ne!(cartesian, homogeneous(2.)?);
     assert_ne!(homogeneous(3.)?, homogeneous(2.)?);
-    let loose = |flags| Spline::create(&[1], &[4], &[-1., 0., 1., 2., 3., 4.], 1, &[5., 6., 7., 5.], None, flags);
+    let loose =
+        |flags| Spline::create(&[1], &[4], &[-1., 0., 1., 2., 3., 4.], 1, &[5., 6., 7., 5.], None, flags);
     assert_eq!(loose(sys::NURBS_PERIODIC)?, loose(sys::NURBS_PERIODIC)?);
     assert_ne!(loose(sys::NURBS_PERIODIC)?, loose(0)?);
     Ok(())
@@ -58,7 +59,8 @@ fn homogeneous_points_and_periods_count() -> Result<()> {
 
 fn settings_have_defaults() -> Result<()> {
     let rod = Spline::line(&[0., 0.], &[4., 0.])?;
-    let how = Bend { origin: &[0., 0.], along: &[1., 0.], across: &[0., 1.], curvature: 0.5, ..Bend::default() };
+    let how =
+        Bend { origin: &[0., 0.], along: &[1., 0.], across: &[0., 1.], curvature: 0.5, ..Bend::default() };
     assert!(how.lower == f64::NEG_INFINITY && how.upper == f64::INFINITY);
     let end = rod.bend(how, 1e-6)?.spline.eval(&[1.], 0)?;
     assert!((end[0] - 2. * 2f64.sin()).abs() < 1e-5);
