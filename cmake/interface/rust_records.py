@@ -27,7 +27,7 @@ def struct(record, binding):
                for field, (name, text, value, pattern) in zip(fields_of(record), record.members("rust"))]
     kinds = [kind_ for _, _, kind_ in members]
     has_default = is_input(record) and set(record.defaults.values()) - {0, "{}"}
-    yield from words.comment(record.doc)
+    yield from words.comment(record.options.get("rust", {}).get("doc", record.doc))
     yield f"#[derive({', '.join(derived(kinds, binding, bool(has_default)))})]"
     if all(is_result for _, _, is_result in record.uses["rust"]):
         yield "#[non_exhaustive]"

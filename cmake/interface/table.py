@@ -24,7 +24,7 @@ ENTRY_KEYS = {"call", "doc", "section", "where", "shape", "into", "space_only", 
 LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "failing", "by_hand", "dim_of",
                  "sizes", "called"}
 RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand", "of_splines"}
-RECORD_LANGUAGE_KEYS = {"name", "outputs", "rename", "initial"}
+RECORD_LANGUAGE_KEYS = {"doc", "name", "outputs", "rename", "initial"}
 MOST_PARAMETERS = 12  # of a new function
 
 

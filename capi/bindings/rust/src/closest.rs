@@ -103,8 +103,8 @@ pub struct Distance {
     pub status: i32,
 }
 
-/// Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so far
-/// away.
+/// Bounds of the distances from the first spline to the second and back, and the parameters of points that
+/// are `at_least` so far away.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct HausdorffDistance {

@@ -102,6 +102,11 @@ pub const fn on_all_axes(axes: u32, flags: u32) -> u32 {
     flags * (0x010101 >> (8 * (3 - axes)))
 }
 
+// The examples of README.md run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 // Checked by the compiler: threads may share what this crate makes.
 const _: fn() = || {
     fn shared<T: Send + Sync>() {}
