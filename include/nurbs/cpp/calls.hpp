@@ -30,7 +30,7 @@ namespace detail {
 class Watch {
 public:
     explicit Watch(const CallOptions &call) : call_(call) {
-        options_.struct_size = sizeof options_;
+        static_cast<void>(nurbs_call_options_init(&options_, sizeof options_));
         options_.work = call.work;
         options_.progress = call.progress ? &Watch::progress : nullptr;
         options_.user = this;
@@ -79,9 +79,18 @@ inline nurbs_closest_query closest_query(std::int64_t n, const double *points, s
 inline nurbs_closest_answer closest_answer(double *params, std::int64_t param_stride,
                                            std::int64_t param_component_stride, double *feet,
                                            std::int64_t foot_stride, std::int64_t foot_component_stride,
-                                           double *distances, std::int64_t distance_stride, std::int32_t *status) {
-    return {sizeof(nurbs_closest_answer), params, param_stride, param_component_stride, feet, foot_stride,
-            foot_component_stride, distances, distance_stride, status};
+                                           double *distances, std::int64_t distance_stride,
+                                           std::int32_t *status) {
+    return {sizeof(nurbs_closest_answer),
+            params,
+            param_stride,
+            param_component_stride,
+            feet,
+            foot_stride,
+            foot_component_stride,
+            distances,
+            distance_stride,
+            status};
 }
 
 template <Extremal *find>
@@ -89,8 +98,9 @@ nurbs_status extremal_points(const nurbs *g, std::int64_t n, const double *point
                              std::int64_t point_component_stride, const double *range, double tolerance,
                              std::int64_t budget, double *params, std::int64_t param_stride,
                              std::int64_t param_component_stride, double *feet, std::int64_t foot_stride,
-                             std::int64_t foot_component_stride, double *distances, std::int64_t distance_stride,
-                             std::int32_t *status, std::uint32_t flags, const nurbs_call_options *call) {
+                             std::int64_t foot_component_stride, double *distances,
+                             std::int64_t distance_stride, std::int32_t *status, std::uint32_t flags,
+                             const nurbs_call_options *call) {
     nurbs_closest_query query = closest_query(n, points, point_stride, point_component_stride, flags);
     query.range = range;
     query.tolerance = tolerance;
@@ -103,13 +113,15 @@ nurbs_status extremal_points(const nurbs *g, std::int64_t n, const double *point
 inline constexpr auto nurbs_closest_points_with = &extremal_points<::nurbs_closest_points_with>;
 inline constexpr auto nurbs_farthest_points_with = &extremal_points<::nurbs_farthest_points_with>;
 
-inline nurbs_status nurbs_closest_local_with(
-    const nurbs *g, std::int64_t n, const double *points, std::int64_t point_stride,
-    std::int64_t point_component_stride, const double *guesses, std::int64_t guess_stride,
-    std::int64_t guess_component_stride, double *params, std::int64_t param_stride,
-    std::int64_t param_component_stride, double *feet, std::int64_t foot_stride,
-    std::int64_t foot_component_stride, double *distances, std::int64_t distance_stride, std::int32_t *status,
-    std::uint32_t flags, const nurbs_call_options *call) {
+inline nurbs_status nurbs_closest_local_with(const nurbs *g, std::int64_t n, const double *points,
+                                             std::int64_t point_stride, std::int64_t point_component_stride,
+                                             const double *guesses, std::int64_t guess_stride,
+                                             std::int64_t guess_component_stride, double *params,
+                                             std::int64_t param_stride, std::int64_t param_component_stride,
+                                             double *feet, std::int64_t foot_stride,
+                                             std::int64_t foot_component_stride, double *distances,
+                                             std::int64_t distance_stride, std::int32_t *status,
+                                             std::uint32_t flags, const nurbs_call_options *call) {
     nurbs_closest_query query = closest_query(n, points, point_stride, point_component_stride, flags);
     query.guesses = guesses;
     query.guess_stride = guess_stride;
@@ -120,11 +132,13 @@ inline nurbs_status nurbs_closest_local_with(
     return ::nurbs_closest_local_with(g, &query, &answer, call);
 }
 
-inline nurbs_status nurbs_curve_signed_distances_with(
-    const nurbs *g, std::int64_t n, const double *points, std::int64_t point_stride,
-    std::int64_t point_component_stride, double tolerance, std::int64_t budget, double *distances,
-    std::int64_t distance_stride, double *params, std::int64_t param_stride, std::int32_t *status,
-    std::uint32_t flags, const nurbs_call_options *call) {
+inline nurbs_status nurbs_curve_signed_distances_with(const nurbs *g, std::int64_t n, const double *points,
+                                                      std::int64_t point_stride,
+                                                      std::int64_t point_component_stride, double tolerance,
+                                                      std::int64_t budget, double *distances,
+                                                      std::int64_t distance_stride, double *params,
+                                                      std::int64_t param_stride, std::int32_t *status,
+                                                      std::uint32_t flags, const nurbs_call_options *call) {
     nurbs_closest_query query = closest_query(n, points, point_stride, point_component_stride, flags);
     query.tolerance = tolerance;
     query.budget = budget;
@@ -134,13 +148,13 @@ inline nurbs_status nurbs_curve_signed_distances_with(
 }
 
 inline nurbs_status nurbs_constrain_with(const nurbs *g, std::int64_t count, const std::int32_t *kinds,
-                                         const std::int32_t *orders, const double *params, const double *targets,
-                                         const std::int32_t *keep, const double *costs,
+                                         const std::int32_t *orders, const double *params,
+                                         const double *targets, const std::int32_t *keep, const double *costs,
                                          const double *weight_costs, double tolerance, double *residuals,
                                          std::int64_t *rank, double *moved, double *optimality,
                                          const nurbs_call_options *call, nurbs **out) {
-    const nurbs_constraints constraints{sizeof constraints, count, kinds, orders,       params,
-                                        targets,            keep,  costs, weight_costs, tolerance};
+    const nurbs_constraints constraints{
+        sizeof constraints, count, kinds, orders, params, targets, keep, costs, weight_costs, tolerance};
     nurbs_constraint_report report{sizeof report, residuals, 0, 0, 0};
     const nurbs_status status = ::nurbs_constrain_with(g, &constraints, &report, call, out);
     if (status == NURBS_OK) {

@@ -33,12 +33,15 @@ pub struct Call<'a> {
 impl<'a> Call<'a> {
     /// Without a limit, and without a callback.
     pub fn new() -> Call<'a> {
-        let options = sys::nurbs_call_options {
-            struct_size: size_of::<sys::nurbs_call_options>() as i64,
+        let size = size_of::<sys::nurbs_call_options>() as i64;
+        let mut options = sys::nurbs_call_options {
+            struct_size: size,
             work: 0,
             progress: None,
             user: std::ptr::null_mut(),
         };
+        // Of a struct of the header's size nothing can be wrong.
+        unsafe { sys::nurbs_call_options_init(&mut options, size) };
         Call { options, progress: None }
     }
     /// Most multiply-adds; 0 sets no limit. At the limit searches answer with what is proven so far; other calls fail
