@@ -250,7 +250,7 @@ class Body:
 
     def mutable(self, late):
         """A closure that writes to variables."""
-        return "mut " if any(target.startswith("&mut") or target.endswith("as_mut_ptr()")
+        return "mut " if self.watched or any(target.startswith("&mut") or target.endswith("as_mut_ptr()")
                              for name in self.outputs() if self.values[name] not in late
                              for target in self.targets[name]) else ""
 

@@ -14,6 +14,8 @@ sys.path.insert(0, str(TOP / "cmake/interface"))
 
 import cpp  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
+import methods  # noqa: E402 - from the project
+import rust_methods  # noqa: E402 - from the project
 import signature  # noqa: E402 - from the project
 import table  # noqa: E402 - from the project
 
@@ -213,6 +215,46 @@ class Cplusplus(unittest.TestCase):
         self.assertIn("inline Returned<Spline> add(const Spline &a, const Spline &b, double scale, const CallOptions &call) "
                       "{ const detail::Watch watch(call); return detail::made<Spline>(nurbs_add_with, a.get(), b.get(), scale, "
                       "watch.get()); }", text)
+
+
+class Rust(unittest.TestCase):
+    def text(self, text=GOOD, more=""):
+        texts = rust_methods.files(read(text, more))
+        return " ".join(texts["capi/bindings/rust/src/some.rs"].split())
+
+    def test_a_method_of_splines(self):
+        text = self.text()
+        self.assertIn("use crate::error::{check, Result}; use crate::spline::Spline; use crate::sys; ", text)
+        self.assertIn("/// Adds two. pub fn add(&self, other: &Spline, scale: f64) -> Result<Spline> { "
+                      "Spline::made(|out| unsafe { sys::nurbs_add(self.raw(), other.raw(), scale, out) }) }", text)
+
+    def test_checks_and_room(self):
+        text = self.text()
+        self.assertIn("#[derive(Clone, Debug, Default, PartialEq)] #[non_exhaustive] pub struct Near { /// `[n][axes]` "
+                      "pub params: Vec<f64>, /// The largest. pub gap: f64, }", text)
+        self.assertIn("let points = points.into(); let n = points.count(self.dimension()? as usize, \"points\")?; "
+                      "let axes = self.axes()? as usize; let range = if_given(range, 2 * axes, \"range\")?; "
+                      "let mut params = vec![0.0; n * axes]; let mut gap = 0.0;", text)
+        self.assertIn("check(unsafe { sys::nurbs_near(self.raw(), n as i64, points.pointer(), points.stride(), "
+                      "points.component_stride(), range, tolerance, params.as_mut_ptr(), &mut gap) })?; "
+                      "Ok(Near { params, gap })", text)
+
+    def test_a_form_with_call_options(self):
+        text = self.text(changed("[nurbs_add]", "[nurbs_add]\nwatched = true"), WITH)
+        self.assertIn("pub fn add_with(&self, other: &Spline, scale: f64, call: &mut Call) -> Result<Spline> {", text)
+        self.assertRegex(text, r"sys::nurbs_add_with\(self.raw\(\), other.raw\(\), scale, .*call.options\(\)")
+
+    def test_numbers_are_not_hidden_by_pointers(self):
+        hidden = changed("tolerance?)", "tolerance?)\"\nrust.call = \"g.near(points, cap: tolerance, range) -> Near")
+        with self.assertRaisesRegex(methods.MethodError, "nurbs_near: rust.call has to rename cap"):
+            self.text(hidden)
+
+    def test_lengths_that_are_called_alike(self):
+        """The points of a spline and the records of an array are two numbers."""
+        grown = [method for method in table.read(header.read(TOP), TOP).methods("rust") if method.name == "eval_adjoint"]
+        body = " ".join(rust_methods.Body(grown[0], table.read(header.read(TOP), TOP)).returning())
+        self.assertIn("let count = self.point_count()?;", body)
+        self.assertIn("let mut grad_params = vec![0.0; n * axes];", body)
 
 
 if __name__ == "__main__":
