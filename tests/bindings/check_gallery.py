@@ -50,10 +50,11 @@ def check_same(drawn, shown):
 
 
 def check_complete(top):
-    """Every function of these chapters is called."""
+    """Every function of these chapters is called, but for second forms."""
     sources = [top / "capi/examples/gallery.c", *(top / "capi/examples/gallery").glob("*.h")]
     text = "\n".join(path.read_text() for path in sources)
-    functions = [function for function in header.read(top).functions if function.module.name in CHAPTERS]
+    functions = [function for function in header.read(top).functions
+                 if function.module.name in CHAPTERS and not function.name.endswith("_with")]
     missing = [function.name for function in functions if not re.search(rf"\b{function.name}\(", text)]
     assert len(functions) > 40
     assert not missing, f"not drawn: {missing}"
