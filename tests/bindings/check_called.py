@@ -20,7 +20,8 @@ def exported(version_script):
 
 def called(folders):
     files = [file for folder in folders for file in sorted(pathlib.Path(folder).glob("*"))]
-    return {name for file in files for name in CALL.findall(file.read_text(errors="replace"))}
+    names = {name for file in files for name in CALL.findall(file.read_text(errors="replace"))}
+    return names | {name.removesuffix("_with") for name in names}  # the same function, which may be watched
 
 
 def main():

@@ -12,7 +12,8 @@ HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
 NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
              "degree": "degrees", "count": "counts"}
 #: What is no function of its own: handles and lists.
-INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_list_count", "nurbs_list_get",
+INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_call_options_init", "nurbs_list_count",
+          "nurbs_list_get",
           "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy"}
 
 
@@ -25,7 +26,7 @@ def functions():
 
 def names_of(function):
     """What a function may be called here."""
-    name = function[len("nurbs_"):]
+    name = function[len("nurbs_"):].removesuffix("_with")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
             re.sub("^create_", "", name)}

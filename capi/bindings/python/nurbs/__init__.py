@@ -17,9 +17,18 @@ function of this module. Prefixes (nurbs_, curve_, surface_, volume_) are left o
   others are converted. Results are new arrays, or `out` where a method takes it; properties that are arrays are copies.
 - A failure raises a NurbsError with `status`, `name` and `message`, which also is the exception that Python would
   raise: ArgumentError and DomainError are ValueError, RangeError is IndexError too, NumericError is ArithmeticError,
-  OutOfMemoryError is MemoryError, FileError is OSError, ContentsError is ValueError, ResourceError and InternalError
-  are RuntimeError. Arrays of a wrong shape raise ValueError, arguments of a wrong type TypeError, numbers that do not
-  fit OverflowError. A failing call writes nothing to `out`.
+  OutOfMemoryError is MemoryError, FileError is OSError, ContentsError is ValueError, ResourceError (WorkError is one),
+  CancelledError and InternalError are RuntimeError. Arrays of a wrong shape raise ValueError, arguments of a wrong type
+  TypeError, numbers that do not fit OverflowError. A failing call writes nothing to `out`.
+- What can take long has two arguments more. `progress` is called with the part that is done, an estimate from 0 to 1
+  that never falls, at most every 10 ms, so that a short call may end without that; it may use any spline. If it returns
+  False the call raises CancelledError, and what it raises itself leaves the call. True shows tqdm's bar where tqdm is
+  installed, else percents on the standard error output. `work` is the most multiply-adds, of which a processor does
+  some 10^9 in a second or two: searches then answer with what is proven so far and say so in `status` (the bit
+  NURBS_CLOSEST_BUDGET), `complete` or `result`, anything else raises WorkError. Methods that list what they find, and
+  those whose answer overflows, ask the library again, each time with this limit.
+- Ctrl-C interrupts all of these, as does what other handlers of signals raise, with progress or without; splines are as
+  they were.
 - The interpreter's lock is released during every call, and one spline may be used by many threads at once.
 - Splines are values: they never change, can be compared, hashed, copied and pickled, bit for bit.
 

@@ -10,6 +10,7 @@ import numpy
 
 from ._arrays import address, if_given
 from ._base import SplineBase
+from ._calls import watched
 from ._library import call, get, lib
 from .constants import (NURBS_FEATURE_CURVATURE_MAXIMUM, NURBS_FEATURE_CURVATURE_MINIMUM, NURBS_FEATURE_CUSP,
                         NURBS_FEATURE_INFLECTION, NURBS_FEATURE_JUMP, NURBS_FEATURE_KINK, NURBS_FEATURE_TORSION)
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._arrays import Booleans, Floats, Int32s
+    from ._calls import Progress
 
 __all__ = ["CurveFeatures", "MonotonePieces", "Straightness", "Planarity", "BoundaryContacts", "SingularPoints", "Fold",
            "Recognized", "ShapeFactor"]
@@ -121,13 +123,14 @@ def _listed(result: Callable[..., _Found], arrays: Callable[[int], Sequence[Any]
 class Analysis(SplineBase):
     """Questions about the shape."""
 
-    def features(self, kinds: Optional[int] = None) -> CurveFeatures:
+    def features(self, kinds: Optional[int] = None, *, progress: Progress = None,
+                 work: Optional[int] = None) -> CurveFeatures:
         """Inflections, extrema of curvature, cusps, kinks, jumps and, in space, changes of torsion along a curve; of
         all kinds unless a sum of NURBS_FEATURE_ constants is given."""
         if kinds is None:
             kinds = _PLANE | NURBS_FEATURE_TORSION if self.dimension == 3 else _PLANE
         return _listed(CurveFeatures, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty(n)),
-                       lib.nurbs_curve_features, self._handle, kinds)
+                       watched(lib.nurbs_curve_features, progress, work, 2), self._handle, kinds)
 
     def monotone_pieces(self, direction: ArrayLike) -> MonotonePieces:
         """The pieces of a curve on which direction . C(t) rises, falls or stays; direction (dimension,)."""
@@ -166,22 +169,23 @@ class Analysis(SplineBase):
         return _listed(SingularPoints, lambda n: (numpy.empty((n, axes)), numpy.empty((n, axes, 2))),
                        lib.nurbs_singular_points, self._handle, tolerance)
 
-    def fold_test(self, reference: Optional[ArrayLike] = None) -> Fold:
+    def fold_test(self, reference: Optional[ArrayLike] = None, *, progress: Progress = None,
+                  work: Optional[int] = None) -> Fold:
         """Whether a surface in the plane or a volume folds over, or a surface in space seen along `reference` (3,):
         whether the Jacobian changes its sign."""
         given = if_given(reference, 3, "a reference")
         positive, negative, result = numpy.empty(self.axes), numpy.empty(self.axes), ctypes.c_int32()
-        call(lib.nurbs_fold_test, self._handle, address(given), ctypes.byref(result), positive.ctypes.data,
-             negative.ctypes.data)
+        call(watched(lib.nurbs_fold_test, progress, work), self._handle, address(given), ctypes.byref(result),
+             positive.ctypes.data, negative.ctypes.data)
         return Fold(result.value, positive, negative)
 
-    def recognize(self, tolerance: float) -> Recognized:
+    def recognize(self, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Recognized:
         """The first shape of the list of nurbs_recognize() (point, line, circle, plane, sphere, ...) from which no
         point is farther than the tolerance."""
         shape, deviation = ctypes.c_int32(), ctypes.c_double()
         placement, sizes = numpy.empty((3, 3)), numpy.empty(3)
-        call(lib.nurbs_recognize, self._handle, tolerance, ctypes.byref(shape), placement.ctypes.data,
-             sizes.ctypes.data, ctypes.byref(deviation))
+        call(watched(lib.nurbs_recognize, progress, work), self._handle, tolerance, ctypes.byref(shape),
+             placement.ctypes.data, sizes.ctypes.data, ctypes.byref(deviation))
         origin, axis, x = placement
         return Recognized(shape.value, origin, axis, x, sizes, deviation.value)
 

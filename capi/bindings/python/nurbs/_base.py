@@ -45,7 +45,12 @@ class SplineBase:
     @classmethod
     def _made(cls, function: Any, *arguments: Any) -> Spline:
         """The spline that a function writes through its last argument."""
-        return cls._owner(get(ctypes.c_void_p, function, *arguments))
+        spline, handle = cls._owner(None), ctypes.c_void_p()
+        try:
+            call(function, *arguments, ctypes.byref(handle))
+        finally:  # an interrupt may come after the call
+            spline.__dict__["_handle"] = handle.value
+        return spline
 
     @staticmethod
     def _listed(function: Any, *arguments: Any) -> SplineList:

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Union
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
 import numpy
 
 from ._arrays import exactly, packed, vector
 from ._base import SplineBase, handle_of
+from ._calls import watched
 from ._library import call, lib
 from .constants import NURBS_PRODUCT_DOT
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._arrays import Floats
+    from ._calls import Progress
     from ._spline import Spline
 
 
@@ -48,15 +50,16 @@ class Calculus(SplineBase):
              values.ctypes.data, flags)
         return values
 
-    def product(self, other: SplineBase, flags: int = 0) -> Spline:
+    def product(self, other: SplineBase, flags: int = 0, *, progress: Progress = None,
+                work: Optional[int] = None) -> Spline:
         """The product self(t) other(t): by components, or with NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS. One of them
         may have dimension 1 and multiplies all components of the other."""
-        return self._made(lib.nurbs_product, self._handle, handle_of(other), flags)
+        return self._made(watched(lib.nurbs_product, progress, work), self._handle, handle_of(other), flags)
 
-    def compose(self, inner: SplineBase) -> Spline:
+    def compose(self, inner: SplineBase, *, progress: Progress = None, work: Optional[int] = None) -> Spline:
         """The curve self(inner(t)) for a curve in the parameter space of this spline, polynomial or with positive
         weights, such as a circle on a surface."""
-        return self._made(lib.nurbs_compose, self._handle, handle_of(inner))
+        return self._made(watched(lib.nurbs_compose, progress, work), self._handle, handle_of(inner))
 
     def sum(self, other: SplineBase, alpha: float = 1.0, beta: float = 1.0) -> Spline:
         """The spline alpha self(t) + beta other(t)."""

@@ -10,6 +10,7 @@ import numpy
 
 from ._arrays import address, addresses, records
 from ._base import SplineBase, handle_of
+from ._calls import watched
 from ._library import call, lib
 from .constants import NURBS_NAN_POINTS
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ._arrays import Floats, Int32s, Records, Shape
+    from ._calls import Progress
 
 __all__ = ["ClosestPoints", "ClosestAll", "CriticalPoints", "SignedDistances", "Distance", "HausdorffDistance"]
 
@@ -115,22 +117,28 @@ class Distances(SplineBase):
         return self._nearest(shape, nan_points, function, given.n, *given.layout, address(limits), tolerance, budget)
 
     def closest_points(self, points: ArrayLike, *, range: Optional[ArrayLike] = None, tolerance: float = 0.0,
-                       budget: int = 0, nan_points: bool = False) -> ClosestPoints:
+                       budget: int = 0, nan_points: bool = False, progress: Progress = None,
+                       work: Optional[int] = None) -> ClosestPoints:
         """The nearest points of the spline to points S + (dimension,); in a volume this is inversion."""
-        return self._search(lib.nurbs_closest_points, points, range, tolerance, budget, nan_points)
+        return self._search(watched(lib.nurbs_closest_points, progress, work), points, range, tolerance, budget,
+                            nan_points)
 
     def farthest_points(self, points: ArrayLike, *, range: Optional[ArrayLike] = None, tolerance: float = 0.0,
-                        budget: int = 0, nan_points: bool = False) -> ClosestPoints:
+                        budget: int = 0, nan_points: bool = False, progress: Progress = None,
+                        work: Optional[int] = None) -> ClosestPoints:
         """The farthest points of the spline from points S + (dimension,)."""
-        return self._search(lib.nurbs_farthest_points, points, range, tolerance, budget, nan_points)
+        return self._search(watched(lib.nurbs_farthest_points, progress, work), points, range, tolerance, budget,
+                            nan_points)
 
-    def closest_local(self, points: ArrayLike, guesses: ArrayLike, *, nan_points: bool = False) -> ClosestPoints:
+    def closest_local(self, points: ArrayLike, guesses: ArrayLike, *, nan_points: bool = False,
+                      progress: Progress = None, work: Optional[int] = None) -> ClosestPoints:
         """Local minima of the distance, each the one that a descent from a guess (parameters, one for each point) comes
         to. Never certified."""
         (given, shape), (starts, _) = self._queries(points), self._params(guesses)
         if starts.n != given.n:
             raise ValueError(f"{starts.n} guesses for {given.n} points")
-        return self._nearest(shape, nan_points, lib.nurbs_closest_local, given.n, *given.layout, *starts.layout)
+        return self._nearest(shape, nan_points, watched(lib.nurbs_closest_local, progress, work), given.n,
+                             *given.layout, *starts.layout)
 
     def _all(self, function: Any, point: ArrayLike, part: Optional[ArrayLike], tolerance: float, budget: int,
              kinds: int) -> Tuple[Any, ...]:
@@ -150,40 +158,45 @@ class Distances(SplineBase):
         return (*found, status.value)
 
     def closest_all(self, point: ArrayLike, *, range: Optional[ArrayLike] = None, tolerance: float = 0.0,
-                    budget: int = 0) -> ClosestAll:
+                    budget: int = 0, progress: Progress = None, work: Optional[int] = None) -> ClosestAll:
         """All points that are local minima of the distance to a point (dimension,) and as near as the nearest one to
         the tolerance."""
-        return ClosestAll(*self._all(lib.nurbs_closest_all, point, range, tolerance, budget, 0))
+        function = watched(lib.nurbs_closest_all, progress, work, 2)
+        return ClosestAll(*self._all(function, point, range, tolerance, budget, 0))
 
     def critical_points(self, point: ArrayLike, *, range: Optional[ArrayLike] = None, tolerance: float = 0.0,
-                        budget: int = 0) -> CriticalPoints:
+                        budget: int = 0, progress: Progress = None, work: Optional[int] = None) -> CriticalPoints:
         """All critical points of the distance from a point (dimension,): feet of perpendiculars, and minima and maxima
         at ends, edges and corners."""
-        return CriticalPoints(*self._all(lib.nurbs_critical_points, point, range, tolerance, budget, 1))
+        function = watched(lib.nurbs_critical_points, progress, work, 2)
+        return CriticalPoints(*self._all(function, point, range, tolerance, budget, 1))
 
     def signed_distances(self, points: ArrayLike, *, tolerance: float = 0.0, budget: int = 0,
-                         nan_points: bool = False) -> SignedDistances:
+                         nan_points: bool = False, progress: Progress = None,
+                         work: Optional[int] = None) -> SignedDistances:
         """Signed distances of points S + (2,) from a curve in the plane, positive to its left."""
         given, shape = self._queries(points)
         found = SignedDistances(numpy.empty(shape), numpy.empty(shape), numpy.empty(shape, numpy.int32))
         distances, params, status = addresses(*found)
-        call(lib.nurbs_curve_signed_distances, self._handle, given.n, *given.layout, tolerance, budget, distances, 0,
-             params, 0, status, _flags(nan_points))
+        call(watched(lib.nurbs_curve_signed_distances, progress, work), self._handle, given.n, *given.layout,
+             tolerance, budget, distances, 0, params, 0, status, _flags(nan_points))
         return found
 
-    def distance(self, other: SplineBase, tolerance: float = 0.0, *, budget: int = 0) -> Distance:
+    def distance(self, other: SplineBase, tolerance: float = 0.0, *, budget: int = 0, progress: Progress = None,
+                 work: Optional[int] = None) -> Distance:
         """The smallest distance from another spline, enclosed to the tolerance."""
         theirs, low, high, status = handle_of(other), ctypes.c_double(), ctypes.c_double(), ctypes.c_int32()
         params, others = numpy.empty(self.axes), numpy.empty(other.axes)
-        call(lib.nurbs_distance, self._handle, theirs, tolerance, budget, ctypes.byref(low), ctypes.byref(high),
-             params.ctypes.data, others.ctypes.data, ctypes.byref(status))
+        call(watched(lib.nurbs_distance, progress, work), self._handle, theirs, tolerance, budget, ctypes.byref(low),
+             ctypes.byref(high), params.ctypes.data, others.ctypes.data, ctypes.byref(status))
         return Distance(low.value, high.value, params, others, status.value)
 
-    def hausdorff_distance(self, other: SplineBase, tolerance: float, *, budget: int = 0) -> HausdorffDistance:
+    def hausdorff_distance(self, other: SplineBase, tolerance: float, *, budget: int = 0, progress: Progress = None,
+                           work: Optional[int] = None) -> HausdorffDistance:
         """How far the point of this spline that is farthest from another one is from it, and the other way round,
         enclosed to the tolerance."""
         theirs, low, high, status = handle_of(other), numpy.empty(2), numpy.empty(2), ctypes.c_int32()
         params, others = numpy.empty(self.axes), numpy.empty(other.axes)
-        call(lib.nurbs_hausdorff_distance, self._handle, theirs, tolerance, budget, low.ctypes.data,
-             high.ctypes.data, params.ctypes.data, others.ctypes.data, ctypes.byref(status))
+        call(watched(lib.nurbs_hausdorff_distance, progress, work), self._handle, theirs, tolerance, budget,
+             low.ctypes.data, high.ctypes.data, params.ctypes.data, others.ctypes.data, ctypes.byref(status))
         return HausdorffDistance(low, high, params, others, status.value)

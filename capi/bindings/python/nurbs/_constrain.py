@@ -10,12 +10,14 @@ import numpy
 
 from ._arrays import address, exactly, if_given, one_each, packed, records
 from ._base import SplineBase
+from ._calls import watched
 from ._library import lib
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ._arrays import Floats
+    from ._calls import Progress
     from ._spline import Spline
 
 __all__ = ["Constrained"]
@@ -42,7 +44,7 @@ class Constraints(SplineBase):
     def constrain(self, params: ArrayLike, targets: ArrayLike, kinds: Optional[ArrayLike] = None,
                   orders: Optional[ArrayLike] = None, *, keep: Optional[ArrayLike] = None,
                   costs: Optional[ArrayLike] = None, weight_costs: Optional[ArrayLike] = None,
-                  tolerance: float = 0.0) -> Constrained:
+                  tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Constrained:
         """Control points, and with weight_costs weights, changed so that constraints at parameters (n,) of a curve,
         else (n, axes), meet targets (n, dimension); one alone may leave n out. Least sum costs_i |P_i* - P_i|^2 +
         weight_costs_i (w_i* / w_i - 1)^2.
@@ -59,7 +61,7 @@ class Constraints(SplineBase):
         options = [if_given(keep, 2 * axes, "keep", numpy.int32), self._of_points(costs, "costs"),
                    self._of_points(weight_costs, "weight_costs")]
         residuals, rank, moved, optimality = numpy.empty(at.n), ctypes.c_int64(), ctypes.c_double(), ctypes.c_double()
-        made = self._made(lib.nurbs_constrain, self._handle, at.n, *map(address, given), at.layout[0],
-                          goals.ctypes.data, *map(address, options), tolerance, residuals.ctypes.data,
+        made = self._made(watched(lib.nurbs_constrain, progress, work), self._handle, at.n, *map(address, given),
+                          at.layout[0], goals.ctypes.data, *map(address, options), tolerance, residuals.ctypes.data,
                           ctypes.byref(rank), ctypes.byref(moved), ctypes.byref(optimality))
         return Constrained(made, residuals, rank.value, moved.value, optimality.value)

@@ -11,6 +11,7 @@ import numpy
 
 from ._arrays import address, exactly, if_given
 from ._base import SplineBase, handle_of
+from ._calls import watched
 from ._library import if_representable, lib
 from .constants import NURBS_REVERSED
 from ._edit import PointEdit
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._arrays import Floats
+    from ._calls import Progress
     from ._spline import Spline
 
 __all__ = ["Deformed", "Faired"]
@@ -66,28 +68,33 @@ class Deformations(SplineBase):
         return Deformed(made, deviation.value, bool(proven.value))
 
     def bend(self, origin: ArrayLike, along: ArrayLike, across: ArrayLike, curvature: float, tolerance: float, *,
-             lower: float = -inf, upper: float = inf) -> Deformed:
+             lower: float = -inf, upper: float = inf, progress: Progress = None,
+             work: Optional[int] = None) -> Deformed:
         """The part with lower <= a <= upper, a counted along a unit vector from the origin, bent about an axis: a goes
         to (1/k + b) sin(k a), b, counted across, to (1/k + b) cos(k a) - 1/k; the rest goes on straight."""
         named = (origin, "an origin"), (along, "along"), (across, "across")
         vectors = [self._coordinates(values, name) for values, name in named]
-        return self._deformed(lib.nurbs_bend, *(v.ctypes.data for v in vectors), curvature, lower, upper, tolerance)
+        return self._deformed(watched(lib.nurbs_bend, progress, work), *(v.ctypes.data for v in vectors), curvature,
+                              lower, upper, tolerance)
 
-    def free_form_deform(self, volume: SplineBase, lower: ArrayLike, upper: ArrayLike, tolerance: float) -> Deformed:
+    def free_form_deform(self, volume: SplineBase, lower: ArrayLike, upper: ArrayLike, tolerance: float, *,
+                         progress: Progress = None, work: Optional[int] = None) -> Deformed:
         """A shape in the box from lower to upper mapped by a volume, whose domain the box stands for."""
         map_of, axes = handle_of(volume), volume.axes
         low, high = exactly(lower, axes, "lower"), exactly(upper, axes, "upper")
-        return self._deformed(lib.nurbs_free_form_deform, map_of, low.ctypes.data, high.ctypes.data, tolerance)
+        return self._deformed(watched(lib.nurbs_free_form_deform, progress, work), map_of, low.ctypes.data,
+                              high.ctypes.data, tolerance)
 
-    def fair(self, tolerance: float, order: int = 2, *, keep: Optional[ArrayLike] = None) -> Faired:
+    def fair(self, tolerance: float, order: int = 2, *, keep: Optional[ArrayLike] = None, progress: Progress = None,
+             work: Optional[int] = None) -> Faired:
         """The least energy within a tolerance: of order 1 (membrane), 2 (thin plate) or 3; keep holds the orders of
         derivatives (axes, 2) that stay at the ends, None: positions. Energies that overflow are infinite."""
         given = if_given(keep, 2 * self.axes, "keep", numpy.int32)
         energies, bound = numpy.empty(2), ctypes.c_double()
+        fair = watched(lib.nurbs_fair, progress, work)
 
         def made(asked: Optional[int]) -> Spline:
-            return self._made(lib.nurbs_fair, self._handle, order, address(given), tolerance, asked,
-                              ctypes.byref(bound))
+            return self._made(fair, self._handle, order, address(given), tolerance, asked, ctypes.byref(bound))
 
         return Faired(if_representable(made, energies, inf), energies, bound.value)
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from typing import Dict, Tuple, Type
 
-from .constants import NURBS_ERROR_AXIS, NURBS_ERROR_FILE, NURBS_ERROR_INDEX, NURBS_ERROR_MEMORY
+from .constants import (NURBS_ERROR_AXIS, NURBS_ERROR_CANCELLED, NURBS_ERROR_FILE, NURBS_ERROR_INDEX,
+                        NURBS_ERROR_MEMORY, NURBS_ERROR_WORK)
 
 __all__ = ["NurbsError", "ArgumentError", "RangeError", "DomainError", "NumericError", "ResourceError",
-           "OutOfMemoryError", "FileError", "ContentsError", "InternalError"]
+           "WorkError", "CancelledError", "OutOfMemoryError", "FileError", "ContentsError", "InternalError"]
 
 
 class NurbsError(Exception):
@@ -45,7 +46,15 @@ class NumericError(NurbsError, ArithmeticError):
 
 
 class ResourceError(NurbsError, RuntimeError):
-    """A limit that was reached; statuses 300 to 399 but for the two below."""
+    """A limit that was reached; statuses 300 to 399 but for CancelledError, OutOfMemoryError and FileError."""
+
+
+class WorkError(ResourceError):
+    """The limit `work` of a call, reached before its end: NURBS_ERROR_WORK."""
+
+
+class CancelledError(NurbsError, RuntimeError):
+    """A call that `progress` ended by returning False: NURBS_ERROR_CANCELLED."""
 
 
 class OutOfMemoryError(NurbsError, MemoryError):
@@ -71,7 +80,7 @@ class InternalError(NurbsError, RuntimeError):
 
 _OF_ONE_STATUS: Dict[int, Type[NurbsError]] = {
     NURBS_ERROR_AXIS: RangeError, NURBS_ERROR_INDEX: RangeError, NURBS_ERROR_MEMORY: OutOfMemoryError,
-    NURBS_ERROR_FILE: FileError}
+    NURBS_ERROR_FILE: FileError, NURBS_ERROR_WORK: WorkError, NURBS_ERROR_CANCELLED: CancelledError}
 _OF_HUNDREDS: Dict[int, Type[NurbsError]] = {
     0: ArgumentError, 1: DomainError, 2: NumericError, 3: ResourceError, 4: ContentsError, 9: InternalError}
 

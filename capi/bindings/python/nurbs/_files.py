@@ -8,10 +8,13 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Union, overload
 
+from ._calls import watched
 from ._library import call, get, lib, text
 from ._spline import Spline
 
 if TYPE_CHECKING:
+    from ._calls import Progress
+
     _Splines = Sequence[Spline]
 else:
     _Splines = Sequence
@@ -53,8 +56,11 @@ class SplineList(_Splines):
     @classmethod
     def _made(cls, function: Any, *arguments: Any) -> SplineList:
         """The list that a function writes through its last argument."""
-        splines = cls.__new__(cls)
-        splines._handle = get(ctypes.c_void_p, function, *arguments)
+        splines, handle = cls.__new__(cls), ctypes.c_void_p()
+        try:
+            call(function, *arguments, ctypes.byref(handle))
+        finally:  # an interrupt may come after the call
+            splines._handle = handle.value
         return splines
 
     def __del__(self) -> None:
@@ -106,18 +112,18 @@ class SplineList(_Splines):
         return Note(kind.value, line.value, reason.value, words)
 
 
-def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0,
-         max_bytes: Optional[int] = None) -> SplineList:
+def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
+         progress: Progress = None, work: Optional[int] = None) -> SplineList:
     """The curves and surfaces of an IGES file held in memory; unit is the wanted one in metres, 0 keeps the file's own.
     Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
     given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
-    return SplineList._made(lib.nurbs_read, given, len(given), _options(unit, max_bytes))
+    return SplineList._made(watched(lib.nurbs_read, progress, work), given, len(given), _options(unit, max_bytes))
 
 
-def read_file(path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0,
-              max_bytes: Optional[int] = None) -> SplineList:
+def read_file(path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
+              progress: Progress = None, work: Optional[int] = None) -> SplineList:
     """The curves and surfaces of an IGES file, as read() gives them. Raises FileError if it cannot be read."""
     name = os.fsencode(path)
     if b"\0" in name:
         raise ValueError("a path with a zero in it")
-    return SplineList._made(lib.nurbs_read_file, name, _options(unit, max_bytes))
+    return SplineList._made(watched(lib.nurbs_read_file, progress, work), name, _options(unit, max_bytes))

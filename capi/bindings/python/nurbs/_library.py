@@ -49,6 +49,11 @@ _ARGUMENTS = {
 }
 
 
+def int64(value: Any) -> int:
+    """An integer that the library takes as int64_t."""
+    return int(_ARGUMENTS["l"].from_param(value).value)
+
+
 def _load() -> ctypes.CDLL:
     name = os.environ.get("NURBS_LIBRARY") or "libnurbs.so.1"
     try:

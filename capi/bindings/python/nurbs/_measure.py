@@ -10,6 +10,7 @@ import numpy
 
 from ._arrays import Output, address, records
 from ._base import SplineBase, handles
+from ._calls import watched
 from ._errors import NurbsError
 from ._library import call, lib
 from .constants import NURBS_CLAMP, NURBS_EQUAL_CHORDS, NURBS_ERROR_LENGTH, NURBS_ERROR_NOT_REPRESENTABLE
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._arrays import Floats
+    from ._calls import Progress
 
 __all__ = ["Measured", "Division", "Moments", "EnclosedArea", "EnclosedVolume", "enclosed_area", "enclosed_volume"]
 
@@ -97,62 +99,69 @@ class Measures(SplineBase):
         call(function, self._handle, address(limits), relative_tolerance, ctypes.byref(value), ctypes.byref(error))
         return Measured(value.value, error.value)
 
-    def length(self, relative_tolerance: float = 0.0, *, range: Optional[ArrayLike] = None) -> Measured:
+    def length(self, relative_tolerance: float = 0.0, *, range: Optional[ArrayLike] = None, progress: Progress = None,
+               work: Optional[int] = None) -> Measured:
         """Length of a curve, or of a part of it."""
-        return self._measured(lib.nurbs_curve_length, relative_tolerance, range)
+        return self._measured(watched(lib.nurbs_curve_length, progress, work), relative_tolerance, range)
 
-    def area(self, relative_tolerance: float = 0.0, *, range: Optional[ArrayLike] = None) -> Measured:
+    def area(self, relative_tolerance: float = 0.0, *, range: Optional[ArrayLike] = None, progress: Progress = None,
+             work: Optional[int] = None) -> Measured:
         """Area of a surface, or of a part of it."""
-        return self._measured(lib.nurbs_surface_area, relative_tolerance, range)
+        return self._measured(watched(lib.nurbs_surface_area, progress, work), relative_tolerance, range)
 
-    def lengths(self, params: ArrayLike, relative_tolerance: float = 0.0, *, out: Optional[Floats] = None) -> Floats:
+    def lengths(self, params: ArrayLike, relative_tolerance: float = 0.0, *, out: Optional[Floats] = None,
+                progress: Progress = None, work: Optional[int] = None) -> Floats:
         """Lengths of a curve from the start of its domain to parameters S, of their shape."""
         given = records(params, 1)
         output = Output(out, given.shape, 1)
-        call(lib.nurbs_curve_lengths, self._handle, given.n, *given.layout[:2], relative_tolerance, *output.layout[:2])
+        call(watched(lib.nurbs_curve_lengths, progress, work), self._handle, given.n, *given.layout[:2],
+             relative_tolerance, *output.layout[:2])
         return output.finish()
 
     def params_at_lengths(self, lengths: ArrayLike, relative_tolerance: float = 0.0, *, clamp: bool = False,
-                          out: Optional[Floats] = None) -> Floats:
+                          out: Optional[Floats] = None, progress: Progress = None,
+                          work: Optional[int] = None) -> Floats:
         """Parameters of a curve at lengths S from the start of its domain, of their shape; with clamp lengths outside
         give the nearer end, otherwise they raise ArgumentError."""
         given = records(lengths, 1)
         output = Output(out, given.shape, 1)
-        call(lib.nurbs_curve_params_at_lengths, self._handle, given.n, *given.layout[:2], relative_tolerance,
-             *output.layout[:2], NURBS_CLAMP if clamp else 0)
+        call(watched(lib.nurbs_curve_params_at_lengths, progress, work), self._handle, given.n, *given.layout[:2],
+             relative_tolerance, *output.layout[:2], NURBS_CLAMP if clamp else 0)
         return output.finish()
 
     def divide(self, parts: int, relative_tolerance: float = 0.0, *, equal_chords: bool = False,
-               range: Optional[ArrayLike] = None) -> Division:
+               range: Optional[ArrayLike] = None, progress: Progress = None, work: Optional[int] = None) -> Division:
         """A curve in parts of equal length, or with points at equal distances."""
         limits, params, size = self._part(range), numpy.empty(max(parts, 0) + 1), ctypes.c_double()
-        call(lib.nurbs_curve_divide, self._handle, address(limits), parts, relative_tolerance,
-             NURBS_EQUAL_CHORDS if equal_chords else 0, params.ctypes.data, ctypes.byref(size))
+        call(watched(lib.nurbs_curve_divide, progress, work), self._handle, address(limits), parts,
+             relative_tolerance, NURBS_EQUAL_CHORDS if equal_chords else 0, params.ctypes.data, ctypes.byref(size))
         return Division(params, size.value)
 
-    def moments(self, relative_tolerance: float = 0.0) -> Moments:
+    def moments(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
+                work: Optional[int] = None) -> Moments:
         """Content, centroid and inertia of the spline itself: a wire, a sheet or a body."""
         content, error = ctypes.c_double(), ctypes.c_double()
-        centroid, inertia = _moments(self.dimension, lib.nurbs_moments,
+        centroid, inertia = _moments(self.dimension, watched(lib.nurbs_moments, progress, work),
                                      (self._handle, relative_tolerance, ctypes.byref(content)), (ctypes.byref(error),))
         return Moments(content.value, centroid, inertia, error.value)
 
 
-def enclosed_area(curves: Iterable[SplineBase], tolerance: float = 0.0,
-                  relative_tolerance: float = 0.0) -> EnclosedArea:
+def enclosed_area(curves: Iterable[SplineBase], tolerance: float = 0.0, relative_tolerance: float = 0.0, *,
+                  progress: Progress = None, work: Optional[int] = None) -> EnclosedArea:
     """What closed chains of curves in the plane enclose, counterclockwise ones counting positive; ends meet to within
     the tolerance. Raises ArgumentError if a chain does not close."""
     given, area, error = handles(curves), ctypes.c_double(), ctypes.c_double()
-    centroid, inertia = _moments(2, lib.nurbs_enclosed_area,
+    centroid, inertia = _moments(2, watched(lib.nurbs_enclosed_area, progress, work),
                                  (len(given), given, tolerance, relative_tolerance, ctypes.byref(area)),
                                  (ctypes.byref(error),))
     return EnclosedArea(area.value, centroid, inertia, error.value)
 
 
-def enclosed_volume(surfaces: Iterable[SplineBase], relative_tolerance: float = 0.0) -> EnclosedVolume:
+def enclosed_volume(surfaces: Iterable[SplineBase], relative_tolerance: float = 0.0, *, progress: Progress = None,
+                    work: Optional[int] = None) -> EnclosedVolume:
     """What surfaces enclose whose normals point outwards: 1/3 of the integral of S . (S_u x S_v)."""
     given, (volume, openness, error) = handles(surfaces), (ctypes.c_double(), ctypes.c_double(), ctypes.c_double())
-    centroid, inertia = _moments(3, lib.nurbs_enclosed_volume,
+    centroid, inertia = _moments(3, watched(lib.nurbs_enclosed_volume, progress, work),
                                  (len(given), given, relative_tolerance, ctypes.byref(volume)),
                                  (ctypes.byref(openness), ctypes.byref(error)))
     return EnclosedVolume(volume.value, centroid, inertia, openness.value, error.value)

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 from ._base import SplineBase, handle_of
+from ._calls import watched
 from ._library import get, lib
 
 if TYPE_CHECKING:
+    from ._calls import Progress
     from ._spline import Spline
 
 __all__ = ["Deviation", "KnotRemoval", "Reduced", "Snapped"]
@@ -64,17 +66,19 @@ class Reduction(SplineBase):
         bound = ctypes.c_double()
         return Reduced(self._made(function, self._handle, *arguments, ctypes.byref(bound)), bound.value)
 
-    def reduce_knots(self, tolerance: float, *, axis: int = -1) -> Reduced:
+    def reduce_knots(self, tolerance: float, *, axis: int = -1, progress: Progress = None,
+                     work: Optional[int] = None) -> Reduced:
         """As few knots as the tolerance allows, on one axis, or on every one (-1)."""
-        return self._reduced(lib.nurbs_reduce_knots, axis, tolerance)
+        return self._reduced(watched(lib.nurbs_reduce_knots, progress, work), axis, tolerance)
 
-    def reduce_degree(self, times: int = 1, *, axis: int = 0) -> Reduced:
+    def reduce_degree(self, times: int = 1, *, axis: int = 0, progress: Progress = None,
+                      work: Optional[int] = None) -> Reduced:
         """The closest spline with a lower degree on an axis."""
-        return self._reduced(lib.nurbs_reduce_degree, axis, times)
+        return self._reduced(watched(lib.nurbs_reduce_degree, progress, work), axis, times)
 
-    def simplify(self, tolerance: float) -> Reduced:
+    def simplify(self, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Reduced:
         """The simplest spline within the tolerance: weights, degrees and knots that are not needed go."""
-        return self._reduced(lib.nurbs_simplify, tolerance)
+        return self._reduced(watched(lib.nurbs_simplify, progress, work), tolerance)
 
     def snap_knots(self, tolerance: float, *, axis: int = 0) -> Snapped:
         """Knots of an axis within `tolerance` times the length of the domain become one."""
