@@ -44,7 +44,7 @@ void Householder::reflect(Eigen::Index k, Eigen::Index end) {
     a_.col(k).tail(rest).makeHouseholderInPlace(coefficients_(k), diagonal);
     a_(k, k) = diagonal;
     a_.block(k, k + 1, rest, end - k - 1)
-        .applyHouseholderOnTheLeft(a_.col(k).tail(rest - 1), coefficients_(k), &work_(k + 1));
+        .applyHouseholderOnTheLeft(a_.col(k).tail(rest - 1), coefficients_(k), work_.data() + k + 1);
 }
 
 // The column with the largest norm below row k (P. Businger, G. Golub, Numer. Math. 7 (1965)).
