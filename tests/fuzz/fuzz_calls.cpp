@@ -195,7 +195,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const nurbs_call_options call = any_options(in);
     const fuzz::Spline first = fuzz::any_spline(in), second = fuzz::any_spline(in);
     const fuzz::Handle a(fuzz::create(first)), b(fuzz::create(second));
-    if (a && b && first.total <= 16 && second.total <= 16) {
+    if (a && b && first.total <= 12 && second.total <= 12) {
         places(in, a.get(), first.dim, &call);
         pairs(a.get(), b.get(), &call);
         measures(a.get(), &call);
