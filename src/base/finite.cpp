@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "base/finite.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -109,24 +109,24 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::inline base {
 
-HWY_EXPORT(find_below);
-HWY_EXPORT(find_largest);
-HWY_EXPORT(find_extremes);
+NURBS_FORMS(find_below);
+NURBS_FORMS(find_largest);
+NURBS_FORMS(find_extremes);
 
 bool all_finite(std::span<const double> values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(find_below)(values, 0x7ff0000000000000);
+    return NURBS_BEST(find_below)(values, 0x7ff0000000000000);
 }
 
 bool all_moderate(std::span<const double> values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(find_below)(values, 0x7c00000000000000);
+    return NURBS_BEST(find_below)(values, 0x7c00000000000000);
 }
 
 double largest_magnitude(std::span<const double> values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(find_largest)(values);
+    return NURBS_BEST(find_largest)(values);
 }
 
 Extremes extremes(std::span<const double> values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(find_extremes)(values);
+    return NURBS_BEST(find_extremes)(values);
 }
 
 } // namespace nrb::inline base

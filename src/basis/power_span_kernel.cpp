@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "basis/power_span_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -256,9 +256,9 @@ void write_head(double lower, double upper, double *power_span) noexcept {
     power_span[PowerSpan::scale] = std::ldexp(1.0, std::min(-std::ilogb(radius) - 1, largest_exponent));
 }
 
-HWY_EXPORT(make_power_spans);
-HWY_EXPORT(power_span_lanes);
-HWY_EXPORT(combine);
+NURBS_FORMS(make_power_spans);
+NURBS_FORMS(power_span_lanes);
+NURBS_FORMS(combine);
 
 } // namespace
 
@@ -269,16 +269,16 @@ void basis_power_spans(const double *knots, int degree, const int64_t *spans, in
         write_head(knots[spans[l]], knots[spans[l] + 1], power_spans[l]);
         std::fill_n(power_spans[l] + PowerSpan::head_size, static_cast<int64_t>(degree + 1) * lanes, 0.0);
     }
-    HWY_DYNAMIC_DISPATCH(make_power_spans)(knots, degree, spans, count, power_spans, rests);
+    NURBS_BEST(make_power_spans)(knots, degree, spans, count, power_spans, rests);
 }
 
 int power_spans_together() noexcept {
-    return HWY_DYNAMIC_DISPATCH(power_span_lanes)();
+    return NURBS_BEST(power_span_lanes)();
 }
 
 void combine_power_spans(const double *basis, const double *rests, int degree, const double *weights,
                          const double *points, int lanes, double *powers) noexcept {
-    HWY_DYNAMIC_DISPATCH(combine)
+    NURBS_BEST(combine)
     (basis + PowerSpan::head_size, rests + PowerSpan::head_size, degree, weights, points, lanes, powers);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "measure/speed_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -111,30 +111,30 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::measure {
 
-HWY_EXPORT(speeds);
+NURBS_FORMS(speeds);
 
 void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) noexcept {
-    HWY_DYNAMIC_DISPATCH(speeds)(form, net, first, count, out);
+    NURBS_BEST(speeds)(form, net, first, count, out);
 }
 
-HWY_EXPORT(speed_decay);
+NURBS_FORMS(speed_decay);
 
 RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
                       double *values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(speed_decay)(form, net, first, level, values);
+    return NURBS_BEST(speed_decay)(form, net, first, level, values);
 }
 
-HWY_EXPORT(sum_of_speeds);
+NURBS_FORMS(sum_of_speeds);
 
 double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count,
                      const double *factors) noexcept {
-    return HWY_DYNAMIC_DISPATCH(sum_of_speeds)(form, nets, count, factors);
+    return NURBS_BEST(sum_of_speeds)(form, nets, count, factors);
 }
 
-HWY_EXPORT(rule_decay);
+NURBS_FORMS(rule_decay);
 
 RuleDecay rule_decay(int level, const double *values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(rule_decay)(level, values);
+    return NURBS_BEST(rule_decay)(level, values);
 }
 
 } // namespace nrb::measure

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "spline/short_layers.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -123,15 +123,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::inline spline {
 
-HWY_EXPORT(combine_plain);
-HWY_EXPORT(combine_quotients);
+NURBS_FORMS(combine_plain);
+NURBS_FORMS(combine_quotients);
 
 void combine_short(const LayerTable &table, const double *layers, int width, double *out) noexcept {
-    HWY_DYNAMIC_DISPATCH(combine_plain)(table, layers, width, out);
+    NURBS_BEST(combine_plain)(table, layers, width, out);
 }
 
 bool combine_short(const LayerTable &table, const ShortNet &net, double *points, double *weights) noexcept {
-    return HWY_DYNAMIC_DISPATCH(combine_quotients)(table, net, points, weights);
+    return NURBS_BEST(combine_quotients)(table, net, points, weights);
 }
 
 } // namespace nrb::inline spline

@@ -15,7 +15,7 @@ import exports  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
 
 ALLOWED_LIBRARIES = re.compile(
-    r"(libc|libm|libgcc_s|libstdc\+\+|libhwy|ld-linux[-\w]*)\.so(\.\d+)*$")
+    r"(libc|libm|libgcc_s|libstdc\+\+|ld-linux[-\w]*)\.so(\.\d+)*$")
 
 
 def output(*command):

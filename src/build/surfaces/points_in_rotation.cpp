@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "build/surfaces/points_in_rotation.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -119,8 +119,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::build {
 
-HWY_EXPORT(rotated_values);
-HWY_EXPORT(radii);
+NURBS_FORMS(rotated_values);
+NURBS_FORMS(radii);
 
 namespace {
 
@@ -141,7 +141,7 @@ PointsInRotation::PointsInRotation(const Spline &spline, const AxisLine &axis)
       data_(static_cast<size_t>(parts * stride_)) {
     std::vector<double> points(static_cast<size_t>(stride_));
     std::ranges::copy(spline.points(), points.begin());
-    HWY_DYNAMIC_DISPATCH(radii)
+    NURBS_BEST(radii)
     (points.data(), spline.point_count(), spline.stored_width(), axis, arrays().data());
 }
 
@@ -162,7 +162,7 @@ void PointsInRotation::set(int64_t coordinate, const DoubleDouble &foot, const D
 }
 
 void PointsInRotation::values(double x, double y, double *out) const noexcept {
-    HWY_DYNAMIC_DISPATCH(rotated_values)(data_.data(), stride_, size_, x, y, out);
+    NURBS_BEST(rotated_values)(data_.data(), stride_, size_, x, y, out);
 }
 
 } // namespace nrb::build

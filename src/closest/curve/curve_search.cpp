@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "closest/curve/curve_search.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -297,8 +297,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::closest {
 
-HWY_EXPORT(run_search);
-HWY_EXPORT(run_descent);
+NURBS_FORMS(run_search);
+NURBS_FORMS(run_descent);
 
 double distance_noise(const CurveTree &tree, const double *point) noexcept {
     const double reach = tree.size() + norm(point, tree.dim());
@@ -306,11 +306,11 @@ double distance_noise(const CurveTree &tree, const double *point) noexcept {
 }
 
 CurveSearchResult search(const CurveTree &tree, const Query &query) {
-    return HWY_DYNAMIC_DISPATCH(run_search)(tree, query);
+    return NURBS_BEST(run_search)(tree, query);
 }
 
 CurvePlace descend(const CurveTree &tree, const double *point, int64_t leaf, double s) {
-    return HWY_DYNAMIC_DISPATCH(run_descent)(tree, {point, nullptr, 0, 1}, leaf, s);
+    return NURBS_BEST(run_descent)(tree, {point, nullptr, 0, 1}, leaf, s);
 }
 
 } // namespace nrb::closest

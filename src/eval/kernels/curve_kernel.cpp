@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/curve_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -393,10 +393,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-HWY_EXPORT(run_curve);
+NURBS_FORMS(run_curve);
 
 void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept {
-    HWY_DYNAMIC_DISPATCH(run_curve)(job, params, out);
+    NURBS_BEST(run_curve)(job, params, out);
 }
 
 } // namespace nrb::eval

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/domain_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -50,10 +50,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-HWY_EXPORT(packed_inside);
+NURBS_FORMS(packed_inside);
 
 bool all_inside(const double *params, int64_t count, int axes, const Interval *domains) noexcept {
-    return HWY_DYNAMIC_DISPATCH(packed_inside)(params, count, axes, domains);
+    return NURBS_BEST(packed_inside)(params, count, axes, domains);
 }
 
 } // namespace nrb::eval

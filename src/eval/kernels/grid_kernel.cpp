@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/grid_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -325,15 +325,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-HWY_EXPORT(tabulate_axis);
-HWY_EXPORT(run_grid);
+NURBS_FORMS(tabulate_axis);
+NURBS_FORMS(run_grid);
 
 void tabulate(const AxisSource &source, int order, ConstRecords params, GridAxis &table) noexcept {
-    HWY_DYNAMIC_DISPATCH(tabulate_axis)(source, order, params, table);
+    NURBS_BEST(tabulate_axis)(source, order, params, table);
 }
 
 void run(const GridJob &job) noexcept {
-    HWY_DYNAMIC_DISPATCH(run_grid)(job);
+    NURBS_BEST(run_grid)(job);
 }
 
 } // namespace nrb::eval

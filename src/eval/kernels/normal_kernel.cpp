@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/normal_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -96,17 +96,17 @@ namespace nrb::eval {
 
 static_assert(block_size == 64); // one bit each
 
-HWY_EXPORT(unit_normals_of_rows);
-HWY_EXPORT(write_rows_of_block);
+NURBS_FORMS(unit_normals_of_rows);
+NURBS_FORMS(write_rows_of_block);
 
 uint64_t unit_normals(const double *du, const double *dv, int64_t count, double error_u, double error_v,
                       double *normals) noexcept {
-    return HWY_DYNAMIC_DISPATCH(unit_normals_of_rows)(du, dv, count, error_u, error_v, normals);
+    return NURBS_BEST(unit_normals_of_rows)(du, dv, count, error_u, error_v, normals);
 }
 
 void write_rows(const double *rows, int64_t first, int64_t count, const Records &out) noexcept {
     if (out.data != nullptr) {
-        HWY_DYNAMIC_DISPATCH(write_rows_of_block)(rows, first, count, out);
+        NURBS_BEST(write_rows_of_block)(rows, first, count, out);
     }
 }
 

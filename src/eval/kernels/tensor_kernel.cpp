@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/tensor_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -426,10 +426,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-HWY_EXPORT(run_tensor);
+NURBS_FORMS(run_tensor);
 
 void run(const TensorJob &job, const ConstRecords &params, const Records &out) noexcept {
-    HWY_DYNAMIC_DISPATCH(run_tensor)(job, params, out);
+    NURBS_BEST(run_tensor)(job, params, out);
 }
 
 } // namespace nrb::eval

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/triple_stream.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -46,8 +46,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-HWY_EXPORT(interleave);
-HWY_EXPORT(stream);
+NURBS_FORMS(interleave);
+NURBS_FORMS(stream);
 
 void TripleStream::write(const double *rows, int64_t first, int64_t count) noexcept {
     if (!streamed_ || out_.data == nullptr) {
@@ -56,7 +56,7 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     if (target_ == nullptr || out_.record(first) != target_ + (end_ - begin_)) {
         start(out_.record(first));
     }
-    HWY_DYNAMIC_DISPATCH(interleave)(rows, count, staged_ + end_);
+    NURBS_BEST(interleave)(rows, count, staged_ + end_);
     end_ += 3 * count;
     const int64_t whole = end_ / line * line;
     if (whole == 0) {
@@ -64,7 +64,7 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     }
     const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not entirely ours
     std::copy(staged_ + begin_, staged_ + part, target_);
-    HWY_DYNAMIC_DISPATCH(stream)(staged_ + part, whole - part, target_ + (part - begin_));
+    NURBS_BEST(stream)(staged_ + part, whole - part, target_ + (part - begin_));
     std::copy(staged_ + whole, staged_ + end_, staged_);
     target_ += whole - begin_;
     begin_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pieces/tree/disc_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -147,8 +147,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::pieces {
 
-HWY_EXPORT(bounds);
-HWY_EXPORT(byte_bounds);
+NURBS_FORMS(bounds);
+NURBS_FORMS(byte_bounds);
 
 int64_t disc_columns(int dim, bool normals) noexcept {
     return dim + 1 + (normals ? dim + 2 : 0);
@@ -156,12 +156,12 @@ int64_t disc_columns(int dim, bool normals) noexcept {
 
 void bound_discs(const FloatDiscs &family, int64_t width, int dim, bool normals, const double *x,
                  bool farthest, const DiscBounds &out) noexcept {
-    HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
+    NURBS_BEST(bounds)(family, width, dim, normals, x, farthest, out);
 }
 
 void bound_discs(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
                  bool farthest, const DiscBounds &out) noexcept {
-    HWY_DYNAMIC_DISPATCH(byte_bounds)(family, width, dim, normals, x, farthest, out);
+    NURBS_BEST(byte_bounds)(family, width, dim, normals, x, farthest, out);
 }
 
 } // namespace nrb::pieces

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pieces/tree/patch_kernel.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -197,20 +197,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::pieces {
 
-HWY_EXPORT(shift);
-HWY_EXPORT(evaluate);
-HWY_EXPORT(apply);
-HWY_EXPORT(gather);
-HWY_EXPORT(square);
-HWY_EXPORT(gap);
+NURBS_FORMS(shift);
+NURBS_FORMS(evaluate);
+NURBS_FORMS(apply);
+NURBS_FORMS(gather);
+NURBS_FORMS(square);
+NURBS_FORMS(gap);
 
 void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept {
-    HWY_DYNAMIC_DISPATCH(shift)(shape, patch, x, out);
+    NURBS_BEST(shift)(shape, patch, x, out);
 }
 
 void evaluate_patch(const PatchShape &shape, const double *patch, const AxisValues &at, int order,
                     double *work, double *out) noexcept {
-    HWY_DYNAMIC_DISPATCH(evaluate)(shape, patch, at, order, work, out);
+    NURBS_BEST(evaluate)(shape, patch, at, order, work, out);
 }
 
 int64_t evaluation_work(const PatchShape &shape) noexcept {
@@ -242,11 +242,11 @@ void part_matrix(int degree, double lower, double upper, double *matrix) noexcep
 
 void apply_matrix(const PatchShape &shape, int axis, const double *matrix, const double *patch,
                   double *out) noexcept {
-    HWY_DYNAMIC_DISPATCH(apply)(shape, axis, matrix, patch, out);
+    NURBS_BEST(apply)(shape, axis, matrix, patch, out);
 }
 
 void apply_to_part(const NetPart &net, int n, const double *matrix, double *out) noexcept {
-    HWY_DYNAMIC_DISPATCH(gather)(net, n, matrix, out);
+    NURBS_BEST(gather)(net, n, matrix, out);
 }
 
 int64_t product_work(const PatchShape &shape) noexcept {
@@ -255,12 +255,12 @@ int64_t product_work(const PatchShape &shape) noexcept {
 
 void square_patch(const PatchShape &shape, const SquareTables &tables, const double *patch, double *work,
                   double *squares, double *weights) noexcept {
-    HWY_DYNAMIC_DISPATCH(square)(shape, tables, patch, work, squares, weights);
+    NURBS_BEST(square)(shape, tables, patch, work, squares, weights);
 }
 
 double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
                         double margin, double *out) noexcept {
-    return HWY_DYNAMIC_DISPATCH(gap)(count, squares, weights, sign, rho2, margin, out);
+    return NURBS_BEST(gap)(count, squares, weights, sign, rho2, margin, out);
 }
 
 } // namespace nrb::pieces

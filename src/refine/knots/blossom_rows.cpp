@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "refine/knots/blossom_rows.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -277,22 +277,22 @@ void blossom_row_sum(std::span<const BlossomTerm> terms, int width, double *row)
     }
 }
 
-HWY_EXPORT(make_rows);
-HWY_EXPORT(make_single_rows);
-HWY_EXPORT(make_rows_between);
+NURBS_FORMS(make_rows);
+NURBS_FORMS(make_single_rows);
+NURBS_FORMS(make_rows_between);
 
 void blossom_row_sums(std::span<const BlossomTerm> terms, int64_t stride, int64_t count, int width,
                       int64_t pitch, double *rows) noexcept {
-    HWY_DYNAMIC_DISPATCH(make_rows)(terms, stride, count, width, pitch, rows);
+    NURBS_BEST(make_rows)(terms, stride, count, width, pitch, rows);
 }
 
 void blossom_rows(const BlossomTerm &term, int64_t count, double *const *rows) noexcept {
-    HWY_DYNAMIC_DISPATCH(make_single_rows)(term, count, rows);
+    NURBS_BEST(make_single_rows)(term, count, rows);
 }
 
 void sliding_blossom_rows(int steps, const double *left, const double *right, const double *arguments,
                           int64_t count, double *rows) noexcept {
-    HWY_DYNAMIC_DISPATCH(make_rows_between)(steps, left, right, arguments, count, rows);
+    NURBS_BEST(make_rows_between)(steps, left, right, arguments, count, rows);
 }
 
 } // namespace nrb::refine

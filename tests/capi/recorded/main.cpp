@@ -2,7 +2,6 @@
 // Records the outputs of many calls, so that two builds of the library can be compared bit for bit.
 #include "recorded/batteries/batteries.h"
 #include "recorded/sections.h"
-#include "support/simd_targets.h"
 
 #include "check.h"
 
@@ -20,8 +19,6 @@ namespace {
 constexpr const char *usage = R"(usage: record_outputs [OPTION...] FILE
 
 Writes a line for every output of every function in every section: section, function, output, calls, hash.
-  --target NAME      the instruction set of the kernels; the best one otherwise
-  --targets          prints those that this machine offers instead
   --quick            a part of everything
   --again            asks every handle twice, and records the second answers
   --sections REGEX   only these
@@ -32,18 +29,7 @@ Real files are looked for in the folder that the environment variable NURBS_TEST
 struct Choice {
     recorded::Plan plan;
     std::string file;
-    int64_t target = 0;
-    bool lists = false;
 };
-
-int64_t target_named(const std::string &name) {
-    for (const int64_t target : targets::offered_targets()) {
-        if (hwy::TargetName(target) == name) {
-            return target;
-        }
-    }
-    throw std::runtime_error("this machine does not offer " + name);
-}
 
 // Takes the option's value, if it has one, from the rest of the arguments.
 void read_option(const std::string &option, std::span<char *> &rest, Choice &choice) {
@@ -55,9 +41,7 @@ void read_option(const std::string &option, std::span<char *> &rest, Choice &cho
         rest = rest.subspan(1);
         return text;
     };
-    if (option == "--target") {
-        choice.target = target_named(value());
-    } else if (option == "--values") {
+    if (option == "--values") {
         choice.plan.values = std::regex(value());
     } else if (option == "--sections") {
         choice.plan.sections = std::regex(value());
@@ -65,8 +49,6 @@ void read_option(const std::string &option, std::span<char *> &rest, Choice &cho
         choice.plan.quick = true;
     } else if (option == "--again") {
         choice.plan.again = true;
-    } else if (option == "--targets") {
-        choice.lists = true;
     } else if (option.starts_with("-") || !choice.file.empty()) {
         throw std::runtime_error(usage);
     } else {
@@ -81,16 +63,10 @@ Choice read_arguments(std::span<char *> arguments) {
         arguments = arguments.subspan(1);
         read_option(option, arguments, choice);
     }
-    if (choice.file.empty() && !choice.lists) {
+    if (choice.file.empty()) {
         throw std::runtime_error(usage);
     }
     return choice;
-}
-
-void list_targets() {
-    for (const int64_t target : targets::offered_targets()) {
-        std::cout << hwy::TargetName(target) << '\n';
-    }
 }
 
 // Several of these programs run at once.
@@ -102,7 +78,6 @@ std::string own_file() {
 void run(Choice choice) {
     std::ofstream out(choice.file);
     choice.plan.out = &out;
-    targets::choose(choice.target);
     recorded::record.start(choice.plan);
     recorded::record_everything(NURBS_SOURCE_DIR, std::getenv("NURBS_TEST_DATA"), own_file());
     out.close();
@@ -115,8 +90,7 @@ void run(Choice choice) {
 
 int main(int count, char **arguments) {
     try {
-        const Choice choice = read_arguments(std::span(arguments, static_cast<size_t>(count)).subspan(1));
-        choice.lists ? list_targets() : run(choice);
+        run(read_arguments(std::span(arguments, static_cast<size_t>(count)).subspan(1)));
     } catch (const std::exception &error) {
         std::cerr << error.what() << '\n';
         return 2;

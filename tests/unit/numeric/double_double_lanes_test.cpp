@@ -3,7 +3,7 @@
 // are, the others keep the bounds that are proved for them.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "unit/numeric/double_double_lanes_test.cpp"
-#include "base/simd.h"
+#include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 
@@ -78,7 +78,7 @@ namespace {
 using reference::exact;
 using reference::Rational;
 
-HWY_EXPORT(compute_all);
+NURBS_FORMS(compute_all);
 
 constexpr size_t n = 4096;
 
@@ -121,7 +121,7 @@ Numbers compute(Operation operation, const Pairs &pairs) {
     const double *const parts[] = {pairs.a.high.data(), pairs.a.low.data(), pairs.b.high.data(),
                                    pairs.b.low.data()};
     Numbers result{std::vector<double>(n), std::vector<double>(n)};
-    HWY_DYNAMIC_DISPATCH(compute_all)(operation, parts, n, result.high.data(), result.low.data());
+    NURBS_BEST(compute_all)(operation, parts, n, result.high.data(), result.low.data());
     return result;
 }
 
