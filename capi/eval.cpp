@@ -5,6 +5,7 @@
 
 #include "base/checked.h"
 #include "eval/evaluate.h"
+#include "eval/kernels/single_kernel.h"
 #include "eval/kernels/slots.h"
 #include "eval/single_precision.h"
 #include "refine/parts/iso.h"
@@ -58,11 +59,40 @@ void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *param
     eval::evaluate_grid(spline, rules, grid.params, out);
 }
 
+// The strides of a record of `width` values side by side.
+bool in_a_row(int64_t width, int64_t stride, int64_t component_stride) noexcept {
+    return (stride == 0 || stride >= width) && (component_stride == 0 || component_stride == 1);
+}
+
+bool apart(const double *a, int size_a, const double *b, int size_b) noexcept {
+    const auto from_a = reinterpret_cast<uintptr_t>(a), from_b = reinterpret_cast<uintptr_t>(b);
+    return from_a + static_cast<size_t>(size_a) * sizeof *a <= from_b ||
+           from_b + static_cast<size_t>(size_b) * sizeof *b <= from_a;
+}
+
+// One point of a spline that has its tables: most calls of most programs. False where there is something to
+// check or to say.
+bool evaluated_single(const nurbs *g, const double *params, int64_t param_stride,
+                      int64_t param_component_stride, double *points, int64_t point_stride,
+                      int64_t point_component_stride) noexcept {
+    const eval::SingleTables *tables = g == nullptr ? nullptr : eval::single_tables(*g->spline);
+    return tables != nullptr && params != nullptr && points != nullptr &&
+           in_a_row(tables->axis_count, param_stride, param_component_stride) &&
+           in_a_row(tables->dim, point_stride, point_component_stride) &&
+           apart(params, tables->axis_count, points, tables->dim) &&
+           eval::evaluate_single(*tables, params, points);
+}
+
 } // namespace
 
 nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
                         int64_t param_component_stride, double *points, int64_t point_stride,
                         int64_t point_component_stride, uint32_t flags) {
+    if (n == 1 && flags == 0 &&
+        evaluated_single(g, params, param_stride, param_component_stride, points, point_stride,
+                         point_component_stride)) {
+        return NURBS_OK;
+    }
     return guard([&] {
         evaluate(spline_batch(g, n, params, param_stride, param_component_stride, flags), 0, points,
                  point_stride, point_component_stride, "points");

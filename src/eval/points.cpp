@@ -4,6 +4,7 @@
 #include "eval/evaluate.h"
 #include "eval/kernels/curve_kernel.h"
 #include "eval/kernels/derivative_source.h"
+#include "eval/kernels/single_kernel.h"
 #include "eval/kernels/tensor_kernel.h"
 
 #include <algorithm>
@@ -271,6 +272,9 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
         CurveEvaluator(spline, rules[0], order, params.count)(params, out);
     } else {
         TensorEvaluator(spline, rules, order, params.count)(params, out);
+    }
+    if (order == 0 && params.count == 1) {
+        keep_single_tables(spline);
     }
 }
 

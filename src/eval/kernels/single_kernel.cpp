@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "eval/kernels/single_kernel.cpp"
+#include "base/dispatch.h"
+
+#include <hwy/foreach_target.h>
+
+#include "eval/kernels/horner-inl.h"
+#include "eval/kernels/single_kernel.h"
+#include "spline/spline.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb::eval {
+namespace HWY_NAMESPACE {
+
+using V4 = hn::Vec<Vec4>;
+
+// Null unless t lies strictly inside a span with a power span, where no function is alone.
+HWY_INLINE const double *power_span_at(const SingleAxis &axis, double t, int64_t &number) {
+    if (!(t > axis.domain.lower && t < axis.domain.upper)) {
+        return nullptr;
+    }
+    number = axis.find.number_inside(t);
+    const double *power_span = axis.power_spans + number * axis.power_span_size;
+    return t > power_span[PowerSpan::lower] ? power_span : nullptr;
+}
+
+template <int kDegree>
+HWY_INLINE V4 horner_at(const double *power_span, int degree, int lanes, int l, V4 x) {
+    V4 y[1];
+    horner_vector<1, kDegree>(Vec4(), Components(), power_span + PowerSpan::head_size + l, degree, lanes, x,
+                              1, y);
+    return y[0];
+}
+
+HWY_INLINE V4 local_parameter(const double *power_span, double t) {
+    return hn::Set(Vec4(), (t - power_span[PowerSpan::middle]) * power_span[PowerSpan::scale]);
+}
+
+// The components of a record one vector after the other, from component(l), divided by the last one.
+template <class Component>
+HWY_INLINE void write_components(const SingleTables &tables, const Component &component, double *point) {
+    const Vec4 d;
+    HWY_ALIGN double lanes[4];
+    auto inverse = hn::Set(d, 1);
+    V4 last = hn::Zero(d);
+    const int last_part = (tables.width - 1) / vec4_lanes * vec4_lanes;
+    const bool rational = tables.width > tables.dim;
+    if (rational) {
+        last = component(last_part);
+        hn::Store(last, d, lanes);
+        inverse = hn::Set(d, 1 / lanes[tables.dim - last_part]);
+    }
+    for (int l = 0; l < tables.dim; l += vec4_lanes) {
+        const V4 sum = rational && l == last_part ? last : component(l);
+        hn::Store(rational ? hn::Mul(sum, inverse) : sum, d, lanes);
+        for (int c = 0; c < vec4_lanes && l + c < tables.dim; ++c) {
+            point[l + c] = lanes[c];
+        }
+    }
+}
+
+template <int kDegree>
+HWY_INLINE bool single_of_curve(const SingleTables &tables, const double *params, double *point) {
+    const SingleAxis &axis = tables.axes[0];
+    int64_t number;
+    const double *power_span = power_span_at(axis, params[0], number);
+    if (power_span == nullptr) {
+        return false;
+    }
+    const V4 x = local_parameter(power_span, params[0]);
+    write_components(
+        tables,
+        [&](int l) HWY_ATTR { return horner_at<kDegree>(power_span, axis.degree, tables.lanes, l, x); },
+        point);
+    return true;
+}
+
+// The functions of an axis, and in `net` the first layer that is active.
+template <int kDegree>
+HWY_INLINE bool functions_at(const SingleAxis &axis, double t, double *functions, const double *&net) {
+    int64_t number;
+    const double *power_span = power_span_at(axis, t, number);
+    if (power_span == nullptr) {
+        return false;
+    }
+    const V4 x = local_parameter(power_span, t);
+    const int lanes = PowerSpan::lanes(axis.degree + 1);
+    for (int l = 0; l < lanes; l += vec4_lanes) {
+        hn::Store(horner_at<kDegree>(power_span, axis.degree, lanes, l, x), Vec4(), functions + l);
+    }
+    net += (axis.spans[number] - axis.degree) * axis.stride;
+    return true;
+}
+
+constexpr int most_functions = PowerSpan::lanes(max_power_span_degree + 1);
+
+// Sums of products with the functions of one axis, of rows or of such sums, in rising order as everywhere.
+template <int kDegree, class Row>
+HWY_INLINE V4 contract_axis(const SingleAxis &axis, const double *functions, const Row &row) {
+    const Vec4 d;
+    const int degree = kDegree >= 0 ? kDegree : axis.degree;
+    V4 sum = hn::Mul(hn::Set(d, functions[0]), row(0));
+    for (int i = 1; i <= degree; ++i) {
+        sum = hn::MulAdd(hn::Set(d, functions[i]), row(i), sum);
+    }
+    return sum;
+}
+
+template <int kDegree>
+HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *params, double *point) {
+    HWY_ALIGN double functions[max_axes][most_functions];
+    const double *net = tables.net;
+    for (int k = 0; k < tables.axis_count; ++k) {
+        const auto at = static_cast<size_t>(k);
+        if (!functions_at<kDegree>(tables.axes[at], params[k], functions[k], net)) {
+            return false;
+        }
+    }
+    const auto &[u, v, w] = tables.axes;
+    const auto column = [&](const double *from) HWY_ATTR {
+        return contract_axis<kDegree>(u, functions[0],
+                                      [&](int i) HWY_ATTR { return hn::LoadU(Vec4(), from + i * u.stride); });
+    };
+    const auto plane = [&](const double *from) HWY_ATTR {
+        return contract_axis<kDegree>(v, functions[1],
+                                      [&](int j) HWY_ATTR { return column(from + j * v.stride); });
+    };
+    if (tables.axis_count == 2) {
+        write_components(
+            tables, [&](int l) HWY_ATTR { return plane(net + l); }, point);
+    } else {
+        const auto body = [&](int l) HWY_ATTR {
+            return contract_axis<kDegree>(w, functions[2],
+                                          [&](int k) HWY_ATTR { return plane(net + l + k * w.stride); });
+        };
+        write_components(tables, body, point);
+    }
+    return true;
+}
+
+bool single(const SingleTables &tables, const double *params, double *point) {
+    bool cubic = true;
+    for (int k = 0; k < tables.axis_count; ++k) {
+        cubic = cubic && tables.axes[static_cast<size_t>(k)].degree == 3;
+    }
+    if (tables.axis_count == 1) {
+        return cubic ? single_of_curve<3>(tables, params, point) : single_of_curve<-1>(tables, params, point);
+    }
+    return cubic ? single_of_tensor<3>(tables, params, point) : single_of_tensor<-1>(tables, params, point);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb::eval
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb::eval {
+
+NURBS_FORMS(single);
+
+namespace {
+
+// Of the tables, those of an axis; null power spans if there are none yet.
+SingleAxis axis_of(const Spline &spline, int k, const PowerSpans *power_spans) {
+    SingleAxis single;
+    if (power_spans != nullptr) {
+        const KnotVector &axis = spline.axis(k);
+        single.find = axis.spans().finder();
+        single.domain = axis.domain();
+        single.power_spans = (*power_spans)[0];
+        single.power_span_size = power_spans->size();
+        single.spans = axis.spans().indices().data();
+        single.degree = axis.degree();
+    }
+    return single;
+}
+
+std::shared_ptr<const SingleTables> make_tables(const Spline &spline) {
+    auto tables = std::make_shared<SingleTables>();
+    tables->axis_count = spline.axes();
+    tables->dim = spline.dim();
+    tables->width = spline.width();
+    tables->lanes = PowerSpan::lanes(spline.width());
+    if (spline.axes() == 1) {
+        tables->axes[0] = axis_of(spline, 0, spline.power_spans_after(0));
+        return tables->axes[0].power_spans != nullptr ? tables : nullptr;
+    }
+    tables->net = spline.records_after(0);
+    bool complete = tables->net != nullptr;
+    int64_t stride = spline.width();
+    for (int k = spline.axes() - 1; k >= 0 && complete; --k) {
+        SingleAxis &axis = tables->axes[static_cast<size_t>(k)];
+        axis = axis_of(spline, k, spline.has_power_spans(k) ? spline.axis(k).power_spans_after(0) : nullptr);
+        axis.stride = stride;
+        stride *= spline.count(k);
+        complete = axis.power_spans != nullptr;
+    }
+    return complete ? tables : nullptr;
+}
+
+} // namespace
+
+const SingleTables *single_tables(const Spline &spline) noexcept {
+    const Spline::AnyCache *found = spline.slot(Spline::Cache::single).peek();
+    return found == nullptr ? nullptr : static_cast<const SingleTables *>(found->get());
+}
+
+void keep_single_tables(const Spline &spline) {
+    if (single_tables(spline) == nullptr) {
+        if (std::shared_ptr<const SingleTables> tables = make_tables(spline)) {
+            spline.slot(Spline::Cache::single).get([&] { return Spline::AnyCache(std::move(tables)); });
+        }
+    }
+}
+
+bool evaluate_single(const SingleTables &tables, const double *params, double *point) noexcept {
+    return NURBS_BEST(single)(tables, params, point);
+}
+
+} // namespace nrb::eval
+#endif
