@@ -72,21 +72,16 @@ NetSizes sizes_seen_from_o(const Spline &spline) {
     return sizes;
 }
 
+constexpr DerivativeErrors unknown_errors{infinity, infinity, infinity, infinity, infinity};
+
 bool extrapolates(const AxisRules &rules) noexcept {
     return rules[0].outside == Outside::extrapolate || rules[1].outside == Outside::extrapolate;
 }
 
-} // namespace
-
-DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points) {
-    const DerivativeErrors none{infinity, infinity, infinity, infinity, infinity};
-    // A point's own bounds cost about as much as reading 64 control points.
-    if (spline.point_count() / 64 > points || extrapolates(rules)) {
-        return none;
-    }
+DerivativeErrors errors_everywhere(const Spline &spline) {
     const NetSizes net = sizes_seen_from_o(spline);
     if (!(net.lightest > 0)) {
-        return none;
+        return unknown_errors;
     }
     const AxisSizes u = axis_sizes(spline.axis(0));
     const bool surface = spline.axes() == 2;
@@ -105,6 +100,21 @@ DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules,
     const double first = 4 * (c + 2) * eps;
     const double second = 4 * (c + 4) * eps;
     return {first * e_u, first * e_v, second * e_uu, second * e_uv, second * e_vv};
+}
+
+} // namespace
+
+DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points) {
+    if (extrapolates(rules)) {
+        return unknown_errors;
+    }
+    // A point's own bounds cost about as much as reading 64 control points.
+    constexpr auto slot = Spline::Cache::derivative_errors;
+    if (spline.slot(slot).peek() == nullptr && !spline.pays(points, spline.point_count() / 64)) {
+        return unknown_errors;
+    }
+    return spline.kept<DerivativeErrors>(
+        slot, [&] { return std::make_shared<const DerivativeErrors>(errors_everywhere(spline)); });
 }
 
 } // namespace nrb::eval

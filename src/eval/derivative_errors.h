@@ -16,9 +16,9 @@ struct DerivativeErrors {
     double vv = 0;
 };
 
-// For a curve or a surface, evaluated at `points` parameters. Infinite if no bound holds everywhere
-// (extrapolation, weights that are not positive), or if reading all control points would cost more than it
-// can save. Throws only if a table has to be built.
+// For a curve or a surface, evaluated at `points` parameters more. Infinite if no bound holds everywhere
+// (extrapolation, weights that are not positive), or if all points so far have not paid for reading the
+// control points. Then they are kept with the spline. Throws only if a table has to be built.
 DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points);
 
 } // namespace nrb::eval

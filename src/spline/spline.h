@@ -105,11 +105,13 @@ public:
     void curve_power_span(int64_t span, double *points, double *power_span) const noexcept;
 
     // What other rooms keep with a spline. Only those rooms know the types; each thing is made at first use.
-    enum class Cache { single, at_origin, pieces, locator, lengths, magnitude, count };
+    enum class Cache { single, derivative_errors, at_origin, pieces, locator, lengths, magnitude, count };
     using AnyCache = std::shared_ptr<const void>;
     [[nodiscard]] const Lazy<AnyCache> &slot(Cache cache) const noexcept {
         return slots_[static_cast<size_t>(cache)];
     }
+    // Whether such a thing is worth its cost, in evaluations, after `uses` more of them.
+    [[nodiscard]] bool pays(int64_t uses, int64_t cost) const noexcept { return uses_.pay(uses, cost); }
     // What make() returns a std::shared_ptr of, for a slot that is never empty.
     template <class T, class Make>
     [[nodiscard]] const T &kept(Cache cache, Make &&make) const {
