@@ -192,10 +192,7 @@ FloatRecords output(const char *name, float *data, int64_t count, int64_t width,
 
 void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
                    const void *in, int64_t in_bytes) {
-    const auto a = reinterpret_cast<uintptr_t>(out);
-    const auto b = reinterpret_cast<uintptr_t>(in);
-    if (out_bytes > 0 && in_bytes > 0 && a < b + static_cast<uintptr_t>(in_bytes) &&
-        b < a + static_cast<uintptr_t>(out_bytes)) {
+    if (!apart({out_name, out, out_bytes}, {in_name, in, in_bytes})) {
         fail(Status::overlap, "output %s overlaps %s", out_name, in_name);
     }
 }

@@ -97,6 +97,15 @@ template <class T>
 Memory memory(const char *name, const T *data, int64_t n) noexcept {
     return {name, data, data == nullptr ? 0 : n * static_cast<int64_t>(sizeof(T))};
 }
+inline bool apart(const Memory &a, const Memory &b) noexcept {
+    const auto from_a = reinterpret_cast<uintptr_t>(a.data), from_b = reinterpret_cast<uintptr_t>(b.data);
+    return a.bytes == 0 || b.bytes == 0 || from_a + static_cast<uintptr_t>(a.bytes) <= from_b ||
+           from_b + static_cast<uintptr_t>(b.bytes) <= from_a;
+}
+// Whether these are the strides of a record of `width` values side by side.
+inline bool in_a_row(int64_t width, int64_t stride, int64_t component_stride) noexcept {
+    return (stride == 0 || stride >= width) && (component_stride == 0 || component_stride == 1);
+}
 // No output overlaps another output or an input.
 void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Memory> inputs);
 

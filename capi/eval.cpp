@@ -59,17 +59,6 @@ void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *param
     eval::evaluate_grid(spline, rules, grid.params, out);
 }
 
-// The strides of a record of `width` values side by side.
-bool in_a_row(int64_t width, int64_t stride, int64_t component_stride) noexcept {
-    return (stride == 0 || stride >= width) && (component_stride == 0 || component_stride == 1);
-}
-
-bool apart(const double *a, int size_a, const double *b, int size_b) noexcept {
-    const auto from_a = reinterpret_cast<uintptr_t>(a), from_b = reinterpret_cast<uintptr_t>(b);
-    return from_a + static_cast<size_t>(size_a) * sizeof *a <= from_b ||
-           from_b + static_cast<size_t>(size_b) * sizeof *b <= from_a;
-}
-
 // One point of a spline that has its tables: most calls of most programs. False where there is something to
 // check or to say.
 bool evaluated_single(const nurbs *g, const double *params, int64_t param_stride,
@@ -79,7 +68,7 @@ bool evaluated_single(const nurbs *g, const double *params, int64_t param_stride
     return tables != nullptr && params != nullptr && points != nullptr &&
            in_a_row(tables->axis_count, param_stride, param_component_stride) &&
            in_a_row(tables->dim, point_stride, point_component_stride) &&
-           apart(params, tables->axis_count, points, tables->dim) &&
+           apart(memory("points", points, tables->dim), memory("params", params, tables->axis_count)) &&
            eval::evaluate_single(*tables, params, points);
 }
 

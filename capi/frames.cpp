@@ -7,10 +7,12 @@
 #include "eval/frames/curvature.h"
 #include "eval/frames/curve_frames.h"
 #include "eval/frames/minimal_frames.h"
+#include "eval/frames/single_frame.h"
 #include "eval/frames/surface_frames.h"
 #include "spline/kind.h"
 
 #include <cmath>
+#include <span>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -37,6 +39,37 @@ void check_finite(const double *direction, const char *name) {
     }
 }
 
+// The frame of one point of a surface that has its tables. False where there is something to check or to say.
+bool evaluated_single(const nurbs *g, const double *params, int64_t param_stride,
+                      int64_t param_component_stride, std::initializer_list<Wanted> outputs,
+                      int32_t *status) noexcept {
+    const eval::SingleFrameTables *tables = g == nullptr ? nullptr : eval::single_frame_tables(*g->spline);
+    if (tables == nullptr || params == nullptr || !in_a_row(2, param_stride, param_component_stride)) {
+        return false;
+    }
+    const Memory input = memory("params", params, 2), bits = memory("status", status, 1);
+    bool separate = apart(input, bits);
+    for (const Wanted *out = outputs.begin(); out != outputs.end(); ++out) {
+        const Memory own = memory(out->name, out->data, 3);
+        separate = separate && (out->data == nullptr || in_a_row(3, out->stride, out->component_stride)) &&
+                   apart(own, input) && apart(own, bits);
+        for (const Wanted *other = outputs.begin(); other != out; ++other) {
+            separate = separate && apart(own, memory(other->name, other->data, 3));
+        }
+    }
+    eval::SingleFrame frame;
+    if (!separate || !eval::evaluate_single_frame(*tables, params, frame)) {
+        return false;
+    }
+    std::span<const double> rest = frame;
+    for (const Wanted &out : outputs) {
+        put_all(out.data, rest.first(3));
+        rest = rest.subspan(3);
+    }
+    put(status, int32_t{0});
+    return true;
+}
+
 } // namespace
 
 nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
@@ -45,6 +78,15 @@ nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *
                                        int64_t du_component_stride, double *dv, int64_t dv_stride,
                                        int64_t dv_component_stride, double *normals, int64_t normal_stride,
                                        int64_t normal_component_stride, int32_t *status, uint32_t flags) {
+    if (n == 1 && flags == 0 &&
+        evaluated_single(g, params, param_stride, param_component_stride,
+                         {{"points", points, 3, point_stride, point_component_stride},
+                          {"du", du, 3, du_stride, du_component_stride},
+                          {"dv", dv, 3, dv_stride, dv_component_stride},
+                          {"normals", normals, 3, normal_stride, normal_component_stride}},
+                         status)) {
+        return NURBS_OK;
+    }
     return guard([&] {
         const Spline &spline = surface_in_space(g);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);

@@ -105,7 +105,17 @@ public:
     void curve_power_span(int64_t span, double *points, double *power_span) const noexcept;
 
     // What other rooms keep with a spline. Only those rooms know the types; each thing is made at first use.
-    enum class Cache { single, derivative_errors, at_origin, pieces, locator, lengths, magnitude, count };
+    enum class Cache {
+        single_frame,
+        single,
+        derivative_errors,
+        at_origin,
+        pieces,
+        locator,
+        lengths,
+        magnitude,
+        count
+    };
     using AnyCache = std::shared_ptr<const void>;
     [[nodiscard]] const Lazy<AnyCache> &slot(Cache cache) const noexcept {
         return slots_[static_cast<size_t>(cache)];

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "eval/blocks.h"
 #include "eval/derivative_errors.h"
+#include "eval/frames/single_frame.h"
 #include "eval/frames/surface_limit.h"
 #include "eval/frames/waiting_outputs.h"
 #include "eval/kernels/normal_kernel.h"
@@ -174,6 +175,9 @@ void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords p
                     const SurfaceFrames &out) {
     usual_magnitude(spline) ? frames_of_usual_size(spline, rules, params, out)
                             : frames_of_any_size(spline, rules, params, params, out);
+    if (params.count == 1) {
+        keep_single_frame_tables(spline);
+    }
 }
 
 void surface_frames(const Spline &spline, const AxisRules &rules,

@@ -5,7 +5,7 @@
 
 #include <hwy/foreach_target.h>
 
-#include "eval/kernels/horner-inl.h"
+#include "eval/kernels/finish-inl.h"
 #include "eval/kernels/single_kernel.h"
 #include "spline/spline.h"
 
@@ -76,24 +76,31 @@ HWY_INLINE bool single_of_curve(const SingleTables &tables, const double *params
     return true;
 }
 
-// The functions of an axis, and in `net` the first layer that is active.
-template <int kDegree>
-HWY_INLINE bool functions_at(const SingleAxis &axis, double t, double *functions, const double *&net) {
+constexpr int most_functions = PowerSpan::lanes(max_power_span_degree + 1);
+
+// The functions of an axis and their derivatives below kOrders, and in `net` the first layer that is active.
+template <int kOrders, int kDegree>
+HWY_INLINE bool functions_at(const SingleAxis &axis, double t, double (*functions)[most_functions],
+                             const double *&net) {
     int64_t number;
     const double *power_span = power_span_at(axis, t, number);
     if (power_span == nullptr) {
         return false;
     }
+    const Vec4 d;
     const V4 x = local_parameter(power_span, t);
-    const int lanes = PowerSpan::lanes(axis.degree + 1);
+    const int lanes = kDegree == 3 ? 4 : PowerSpan::lanes(axis.degree + 1);
     for (int l = 0; l < lanes; l += vec4_lanes) {
-        hn::Store(horner_at<kDegree>(power_span, axis.degree, lanes, l, x), Vec4(), functions + l);
+        V4 y[kOrders];
+        horner_vector<kOrders, kDegree>(d, Components(), power_span + PowerSpan::head_size + l, axis.degree,
+                                        lanes, x, power_span[PowerSpan::scale], y);
+        for (int k = 0; k < kOrders; ++k) {
+            hn::Store(y[k], d, functions[k] + l);
+        }
     }
     net += (axis.spans[number] - axis.degree) * axis.stride;
     return true;
 }
-
-constexpr int most_functions = PowerSpan::lanes(max_power_span_degree + 1);
 
 // Sums of products with the functions of one axis, of rows or of such sums, in rising order as everywhere.
 template <int kDegree, class Row>
@@ -113,7 +120,7 @@ HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *param
     const double *net = tables.net;
     for (int k = 0; k < tables.axis_count; ++k) {
         const auto at = static_cast<size_t>(k);
-        if (!functions_at<kDegree>(tables.axes[at], params[k], functions[k], net)) {
+        if (!functions_at<1, kDegree>(tables.axes[at], params[k], functions + k, net)) {
             return false;
         }
     }
@@ -139,15 +146,69 @@ HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *param
     return true;
 }
 
-bool single(const SingleTables &tables, const double *params, double *point) {
+// As contract_surface() of tensor_kernel.cpp.
+template <int kDegree>
+HWY_INLINE void contract_first_derivs(const SingleTables &tables,
+                                      const double (*functions)[2][most_functions], const double *net,
+                                      int part, V4 *HWY_RESTRICT slots) {
+    const Vec4 d;
+    const auto &[u, v, w] = tables.axes;
+    const int degree_v = kDegree >= 0 ? kDegree : v.degree;
+    for (int j = 0; j <= degree_v; ++j) {
+        const double *from = net + part * vec4_lanes + j * v.stride;
+        const auto row = [&](int i) HWY_ATTR { return hn::LoadU(Vec4(), from + i * u.stride); };
+        const V4 sum = contract_axis<kDegree>(u, functions[0][0], row);
+        const V4 sum_u = contract_axis<kDegree>(u, functions[0][1], row);
+        const V4 value = hn::Set(d, functions[1][0][j]);
+        const V4 value_v = hn::Set(d, functions[1][1][j]);
+        slots[0] = j == 0 ? hn::Mul(value, sum) : hn::MulAdd(value, sum, slots[0]);
+        slots[1] = j == 0 ? hn::Mul(value, sum_u) : hn::MulAdd(value, sum_u, slots[1]);
+        slots[2] = j == 0 ? hn::Mul(value_v, sum) : hn::MulAdd(value_v, sum, slots[2]);
+    }
+}
+
+template <int kDegree>
+HWY_INLINE bool first_derivs_of_surface(const SingleTables &tables, const double *params, double *derivs) {
+    HWY_ALIGN double functions[2][2][most_functions];
+    const double *net = tables.net;
+    if (!functions_at<2, kDegree>(tables.axes[0], params[0], functions[0], net) ||
+        !functions_at<2, kDegree>(tables.axes[1], params[1], functions[1], net)) {
+        return false;
+    }
+    QuadRecord<3> record;
+    for (int part = 0; part < record.parts; ++part) {
+        contract_first_derivs<kDegree>(tables, functions, net, part, record.values[part]);
+    }
+    if (tables.width > tables.dim) {
+        record.divide_by_weight<2, 1>(tables.dim);
+    }
+    for (int s = 0; s < 3; ++s, derivs += 3) {
+        HWY_ALIGN double lanes[4];
+        record.store(s, lanes);
+        std::copy_n(lanes, 3, derivs);
+    }
+    return true;
+}
+
+HWY_INLINE bool is_cubic(const SingleTables &tables) {
     bool cubic = true;
     for (int k = 0; k < tables.axis_count; ++k) {
         cubic = cubic && tables.axes[static_cast<size_t>(k)].degree == 3;
     }
+    return cubic;
+}
+
+bool single(const SingleTables &tables, const double *params, double *point) {
+    const bool cubic = is_cubic(tables);
     if (tables.axis_count == 1) {
         return cubic ? single_of_curve<3>(tables, params, point) : single_of_curve<-1>(tables, params, point);
     }
     return cubic ? single_of_tensor<3>(tables, params, point) : single_of_tensor<-1>(tables, params, point);
+}
+
+bool single_derivs(const SingleTables &tables, const double *params, double *derivs) {
+    return is_cubic(tables) ? first_derivs_of_surface<3>(tables, params, derivs)
+                            : first_derivs_of_surface<-1>(tables, params, derivs);
 }
 
 } // namespace HWY_NAMESPACE
@@ -158,6 +219,7 @@ HWY_AFTER_NAMESPACE();
 namespace nrb::eval {
 
 NURBS_FORMS(single);
+NURBS_FORMS(single_derivs);
 
 namespace {
 
@@ -216,6 +278,10 @@ void keep_single_tables(const Spline &spline) {
 
 bool evaluate_single(const SingleTables &tables, const double *params, double *point) noexcept {
     return NURBS_BEST(single)(tables, params, point);
+}
+
+bool evaluate_single_derivs(const SingleTables &tables, const double *params, double *derivs) noexcept {
+    return NURBS_BEST(single_derivs)(tables, params, derivs);
 }
 
 } // namespace nrb::eval

@@ -39,5 +39,7 @@ void keep_single_tables(const Spline &spline);
 // The same point as in a batch: params [axes], point [dim]. False, and nothing is written, unless every
 // parameter lies strictly inside a span that has a power span.
 bool evaluate_single(const SingleTables &tables, const double *params, double *point) noexcept;
+// The same with first derivatives, of a surface in space: derivs [3][3] are S, S_u and S_v.
+bool evaluate_single_derivs(const SingleTables &tables, const double *params, double *derivs) noexcept;
 
 } // namespace nrb::eval
