@@ -45,7 +45,7 @@ FOLDER = "tests/capi/calls"
 # The arrays of the struct Output, for the types of outputs, and their lengths.
 ARRAYS = {"double": "values", "float": "singles", "int64_t": "spans", "int32_t": "states", "nurbs_status": "states",
           "char": "text"}
-LENGTHS = {"values": 1024, "singles": 64, "spans": 64, "states": 64, "text": 64}
+LENGTHS = {"values": 1024, "singles": 64, "spans": 64, "states": 64, "text": 128}
 
 
 class CallsError(Exception):

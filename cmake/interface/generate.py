@@ -20,9 +20,10 @@ import header
 import python
 import rust
 import rust_methods
+import smoke_reference
 import table
 
-DECLARATIONS = (fortran, python, rust, exports, calls)  # FILES: {path: what makes the text of the header}
+DECLARATIONS = (fortran, python, rust, exports, calls, smoke_reference)  # FILES: {path: what makes the text of the header}
 WRAPPERS = (cpp, fortran_methods, rust_methods)  # files(binding): {path: text}, of the header and the table
 
 

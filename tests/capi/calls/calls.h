@@ -34,7 +34,7 @@ struct Output {
     float singles[64];
     int64_t spans[64];
     int32_t states[64];
-    char text[64];
+    char text[128];
 };
 
 void destroy(const Output &o);

@@ -66,7 +66,7 @@ const Call group[] = {
      }},
     {"list_note",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         return nurbs_list_note(in.list, 0, o.states, o.spans, o.states + 1, o.text, 64, o.spans + 1);
+         return nurbs_list_note(in.list, 0, o.states, o.spans, o.states + 1, o.text, 128, o.spans + 1);
      }},
     {"read_options_init",
      [](const Inputs &, Output &) -> nurbs_status {

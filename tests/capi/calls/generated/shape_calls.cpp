@@ -36,7 +36,7 @@ const Call group[] = {
      }},
     {"curve_circle",
      [](const Inputs &, Output &o) -> nurbs_status {
-         return nurbs_curve_circle(3, nullptr, nullptr, nullptr, 1, NURBS_ARC_SMOOTH, &o.out);
+         return nurbs_curve_circle(2, nullptr, nullptr, nullptr, 1, NURBS_ARC_SMOOTH, &o.out);
      }},
     {"curve_circle placed",
      [](const Inputs &, Output &o) -> nurbs_status {

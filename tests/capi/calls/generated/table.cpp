@@ -10,7 +10,7 @@ static_assert(sizeof(Output::singles) == 64 * sizeof(float));
 static_assert(sizeof(Output::spans) == 64 * sizeof(int64_t));
 static_assert(sizeof(Output::states) == 64 * sizeof(int32_t));
 static_assert(sizeof(Output::states) == 64 * sizeof(nurbs_status));
-static_assert(sizeof(Output::text) == 64 * sizeof(char));
+static_assert(sizeof(Output::text) == 128 * sizeof(char));
 
 nurbs_status make_curve(const Inputs &, nurbs **out) {
     static constexpr int32_t degrees[] = {2};

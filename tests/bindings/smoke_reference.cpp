@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Prints what the good calls of tests/capi/calls return in C, for the smoke tests of the other languages:
+//
+//     eval|points|3ff0000000000000 0000000000000000 ...
+//
+// call, parameter, and the elements that the call wrote: bits of doubles and floats, integers, characters. Of a
+// spline the degrees, the knots of all axes, and the homogeneous points; of a list the number of splines, and each
+// of them: out.degrees, list[0].knots.
+#include "calls/calls.h"
+#include "generated/smoke_slots.h"
+
+#include <bit>
+#include <cinttypes>
+#include <cstring>
+#include <string>
+
+namespace {
+
+std::string where;
+
+template <class Value, class Print>
+void print(const char *name, std::span<const Value> values, const Print &print_one) {
+    std::printf("%s%s|", where.c_str(), name);
+    Value unwritten;
+    std::memset(&unwritten, 0x5a, sizeof unwritten); // as FILL() leaves it
+    const char *space = "";
+    for (const Value &value : values) {
+        if (std::memcmp(&value, &unwritten, sizeof value) != 0) {
+            std::printf("%s", space);
+            print_one(value);
+            space = " ";
+        }
+    }
+    std::puts("");
+}
+
+void print_doubles(const char *name, std::span<const double> values) {
+    print(name, values, [](double x) { std::printf("%016" PRIx64, std::bit_cast<uint64_t>(x)); });
+}
+
+template <class Integer>
+void print_integers(const char *name, std::span<const Integer> values) {
+    print(name, values, [](Integer x) { std::printf("%" PRId64, static_cast<int64_t>(x)); });
+}
+
+// What f(arguments..., &answer) answers.
+template <class Value, class Ask, class... Arguments>
+Value answer(Ask ask, Arguments... arguments) {
+    Value value{};
+    CHECK_OK(ask(arguments..., &value));
+    return value;
+}
+
+void print_spline(const char *name, const nurbs *g) {
+    const std::string before = where;
+    where += name;
+    std::vector<int32_t> degrees;
+    std::vector<double> knots;
+    for (int32_t k = 0; k < answer<int32_t>(nurbs_axes, g); ++k) {
+        degrees.push_back(answer<int32_t>(nurbs_degree, g, k));
+        const int64_t count = answer<int64_t>(nurbs_count, g, k) + degrees.back() + 1;
+        std::vector<double> own(static_cast<size_t>(count));
+        CHECK_OK(nurbs_knots(g, k, count, own.data()));
+        knots.insert(knots.end(), own.begin(), own.end());
+    }
+    const auto count = answer<int64_t>(nurbs_point_count, g);
+    std::vector<double> points(static_cast<size_t>(count * (answer<int32_t>(nurbs_dimension, g) + 1)));
+    CHECK_OK(nurbs_homogeneous_points(g, count, points.data(), 0, 0));
+    print_integers<int32_t>(".degrees", degrees);
+    print_doubles(".knots", knots);
+    print_doubles(".points", points);
+    where = before;
+}
+
+void print_list(const char *name, const nurbs_list *list) {
+    const std::string before = where;
+    where += name;
+    const auto count = answer<int64_t>(nurbs_list_count, list);
+    print_integers<int64_t>(".count", {&count, 1});
+    for (int64_t i = 0; i < count; ++i) {
+        nurbs *g = nullptr;
+        CHECK_OK(nurbs_list_get(list, i, &g));
+        print_spline(("[" + std::to_string(i) + "]").c_str(), g);
+        nurbs_destroy(g);
+    }
+    where = before;
+}
+
+void print_slot(const Slot &slot, const calls::Output &o) {
+    const auto first = static_cast<size_t>(slot.first), length = static_cast<size_t>(slot.length);
+    const std::string place = slot.place;
+    if (place == "values") {
+        print_doubles(slot.parameter, std::span(o.values).subspan(first, length));
+    } else if (place == "singles") {
+        print<float>(slot.parameter, std::span(o.singles).subspan(first, length),
+                     [](float x) { std::printf("%08" PRIx32, std::bit_cast<uint32_t>(x)); });
+    } else if (place == "spans") {
+        print_integers<int64_t>(slot.parameter, std::span(o.spans).subspan(first, length));
+    } else if (place == "states") {
+        print_integers<int32_t>(slot.parameter, std::span(o.states).subspan(first, length));
+    } else if (place == "text") {
+        std::printf("%s%s|%s\n", where.c_str(), slot.parameter, o.text + first);
+    } else if (place == "list") {
+        print_list(slot.parameter, o.list);
+    } else {
+        print_spline(slot.parameter, place == "out" ? o.out : o.other);
+    }
+}
+
+void print_call(const calls::Inputs &in, const calls::Call &call) {
+    calls::Output o;
+    CHECK_OK(call.run(in, o));
+    where = std::string(call.name) + "|";
+    std::printf("%sdone|\n", where.c_str());
+    for (const Slot &slot : slots) {
+        if (std::strcmp(slot.call, call.name) == 0) {
+            print_slot(slot, o);
+        }
+    }
+    destroy(o);
+}
+
+} // namespace
+
+int main() {
+    CHECK(calls::write_file("smoke_reference.igs"));
+    const calls::Inputs in = calls::make_inputs();
+    for (const calls::Call &call : calls::scalar_calls()) {
+        print_call(in, call);
+    }
+    calls::for_each_allocating([&in](const calls::Call &call) { print_call(in, call); });
+    destroy(in);
+    return check_failures == 0 ? 0 : 1;
+}

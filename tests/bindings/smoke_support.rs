@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+//! How the smoke test of Rust prints what calls return: see smoke_reference.cpp.
+
+use nurbs::{List, Spline};
+use std::cell::RefCell;
+
+thread_local!(static CALL: RefCell<&'static str> = const { RefCell::new("") });
+
+pub fn begin(name: &'static str) {
+    CALL.with(|call| *call.borrow_mut() = name);
+    println!("{name}|done|");
+}
+
+pub fn by_hand(name: &str) {
+    println!("{name}|by hand|");
+}
+
+pub fn written(path: &'static str, text: &str) -> &'static str {
+    std::fs::write(path, text).expect(path);
+    path
+}
+
+/// What is one element, or many.
+pub trait Elements {
+    fn text(&self) -> String;
+}
+
+macro_rules! integers {
+    ($($kind:ty),*) => {$(
+        impl Elements for $kind {
+            fn text(&self) -> String {
+                format!("{} ", *self as i64)
+            }
+        }
+    )*};
+}
+integers!(i32, i64, u32, usize, bool);
+
+impl Elements for f64 {
+    fn text(&self) -> String {
+        format!("{:016x} ", self.to_bits())
+    }
+}
+
+impl Elements for f32 {
+    fn text(&self) -> String {
+        format!("{:08x} ", self.to_bits())
+    }
+}
+
+impl<T: Elements> Elements for Vec<T> {
+    fn text(&self) -> String {
+        self.iter().map(Elements::text).collect()
+    }
+}
+
+impl<T: Elements, const N: usize> Elements for [T; N] {
+    fn text(&self) -> String {
+        self.iter().map(Elements::text).collect()
+    }
+}
+
+pub trait Show {
+    fn lines(&self, name: &str);
+}
+
+pub fn show(name: &str, value: &impl Show) {
+    value.lines(name);
+}
+
+fn line(name: &str, text: &str) {
+    CALL.with(|call| println!("{}|{name}|{text}", call.borrow()));
+}
+
+impl<T: Elements> Show for T {
+    fn lines(&self, name: &str) {
+        line(name, &self.text());
+    }
+}
+
+impl Show for String {
+    fn lines(&self, name: &str) {
+        line(name, self);
+    }
+}
+
+impl Show for Spline {
+    fn lines(&self, name: &str) {
+        let axes = 0..self.axes().expect(name);
+        let degrees: Vec<i32> = axes.clone().map(|axis| self.degree(axis).expect(name)).collect();
+        let knots: Vec<Vec<f64>> = axes.map(|axis| self.knots(axis).expect(name)).collect();
+        show(&format!("{name}.degrees"), &degrees);
+        show(&format!("{name}.knots"), &knots);
+        show(&format!("{name}.points"), &self.homogeneous_points().expect(name));
+    }
+}
+
+impl Show for List {
+    fn lines(&self, name: &str) {
+        show(&format!("{name}.count"), &self.len());
+        for i in 0..self.len() {
+            show(&format!("{name}[{i}]"), &self.get(i).expect(name));
+        }
+    }
+}
