@@ -28,7 +28,7 @@ def printed(command):
         elif parameter == "done":
             calls[call].update()
         else:
-            calls[call][parameter] += elements[0].split()
+            calls[call][parameter] += elements[0].lower().split()
     return calls, by_hand
 
 
