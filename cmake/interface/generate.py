@@ -20,11 +20,15 @@ import header
 import python
 import rust
 import rust_methods
+import smoke_cpp
+import smoke_fortran
 import smoke_reference
+import smoke_rust
 import table
 
 DECLARATIONS = (fortran, python, rust, exports, calls, smoke_reference)  # FILES: {path: what makes the text of the header}
 WRAPPERS = (cpp, fortran_methods, rust_methods)  # files(binding): {path: text}, of the header and the table
+SMOKE_TESTS = (smoke_cpp, smoke_fortran, smoke_rust)  # files(binding, model): the same of the good calls, too
 
 
 def declarations(manual):
@@ -39,6 +43,9 @@ def contents(top):
     texts = declarations(manual)
     for backend in WRAPPERS:
         texts.update(backend.files(binding))
+    model = calls.read(manual)
+    for backend in SMOKE_TESTS:
+        texts.update(backend.files(binding, model))
     return texts
 
 

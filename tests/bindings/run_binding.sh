@@ -43,7 +43,7 @@ compile_once() {
 }
 
 fortran_modules() {
-    "$compiler" "${flags[@]}" -c "$bindings/fortran/nurbs_all.f90" "$here/expectations.f90"
+    "$compiler" "${flags[@]}" -c "$bindings/fortran/nurbs_all.f90" "$here/expectations.f90" "$here/smoke_support.f90"
     rm -f libmodules.a
     ar cr libmodules.a ./*.o
 }
@@ -52,7 +52,7 @@ run_fortran() {
     local compiler=${FC:-gfortran}
     need "$compiler"
     local flags=(-std=f2018 -O1 -Wall -Wextra -Wno-compare-reals -Werror)
-    compile_once fortran_modules "$bindings"/fortran/*.f90 "$here/expectations.f90"
+    compile_once fortran_modules "$bindings"/fortran/*.f90 "$here/expectations.f90" "$here/smoke_support.f90"
     "$compiler" "${flags[@]}" -J"$work" -I"$compiled" "$program" -L"$compiled" -lmodules -L"$library" -lnurbs \
         -Wl,-z,lazy -o "$work/program"
     "$here/trace_calls.sh" "$work/calls" "$work/program" "$@"

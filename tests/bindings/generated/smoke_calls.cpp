@@ -552,6 +552,7 @@ void edit(const Inputs &in) {
         given.targets = {0.1, 0.9, 0.3, 0.7};
         n::ConstrainOptions options;
         options.keep = {0, 0};
+        options.tolerance = 0.0;
         const auto found = n::constrain(in.curve, given, options, watched());
         show("out", found.spline);
         show("residuals", found.residuals);
@@ -587,7 +588,9 @@ void edit(const Inputs &in) {
         given.params = {0.1, 0.9, 0.3, 0.7};
         given.targets = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6};
         given.kinds = {2, 0};
-        const auto found = n::constrain(in.surface, given, {}, watched());
+        n::ConstrainOptions options;
+        options.tolerance = 0.0;
+        const auto found = n::constrain(in.surface, given, options, watched());
         show("out", found.spline);
         show("residuals", found.residuals);
         show("rank", found.rank);
@@ -1602,7 +1605,11 @@ void query(const Inputs &in) {
     }
     {
         begin("closest_points_with");
-        const auto found = n::closest_points(in.curve, {0.1, 0.9}, {}, watched());
+        n::Search how;
+        how.tolerance = 0.0;
+        how.budget = 0;
+        how.flags = 0u;
+        const auto found = n::closest_points(in.curve, {0.1, 0.9}, how, watched());
         show("params", found.params);
         show("feet", found.points);
         show("distances", found.distances);
@@ -1612,6 +1619,9 @@ void query(const Inputs &in) {
         begin("closest_points_with of a part");
         n::Search how;
         how.range = {0.0, 1.0, 0.0, 3.0};
+        how.tolerance = 0.0;
+        how.budget = 0;
+        how.flags = 0u;
         const auto found = n::closest_points(in.surface, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, how, watched());
         show("params", found.params);
         show("feet", found.points);
@@ -1620,7 +1630,11 @@ void query(const Inputs &in) {
     }
     {
         begin("farthest_points_with");
-        const auto found = n::farthest_points(in.curve, {0.1, 0.9}, {}, watched());
+        n::Search how;
+        how.tolerance = 0.0;
+        how.budget = 0;
+        how.flags = 0u;
+        const auto found = n::farthest_points(in.curve, {0.1, 0.9}, how, watched());
         show("params", found.params);
         show("feet", found.points);
         show("distances", found.distances);
@@ -1630,6 +1644,9 @@ void query(const Inputs &in) {
         begin("farthest_points_with of a part");
         n::Search how;
         how.range = {0.3, 0.6};
+        how.tolerance = 0.0;
+        how.budget = 0;
+        how.flags = 0u;
         const auto found = n::farthest_points(in.curve, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, how, watched());
         show("params", found.params);
         show("feet", found.points);
@@ -1638,7 +1655,7 @@ void query(const Inputs &in) {
     }
     {
         begin("closest_local_with");
-        const auto found = n::closest_local(in.curve, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, {0.1, 0.9, 0.3}, 0, watched());
+        const auto found = n::closest_local(in.curve, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, {0.1, 0.9, 0.3}, 0u, watched());
         show("params", found.params);
         show("feet", found.points);
         show("distances", found.distances);
@@ -1646,7 +1663,7 @@ void query(const Inputs &in) {
     }
     {
         begin("closest_local_with params");
-        const auto found = n::closest_local(in.curve, {0.1, 0.9}, {0.1}, 0, watched());
+        const auto found = n::closest_local(in.curve, {0.1, 0.9}, {0.1}, 0u, watched());
         show("params", found.params);
         show("feet", found.points);
         show("distances", found.distances);
@@ -1654,14 +1671,22 @@ void query(const Inputs &in) {
     }
     {
         begin("curve_signed_distances_with");
-        const auto found = n::signed_distances(in.curve, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, {}, watched());
+        n::Search how;
+        how.tolerance = 0.0;
+        how.budget = 0;
+        how.flags = 0u;
+        const auto found = n::signed_distances(in.curve, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, how, watched());
         show("distances", found.distances);
         show("params", found.params);
         show("status", found.status);
     }
     {
         begin("curve_signed_distances_with alone");
-        const auto found = n::signed_distances(in.curve, {0.1, 0.9}, {}, watched());
+        n::Search how;
+        how.tolerance = 0.0;
+        how.budget = 0;
+        how.flags = 0u;
+        const auto found = n::signed_distances(in.curve, {0.1, 0.9}, how, watched());
         show("distances", found.distances);
         show("params", found.params);
         show("status", found.status);
