@@ -18,6 +18,7 @@ import fortran
 import fortran_methods
 import header
 import python
+import readme
 import rust
 import rust_methods
 import smoke_cpp
@@ -26,7 +27,7 @@ import smoke_reference
 import smoke_rust
 import table
 
-DECLARATIONS = (fortran, python, rust, exports, calls, smoke_reference)  # FILES: {path: what makes the text of the header}
+DECLARATIONS = (fortran, python, rust, exports, calls, smoke_reference, readme)  # FILES: {path: what makes the text of the header}
 WRAPPERS = (cpp, fortran_methods, rust_methods)  # files(binding): {path: text}, of the header and the table
 SMOKE_TESTS = (smoke_cpp, smoke_fortran, smoke_rust)  # files(binding, model): the same of the good calls, too
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every function of nurbs.h is called by a fuzz target, and functions.txt says which.
+"""Every function of nurbs.h is called by a fuzz target; prints which.
 
 usage: check_functions.py [nurbs.h [folder of the fuzz targets]]
 """
@@ -22,48 +22,27 @@ def declared(path):
     return [function.name for function in header.parse(path.read_text(encoding="utf-8")).functions]
 
 
-def table(path):
-    """Pairs (function, target) of functions.txt."""
-    lines = (line.split("#")[0].split() for line in path.read_text().splitlines())
-    return [tuple(words) for words in lines if words]
-
-
-def called(target):
+def calls_of(source):
     """Names that a target's source calls; what the shared header calls for it counts too."""
-    text = without_comments(target.read_text()) + without_comments((target.parent / "harness.h").read_text())
+    text = without_comments(source.read_text()) + without_comments((source.parent / "harness.h").read_text())
     return set(re.findall(r"\b(nurbs_\w+)\s*\(", text))
 
 
-def problems(path, folder):
-    functions, rows = declared(path), table(folder / "functions.txt")
-    if not functions:
-        yield f"{path}: no functions found"
-    for row in rows:
-        if len(row) != 2:
-            yield f"functions.txt: a line is not 'function target': {' '.join(row)}"
-            return
-    names = [name for name, _ in rows]
-    for name in functions:
-        if names.count(name) != 1:
-            yield f"functions.txt: {name} is listed {names.count(name)} times"
-    for name, target in rows:
-        source = folder / f"{target}.cpp"
-        if name not in functions:
-            yield f"functions.txt: {name} is not in the header"
-        if not source.exists():
-            yield f"functions.txt: {name}: there is no {source.name}"
-        elif name not in called(source):
-            yield f"{source.name} does not call {name}"
+def targets(path, folder):
+    """{function: the targets that call it}"""
+    calls = {source.stem: calls_of(source) for source in sorted(folder.glob("fuzz_*.cpp"))}
+    return {name: [target for target, names in calls.items() if name in names] for name in declared(path)}
 
 
 def main(arguments):
     path = Path(arguments[0]) if arguments else HERE.parents[1] / header.PATH
     folder = Path(arguments[1]) if len(arguments) > 1 else HERE
-    found = list(problems(path, folder))
-    for problem in found:
-        print(problem)
-    print(f"{len(declared(path))} functions, {len(found)} problems")
-    return 1 if found else 0
+    found = targets(path, folder)
+    for name, of in found.items():
+        print(name, " ".join(of) or "is called by no target")
+    missing = sum(not of for of in found.values())
+    print(f"{len(found)} functions, {missing} without a target")
+    return 1 if missing or not found else 0
 
 
 if __name__ == "__main__":
