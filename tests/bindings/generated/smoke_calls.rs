@@ -40,9 +40,14 @@ fn given() -> nurbs::Result<Given> {
         curve: Spline::create(
             &[2],
             &[9],
-            &[0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0],
+            &[
+                0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0,
+            ],
             2,
-            &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0],
+            &[
+                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
+                -1.0, 1.0, 0.0,
+            ],
             Some(&[
                 1.0,
                 0.7071067811865476,
@@ -61,7 +66,9 @@ fn given() -> nurbs::Result<Given> {
             &[6],
             &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
             2,
-            &[1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0],
+            &[
+                1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0,
+            ],
             None,
             1,
         )?,
@@ -71,8 +78,9 @@ fn given() -> nurbs::Result<Given> {
             &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
             3,
             &[
-                0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 3.0, 3.0, 0.5, 0.0, 0.0, 0.5, 1.0, 1.0,
-                0.5, 2.0, 2.0, 0.5, 3.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 2.0, 3.0, 1.0, 3.0, 4.0,
+                0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 3.0, 3.0, 0.5, 0.0, 0.0, 0.5,
+                1.0, 1.0, 0.5, 2.0, 2.0, 0.5, 3.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 2.0,
+                3.0, 1.0, 3.0, 4.0,
             ],
             None,
             0,
@@ -83,8 +91,8 @@ fn given() -> nurbs::Result<Given> {
             &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
             4,
             &[
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0,
-                0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0,
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0,
+                1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0,
             ],
             None,
             0,
@@ -129,7 +137,10 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("with_points");
     {
         let found = given.curve.with_points(
-            &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0],
+            &[
+                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
+                -1.0, 1.0, 0.0,
+            ],
             None,
         )?;
         show("out", &found);
@@ -137,7 +148,10 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("with_points rational");
     {
         let found = given.curve.with_points(
-            &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0],
+            &[
+                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
+                -1.0, 1.0, 0.0,
+            ],
             Some(&[
                 1.0,
                 0.7071067811865476,
@@ -169,7 +183,10 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("read in millimetres");
     {
-        let found = List::read(FILE.as_bytes(), Some(&nurbs::ReadOptions::new()?.unit(0.001)))?;
+        let found = List::read(
+            FILE.as_bytes(),
+            Some(&nurbs::ReadOptions::new()?.unit(0.001)),
+        )?;
         show("out", &found);
     }
     begin("read_file");
@@ -322,9 +339,14 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Spline::create(
             &[2],
             &[9],
-            &[0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0],
+            &[
+                0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0,
+            ],
             2,
-            &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0],
+            &[
+                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
+                -1.0, 1.0, 0.0,
+            ],
             Some(&[
                 1.0,
                 0.7071067811865476,
@@ -347,7 +369,9 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[6],
             &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
             2,
-            &[1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0],
+            &[
+                1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0,
+            ],
             None,
             1,
         )?;
@@ -361,8 +385,8 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
             4,
             &[
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0,
-                0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0,
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0,
+                1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0,
             ],
             None,
             0,
@@ -376,7 +400,9 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[6],
             &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
             1,
-            &[1.0, 1.0, 1.0, 2.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 2.0],
+            &[
+                1.0, 1.0, 1.0, 2.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 2.0,
+            ],
             0,
         )?;
         show("out", &found);
@@ -388,7 +414,10 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[9],
             &[0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0],
             2,
-            &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0],
+            &[
+                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
+                -1.0, 1.0, 0.0,
+            ],
             Some(&[
                 1.0,
                 0.7071067811865476,
@@ -411,7 +440,10 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[9],
             &[(&[0.0, 0.25, 0.5, 0.75, 1.0], &[3, 2, 2, 2, 3])],
             2,
-            &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0],
+            &[
+                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
+                -1.0, 1.0, 0.0,
+            ],
             Some(&[
                 1.0,
                 0.7071067811865476,
@@ -496,12 +528,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
 fn edit(given: &Given) -> nurbs::Result<()> {
     begin("transform");
     {
-        let found = given.curve.transform(2, &[0.0, 1.0, -1.0, 0.0], Some(&[0.0, 1.0]))?;
+        let found = given
+            .curve
+            .transform(2, &[0.0, 1.0, -1.0, 0.0], Some(&[0.0, 1.0]))?;
         show("out", &found);
     }
     begin("transform_projective");
     {
-        let found = given.curve.transform_projective(2, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0])?;
+        let found = given
+            .curve
+            .transform_projective(2, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0])?;
         show("out", &found);
     }
     begin("mirror");
@@ -511,17 +547,23 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     }
     begin("project_to_plane");
     {
-        let found = given.curve.project_to_plane(&[0.1, 0.9], &[0.1, 0.9], None)?;
+        let found = given
+            .curve
+            .project_to_plane(&[0.1, 0.9], &[0.1, 0.9], None)?;
         show("out", &found);
     }
     begin("project_to_plane along");
     {
-        let found = given.curve.project_to_plane(&[0.1, 0.9], &[0.1, 0.9], Some(&[0.1, 0.9]))?;
+        let found = given
+            .curve
+            .project_to_plane(&[0.1, 0.9], &[0.1, 0.9], Some(&[0.1, 0.9]))?;
         show("out", &found);
     }
     begin("project_from");
     {
-        let found = given.curve.project_from(&[0.3, 0.7], &[0.1, 0.9], &[0.1, 0.9])?;
+        let found = given
+            .curve
+            .project_from(&[0.3, 0.7], &[0.1, 0.9], &[0.1, 0.9])?;
         show("out", &found);
     }
     begin("make_rational");
@@ -568,13 +610,17 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     }
     begin("weight_through");
     {
-        let found = given.curve.weight_through(1, &[0.125], &[0.75, 0.75], 1.0)?;
+        let found = given
+            .curve
+            .weight_through(1, &[0.125], &[0.75, 0.75], 1.0)?;
         show("out", &found.0);
         show("weight", &found.1);
     }
     begin("pull_point");
     {
-        let found = given.volume.pull_point(0, &[0.1, 0.9, 0.3], &[0.1, 0.9, 0.3, 0.7], 1.0)?;
+        let found = given
+            .volume
+            .pull_point(0, &[0.1, 0.9, 0.3], &[0.1, 0.9, 0.3, 0.7], 1.0)?;
         show("out", &found.0);
         show("moved", &found.1);
     }
@@ -597,8 +643,16 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     begin("constrain");
     {
         let found = given.curve.constrain(
-            nurbs::Constraints { params: &[0.3, 0.6], targets: &[0.1, 0.9, 0.3, 0.7], ..Default::default() },
-            nurbs::ConstrainOptions { keep: &[0, 0], tolerance: 0.0, ..Default::default() },
+            nurbs::Constraints {
+                params: &[0.3, 0.6],
+                targets: &[0.1, 0.9, 0.3, 0.7],
+                ..Default::default()
+            },
+            nurbs::ConstrainOptions {
+                keep: &[0, 0],
+                tolerance: 0.0,
+                ..Default::default()
+            },
         )?;
         show("out", &found.spline);
         show("residuals", &found.residuals);
@@ -618,20 +672,26 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     }
     begin("flatten");
     {
-        let found = given.curve.flatten(&[0.1, 0.9], &[0.1, 0.9], &[], &[0.3, 0.6])?;
+        let found = given
+            .curve
+            .flatten(&[0.1, 0.9], &[0.1, 0.9], &[], &[0.3, 0.6])?;
         show("out", &found.0);
         show("moved", &found.1);
     }
     begin("flatten along");
     {
-        let found = given.curve.flatten(&[0.1, 0.9], &[0.1, 0.9], &[0.1, 0.9], &[0.3, 0.6])?;
+        let found = given
+            .curve
+            .flatten(&[0.1, 0.9], &[0.1, 0.9], &[0.1, 0.9], &[0.3, 0.6])?;
         show("out", &found.0);
         show("moved", &found.1);
     }
     begin("free_form_deform");
     {
         let square = Spline::bezier(&[1, 1], 2, &[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 2.0], None)?;
-        let found = given.curve.free_form_deform(&square, &[-1.0, -1.0], &[1.0, 1.0], 0.1)?;
+        let found = given
+            .curve
+            .free_form_deform(&square, &[-1.0, -1.0], &[1.0, 1.0], 0.1)?;
         show("out", &found.spline);
         show("deviation", &found.deviation);
         show("proven", &found.proven);
@@ -659,7 +719,10 @@ fn edit(given: &Given) -> nurbs::Result<()> {
                 kinds: &[2, 0],
                 ..Default::default()
             },
-            nurbs::ConstrainOptions { tolerance: 0.0, ..Default::default() },
+            nurbs::ConstrainOptions {
+                tolerance: 0.0,
+                ..Default::default()
+            },
         )?;
         show("out", &found.spline);
         show("residuals", &found.residuals);
@@ -670,7 +733,12 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     begin("constrain curvature");
     {
         let found = given.curve.constrain(
-            nurbs::Constraints { params: &[0.1], targets: &[-1.0, 0.1], kinds: &[3], ..Default::default() },
+            nurbs::Constraints {
+                params: &[0.1],
+                targets: &[-1.0, 0.1],
+                kinds: &[3],
+                ..Default::default()
+            },
             nurbs::ConstrainOptions {
                 weight_costs: &[1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
                 tolerance: 1e-09,
@@ -724,21 +792,33 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     }
     begin("snap_boundary");
     {
-        let found = given.curve.snap_boundary((0, 1), (&given.segment, 0, 0), 1, 0)?;
+        let found = given
+            .curve
+            .snap_boundary((0, 1), (&given.segment, 0, 0), 1, 0)?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }
     begin("snap_boundary surface");
     {
-        let found = given.surface.snap_boundary((0, 1), (&given.surface, 1, 0), 1, 67108864)?;
+        let found = given
+            .surface
+            .snap_boundary((0, 1), (&given.surface, 1, 0), 1, 67108864)?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }
     begin("constrain_with");
     {
         let found = given.curve.constrain_with(
-            nurbs::Constraints { params: &[0.3, 0.6], targets: &[0.1, 0.9, 0.3, 0.7], ..Default::default() },
-            nurbs::ConstrainOptions { keep: &[0, 0], tolerance: 0.0, ..Default::default() },
+            nurbs::Constraints {
+                params: &[0.3, 0.6],
+                targets: &[0.1, 0.9, 0.3, 0.7],
+                ..Default::default()
+            },
+            nurbs::ConstrainOptions {
+                keep: &[0, 0],
+                tolerance: 0.0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found.spline);
@@ -763,15 +843,21 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     }
     begin("fair_with");
     {
-        let found = given.curve.fair_with(2, 1000.0, &[], &mut Call::new().progress(|_| true))?;
+        let found = given
+            .curve
+            .fair_with(2, 1000.0, &[], &mut Call::new().progress(|_| true))?;
         show("out", &found.spline);
         show("energies", &found.energies);
         show("bound", &found.bound);
     }
     begin("fair_with surface");
     {
-        let found =
-            given.surface.fair_with(1, 1000.0, &[-1, -1, -1, -1], &mut Call::new().progress(|_| true))?;
+        let found = given.surface.fair_with(
+            1,
+            1000.0,
+            &[-1, -1, -1, -1],
+            &mut Call::new().progress(|_| true),
+        )?;
         show("out", &found.spline);
         show("energies", &found.energies);
         show("bound", &found.bound);
@@ -785,7 +871,10 @@ fn edit(given: &Given) -> nurbs::Result<()> {
                 kinds: &[2, 0],
                 ..Default::default()
             },
-            nurbs::ConstrainOptions { tolerance: 0.0, ..Default::default() },
+            nurbs::ConstrainOptions {
+                tolerance: 0.0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found.spline);
@@ -797,7 +886,12 @@ fn edit(given: &Given) -> nurbs::Result<()> {
     begin("constrain_with curvature");
     {
         let found = given.curve.constrain_with(
-            nurbs::Constraints { params: &[0.1], targets: &[-1.0, 0.1], kinds: &[3], ..Default::default() },
+            nurbs::Constraints {
+                params: &[0.1],
+                targets: &[-1.0, 0.1],
+                kinds: &[3],
+                ..Default::default()
+            },
             nurbs::ConstrainOptions {
                 weight_costs: &[1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
                 tolerance: 1e-09,
@@ -860,7 +954,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     {
         let found = nurbs::find_spans(
             2,
-            &[0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0],
+            &[
+                0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0,
+            ],
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
             0,
         )?;
@@ -875,7 +971,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     {
         let found = nurbs::basis(
             2,
-            &[0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0],
+            &[
+                0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0,
+            ],
             4,
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
             0,
@@ -885,13 +983,17 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("rational_basis");
     {
-        let found = given.curve.rational_basis(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .curve
+            .rational_basis(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("spans", &found.spans);
         show("values", &found.values);
     }
     begin("rational_basis surface");
     {
-        let found = given.surface.rational_basis(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .surface
+            .rational_basis(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("spans", &found.spans);
         show("values", &found.values);
     }
@@ -912,12 +1014,16 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("eval_derivs");
     {
-        let found = given.curve.eval_derivs(5, &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .curve
+            .eval_derivs(5, &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("derivs", &found);
     }
     begin("eval_derivs volume");
     {
-        let found = given.volume.eval_derivs(4, &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .volume
+            .eval_derivs(4, &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("derivs", &found);
     }
     begin("eval_grid");
@@ -927,7 +1033,10 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("eval_grid_derivs");
     {
-        let found = given.volume.eval_grid_derivs(2, &[&[0.1, 0.9], &[0.3, 0.7], &[0.2, 0.6]], 0)?;
+        let found =
+            given
+                .volume
+                .eval_grid_derivs(2, &[&[0.1, 0.9], &[0.3, 0.7], &[0.2, 0.6]], 0)?;
         show("derivs", &found);
     }
     begin("eval_f32");
@@ -937,19 +1046,25 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("eval_grid_f32");
     {
-        let found = given.volume.eval_grid_f32(&[&[0.1, 0.9], &[0.3, 0.7], &[0.2, 0.6]], 0)?;
+        let found = given
+            .volume
+            .eval_grid_f32(&[&[0.1, 0.9], &[0.3, 0.7], &[0.2, 0.6]], 0)?;
         show("points", &found);
     }
     begin("rational_collocation");
     {
-        let found = given.curve.rational_collocation(&[], &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .curve
+            .rational_collocation(&[], &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("values", &found.values);
         show("columns", &found.columns);
         show("row_pointers", &found.row_pointers);
     }
     begin("rational_collocation of derivatives");
     {
-        let found = given.curve.rational_collocation(&[2], &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .curve
+            .rational_collocation(&[2], &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("values", &found.values);
         show("columns", &found.columns);
         show("row_pointers", &found.row_pointers);
@@ -961,12 +1076,16 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("hull_size signed");
     {
-        let found = given.homogeneous.hull_size(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .homogeneous
+            .hull_size(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("sizes", &found);
     }
     begin("surface_eval_frames");
     {
-        let found = given.surface.surface_frames(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .surface
+            .surface_frames(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("points", &found.points);
         show("du", &found.du);
         show("dv", &found.dv);
@@ -975,7 +1094,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_eval_grid_frames");
     {
-        let found = given.surface.surface_grid_frames(&[&[0.1, 0.9], &[0.3, 0.7]], 0)?;
+        let found = given
+            .surface
+            .surface_grid_frames(&[&[0.1, 0.9], &[0.3, 0.7]], 0)?;
         show("points", &found.points);
         show("du", &found.du);
         show("dv", &found.dv);
@@ -984,7 +1105,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_eval_curvatures");
     {
-        let found = given.surface.surface_curvatures(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .surface
+            .surface_curvatures(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("principal", &found.principal);
         show("directions", &found.directions);
         show("mean", &found.mean);
@@ -993,7 +1116,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_eval_frames");
     {
-        let found = given.curve.curve_frames(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .curve
+            .curve_frames(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("points", &found.points);
         show("tangents", &found.tangents);
         show("normals", &found.normals);
@@ -1004,7 +1129,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_eval_frames in space");
     {
-        let found = given.twist.curve_frames(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        let found = given
+            .twist
+            .curve_frames(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("points", &found.points);
         show("tangents", &found.tangents);
         show("normals", &found.normals);
@@ -1040,7 +1167,9 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     }
     begin("most_influential");
     {
-        let found = given.surface.most_influential(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6])?;
+        let found = given
+            .surface
+            .most_influential(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6])?;
         for row in &found {
             show("indices", &row.index);
             show("influences", &row.influence);
@@ -1055,7 +1184,10 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     {
         let found = nurbs::collocation(
             &[2, 1],
-            &[&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0], &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0]],
+            &[
+                &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+                &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            ],
             &[],
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
             0,
@@ -1068,7 +1200,10 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
     {
         let found = nurbs::collocation(
             &[2, 1],
-            &[&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0], &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0]],
+            &[
+                &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+                &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            ],
             &[1, 0],
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
             0,
@@ -1095,8 +1230,8 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
             1,
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
             &[
-                1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+                1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             ],
             0,
         )?;
@@ -1343,54 +1478,75 @@ fn form(given: &Given) -> nurbs::Result<()> {
     }
     begin("reduce_knots_with");
     {
-        let found = given.curve.reduce_knots_with(-1, 9.0, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .curve
+            .reduce_knots_with(-1, 9.0, &mut Call::new().progress(|_| true))?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }
     begin("reduce_degree_with");
     {
-        let found = given.r#loop.reduce_degree_with(0, 1, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .r#loop
+            .reduce_degree_with(0, 1, &mut Call::new().progress(|_| true))?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }
     begin("simplify_with");
     {
-        let found = given.curve.simplify_with(9.0, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .curve
+            .simplify_with(9.0, &mut Call::new().progress(|_| true))?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }
     begin("product_with");
     {
-        let found = given.curve.product_with(&given.curve, 0, &mut Call::new().progress(|_| true))?;
+        let found =
+            given
+                .curve
+                .product_with(&given.curve, 0, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("product_with periodic");
     {
-        let found = given.r#loop.product_with(&given.r#loop, 0, &mut Call::new().progress(|_| true))?;
+        let found =
+            given
+                .r#loop
+                .product_with(&given.r#loop, 0, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("product_with volume");
     {
-        let found =
-            given.volume.product_with(&given.volume, 134217728, &mut Call::new().progress(|_| true))?;
+        let found = given.volume.product_with(
+            &given.volume,
+            134217728,
+            &mut Call::new().progress(|_| true),
+        )?;
         show("out", &found);
     }
     begin("compose_with");
     {
         let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
-        let found = given.curve.compose_with(&ramp, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .curve
+            .compose_with(&ramp, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("compose_with around a loop");
     {
         let round = Spline::bezier(&[2], 1, &[0.0, 2.0, 9.0], None)?;
-        let found = given.r#loop.compose_with(&round, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .r#loop
+            .compose_with(&round, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("compose_with on a surface");
     {
         let diagonal = Spline::bezier(&[2], 2, &[0.0, 0.0, 1.0, 0.0, 1.0, 1.0], None)?;
-        let found = given.surface.compose_with(&diagonal, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .surface
+            .compose_with(&diagonal, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     Ok(())
@@ -1480,7 +1636,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.closest_points(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
         )?;
         show("params", &found.params);
         show("feet", &found.points);
@@ -1491,7 +1652,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.surface.closest_points(
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
-            nurbs::Search { range: &[0.0, 1.0, 0.0, 3.0], tolerance: 0.0, budget: 0, flags: 0 },
+            nurbs::Search {
+                range: &[0.0, 1.0, 0.0, 3.0],
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+            },
         )?;
         show("params", &found.params);
         show("feet", &found.points);
@@ -1502,7 +1668,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.farthest_points(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
         )?;
         show("params", &found.params);
         show("feet", &found.points);
@@ -1513,7 +1684,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.farthest_points(
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
-            nurbs::Search { range: &[0.3, 0.6], tolerance: 0.0, budget: 0, flags: 0 },
+            nurbs::Search {
+                range: &[0.3, 0.6],
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+            },
         )?;
         show("params", &found.params);
         show("feet", &found.points);
@@ -1522,7 +1698,10 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("closest_local");
     {
-        let found = given.curve.closest_local(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], &[0.1, 0.9, 0.3], 0)?;
+        let found =
+            given
+                .curve
+                .closest_local(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], &[0.1, 0.9, 0.3], 0)?;
         show("params", &found.params);
         show("feet", &found.points);
         show("distances", &found.distances);
@@ -1540,7 +1719,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.signed_distances(
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
         )?;
         show("distances", &found.distances);
         show("params", &found.params);
@@ -1550,7 +1734,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.signed_distances(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
         )?;
         show("distances", &found.distances);
         show("params", &found.params);
@@ -1558,9 +1747,14 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("closest_all");
     {
-        let found = given
-            .curve
-            .closest_all(&[0.1, 0.9], nurbs::Search { tolerance: 0.0, budget: 0, ..Default::default() })?;
+        let found = given.curve.closest_all(
+            &[0.1, 0.9],
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
+        )?;
         show("params", &found.params);
         show("distances", &found.distances);
         show("status", &found.status);
@@ -1569,7 +1763,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.closest_all(
             &[0.1, 0.9],
-            nurbs::Search { range: &[0.0, 1.0], tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                range: &[0.0, 1.0],
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
         )?;
         show("params", &found.params);
         show("distances", &found.distances);
@@ -1579,7 +1778,11 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.critical_points(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
         )?;
         show("params", &found.params);
         show("distances", &found.distances);
@@ -1590,7 +1793,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.critical_points(
             &[0.1, 0.9],
-            nurbs::Search { range: &[0.0, 1.0], tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                range: &[0.0, 1.0],
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
         )?;
         show("params", &found.params);
         show("distances", &found.distances);
@@ -1791,7 +1999,13 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("enclosed_volume sphere");
     {
-        let sphere = Spline::sphere(nurbs::Placement { ..Default::default() }, 1.0, 0)?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
         let found = nurbs::enclosed_volume(&[&sphere], 1e-06)?;
         show("volume", &found.volume);
         show("centroid", &found.centroid);
@@ -1811,9 +2025,14 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("continuity");
     {
-        let found = given
-            .curve
-            .continuity(0, nurbs::ContinuityTolerances { position: 0.0, derivative: 0.0, angle: 0.0 })?;
+        let found = given.curve.continuity(
+            0,
+            nurbs::ContinuityTolerances {
+                position: 0.0,
+                derivative: 0.0,
+                angle: 0.0,
+            },
+        )?;
         for row in &found {
             show("knots", &row.knot);
             show("knot_orders", &row.knot_order);
@@ -1826,9 +2045,14 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("continuity count");
     {
-        let found = given
-            .surface
-            .continuity(1, nurbs::ContinuityTolerances { position: 0.0, derivative: 0.0, angle: 0.0 })?;
+        let found = given.surface.continuity(
+            1,
+            nurbs::ContinuityTolerances {
+                position: 0.0,
+                derivative: 0.0,
+                angle: 0.0,
+            },
+        )?;
         for row in &found {
             show("knots", &row.knot);
             show("knot_orders", &row.knot_order);
@@ -1844,7 +2068,11 @@ fn query(given: &Given) -> nurbs::Result<()> {
         let found = nurbs::continuity_between(
             (&given.curve, 1),
             (&given.curve, 0),
-            nurbs::ContinuityTolerances { position: 0.0, derivative: 0.0, angle: 0.0 },
+            nurbs::ContinuityTolerances {
+                position: 0.0,
+                derivative: 0.0,
+                angle: 0.0,
+            },
         )?;
         show("order", &found.order);
         show("geometric", &found.geometric);
@@ -1856,7 +2084,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.closest_points_with(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1868,7 +2101,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.surface.closest_points_with(
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
-            nurbs::Search { range: &[0.0, 1.0, 0.0, 3.0], tolerance: 0.0, budget: 0, flags: 0 },
+            nurbs::Search {
+                range: &[0.0, 1.0, 0.0, 3.0],
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1880,7 +2118,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.farthest_points_with(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1892,7 +2135,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.farthest_points_with(
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
-            nurbs::Search { range: &[0.3, 0.6], tolerance: 0.0, budget: 0, flags: 0 },
+            nurbs::Search {
+                range: &[0.3, 0.6],
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1915,8 +2163,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("closest_local_with params");
     {
-        let found =
-            given.curve.closest_local_with(&[0.1, 0.9], &[0.1], 0, &mut Call::new().progress(|_| true))?;
+        let found = given.curve.closest_local_with(
+            &[0.1, 0.9],
+            &[0.1],
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
         show("params", &found.params);
         show("feet", &found.points);
         show("distances", &found.distances);
@@ -1926,7 +2178,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.signed_distances_with(
             &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("distances", &found.distances);
@@ -1937,7 +2194,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.signed_distances_with(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, flags: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                flags: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("distances", &found.distances);
@@ -1948,7 +2210,11 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.closest_all_with(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1959,7 +2225,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.closest_all_with(
             &[0.1, 0.9],
-            nurbs::Search { range: &[0.0, 1.0], tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                range: &[0.0, 1.0],
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1970,7 +2241,11 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.critical_points_with(
             &[0.1, 0.9],
-            nurbs::Search { tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1982,7 +2257,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.curve.critical_points_with(
             &[0.1, 0.9],
-            nurbs::Search { range: &[0.0, 1.0], tolerance: 0.0, budget: 0, ..Default::default() },
+            nurbs::Search {
+                range: &[0.0, 1.0],
+                tolerance: 0.0,
+                budget: 0,
+                ..Default::default()
+            },
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
@@ -1992,8 +2272,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("distance_with");
     {
-        let found =
-            given.curve.distance_with(&given.r#loop, 1e-06, 0, &mut Call::new().progress(|_| true))?;
+        let found = given.curve.distance_with(
+            &given.r#loop,
+            1e-06,
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
         show("at_least", &found.at_least);
         show("at_most", &found.at_most);
         show("params_a", &found.params[0]);
@@ -2016,7 +2300,9 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_features_with count");
     {
-        let found = given.twist.features_with(127, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .twist
+            .features_with(127, &mut Call::new().progress(|_| true))?;
         for row in &found.found {
             show("params", &row.param);
             show("found", &row.kind);
@@ -2026,7 +2312,9 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_features_with periodic");
     {
-        let found = given.r#loop.features_with(63, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .r#loop
+            .features_with(63, &mut Call::new().progress(|_| true))?;
         for row in &found.found {
             show("params", &row.param);
             show("found", &row.kind);
@@ -2036,21 +2324,27 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("fold_test_with");
     {
-        let found = given.surface.fold_test_with(&[], &mut Call::new().progress(|_| true))?;
+        let found = given
+            .surface
+            .fold_test_with(&[], &mut Call::new().progress(|_| true))?;
         show("result", &found.result);
         show("positive", &found.positive);
         show("negative", &found.negative);
     }
     begin("fold_test_with seen from above");
     {
-        let found = given.surface.fold_test_with(&[1.0, 2.0, 3.0], &mut Call::new().progress(|_| true))?;
+        let found = given
+            .surface
+            .fold_test_with(&[1.0, 2.0, 3.0], &mut Call::new().progress(|_| true))?;
         show("result", &found.result);
         show("positive", &found.positive);
         show("negative", &found.negative);
     }
     begin("recognize_with curve");
     {
-        let found = given.curve.recognize_with(1e-09, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .curve
+            .recognize_with(1e-09, &mut Call::new().progress(|_| true))?;
         show("shape", &found.shape);
         show("placement", &found.origin);
         show("placement", &found.axis);
@@ -2060,7 +2354,9 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("recognize_with surface");
     {
-        let found = given.surface.recognize_with(0.2, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .surface
+            .recognize_with(0.2, &mut Call::new().progress(|_| true))?;
         show("shape", &found.shape);
         show("placement", &found.origin);
         show("placement", &found.axis);
@@ -2070,61 +2366,95 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_length_with");
     {
-        let found = given.curve.length_with(1e-09, &[], &mut Call::new().progress(|_| true))?;
+        let found = given
+            .curve
+            .length_with(1e-09, &[], &mut Call::new().progress(|_| true))?;
         show("length", &found.value);
         show("error", &found.error);
     }
     begin("curve_length_with of a part");
     {
-        let found = given.curve.length_with(1e-09, &[0.3, 0.6], &mut Call::new().progress(|_| true))?;
+        let found =
+            given
+                .curve
+                .length_with(1e-09, &[0.3, 0.6], &mut Call::new().progress(|_| true))?;
         show("length", &found.value);
         show("error", &found.error);
     }
     begin("curve_lengths_with");
     {
-        let found = given.r#loop.lengths_with(&[4.0], 1e-09, &mut Call::new().progress(|_| true))?;
+        let found =
+            given
+                .r#loop
+                .lengths_with(&[4.0], 1e-09, &mut Call::new().progress(|_| true))?;
         show("lengths", &found);
     }
     begin("curve_params_at_lengths_with");
     {
-        let found =
-            given.curve.params_at_lengths_with(&[4.0], 1e-09, 0, &mut Call::new().progress(|_| true))?;
+        let found = given.curve.params_at_lengths_with(
+            &[4.0],
+            1e-09,
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
         show("params", &found);
     }
     begin("curve_divide_with");
     {
-        let found = given.curve.divide_with(5, 1e-09, 0, &[], &mut Call::new().progress(|_| true))?;
+        let found =
+            given
+                .curve
+                .divide_with(5, 1e-09, 0, &[], &mut Call::new().progress(|_| true))?;
         show("params", &found.params);
         show("size", &found.size);
     }
     begin("curve_divide_with a part");
     {
-        let found = given.curve.divide_with(5, 1e-09, 0, &[0.3, 0.6], &mut Call::new().progress(|_| true))?;
+        let found = given.curve.divide_with(
+            5,
+            1e-09,
+            0,
+            &[0.3, 0.6],
+            &mut Call::new().progress(|_| true),
+        )?;
         show("params", &found.params);
         show("size", &found.size);
     }
     begin("curve_divide_with chords");
     {
-        let found = given.curve.divide_with(5, 1e-09, 33554432, &[], &mut Call::new().progress(|_| true))?;
+        let found = given.curve.divide_with(
+            5,
+            1e-09,
+            33554432,
+            &[],
+            &mut Call::new().progress(|_| true),
+        )?;
         show("params", &found.params);
         show("size", &found.size);
     }
     begin("surface_area_with");
     {
-        let found = given.surface.area_with(1e-09, &[], &mut Call::new().progress(|_| true))?;
+        let found = given
+            .surface
+            .area_with(1e-09, &[], &mut Call::new().progress(|_| true))?;
         show("area", &found.value);
         show("error", &found.error);
     }
     begin("surface_area_with of a part");
     {
-        let found =
-            given.surface.area_with(1e-09, &[0.0, 1.0, 0.0, 3.0], &mut Call::new().progress(|_| true))?;
+        let found = given.surface.area_with(
+            1e-09,
+            &[0.0, 1.0, 0.0, 3.0],
+            &mut Call::new().progress(|_| true),
+        )?;
         show("area", &found.value);
         show("error", &found.error);
     }
     begin("moments_with");
     {
-        let found = given.surface.moments_with(1e-09, &mut Call::new().progress(|_| true))?;
+        let found = given
+            .surface
+            .moments_with(1e-09, &mut Call::new().progress(|_| true))?;
         show("content", &found.content);
         show("centroid", &found.centroid);
         show("inertia", &found.inertia);
@@ -2132,8 +2462,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("enclosed_area_with");
     {
-        let found =
-            nurbs::enclosed_area_with(&[&given.r#loop], 1e-09, 1e-09, &mut Call::new().progress(|_| true))?;
+        let found = nurbs::enclosed_area_with(
+            &[&given.r#loop],
+            1e-09,
+            1e-09,
+            &mut Call::new().progress(|_| true),
+        )?;
         show("area", &found.area);
         show("centroid", &found.centroid);
         show("inertia", &found.inertia);
@@ -2141,8 +2475,11 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("enclosed_volume_with");
     {
-        let found =
-            nurbs::enclosed_volume_with(&[&given.surface], 1e-09, &mut Call::new().progress(|_| true))?;
+        let found = nurbs::enclosed_volume_with(
+            &[&given.surface],
+            1e-09,
+            &mut Call::new().progress(|_| true),
+        )?;
         show("volume", &found.volume);
         show("centroid", &found.centroid);
         show("inertia", &found.inertia);
@@ -2151,8 +2488,15 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("enclosed_volume_with sphere");
     {
-        let sphere = Spline::sphere(nurbs::Placement { ..Default::default() }, 1.0, 0)?;
-        let found = nurbs::enclosed_volume_with(&[&sphere], 1e-06, &mut Call::new().progress(|_| true))?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found =
+            nurbs::enclosed_volume_with(&[&sphere], 1e-06, &mut Call::new().progress(|_| true))?;
         show("volume", &found.volume);
         show("centroid", &found.centroid);
         show("inertia", &found.inertia);
@@ -2263,13 +2607,23 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_polygon");
     {
-        let found = Spline::polygon(nurbs::Placement { ..Default::default() }, 1.0, 5)?;
+        let found = Spline::polygon(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            5,
+        )?;
         show("out", &found);
     }
     begin("curve_polygon placed");
     {
         let found = Spline::polygon(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
             5,
         )?;
@@ -2277,18 +2631,35 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_rounded_rectangle");
     {
-        let found = Spline::rounded_rectangle(nurbs::Placement { ..Default::default() }, 3.0, 2.0, 0.5)?;
+        let found = Spline::rounded_rectangle(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            3.0,
+            2.0,
+            0.5,
+        )?;
         show("out", &found);
     }
     begin("curve_circle");
     {
-        let found = Spline::circle(nurbs::Placement { ..Default::default() }, 1.0, 2)?;
+        let found = Spline::circle(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            2,
+        )?;
         show("out", &found);
     }
     begin("curve_circle placed");
     {
         let found = Spline::circle(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
             2,
         )?;
@@ -2297,9 +2668,14 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_arc");
     {
         let found = Spline::arc(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             1.0,
-            nurbs::Turn { start: 0.0, sweep: 4.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 4.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2317,22 +2693,38 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_ellipse");
     {
         let found = Spline::ellipse(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             [2.0, 1.0],
-            nurbs::Turn { start: 0.0, sweep: 4.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 4.0,
+            },
             2,
         )?;
         show("out", &found);
     }
     begin("curve_parabola");
     {
-        let found = Spline::parabola(nurbs::Placement { ..Default::default() }, 1.0, -1.0, 2.0)?;
+        let found = Spline::parabola(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            -1.0,
+            2.0,
+        )?;
         show("out", &found);
     }
     begin("curve_parabola placed");
     {
         let found = Spline::parabola(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
             -1.0,
             2.0,
@@ -2341,13 +2733,24 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_hyperbola");
     {
-        let found = Spline::hyperbola(nurbs::Placement { ..Default::default() }, [1.0, 1.0], 0.0, 9.0)?;
+        let found = Spline::hyperbola(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            [1.0, 1.0],
+            0.0,
+            9.0,
+        )?;
         show("out", &found);
     }
     begin("curve_hyperbola placed");
     {
         let found = Spline::hyperbola(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [1.0, 1.0],
             0.0,
             9.0,
@@ -2361,12 +2764,14 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_conic_shoulder");
     {
-        let found = Spline::conic_shoulder(&[0.0, 0.0], &[1.0, 1.0], &[1.0, 0.0], &[1.0, -1.0], 0.4)?;
+        let found =
+            Spline::conic_shoulder(&[0.0, 0.0], &[1.0, 1.0], &[1.0, 0.0], &[1.0, -1.0], 0.4)?;
         show("out", &found);
     }
     begin("curve_conic_through");
     {
-        let found = Spline::conic_through(2, &[-2.0, 4.0, -1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 2.0, 4.0], 0)?;
+        let found =
+            Spline::conic_through(2, &[-2.0, 4.0, -1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 2.0, 4.0], 0)?;
         show("out", &found);
     }
     begin("curve_conic_implicit");
@@ -2377,8 +2782,16 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_helix");
     {
         let found = Spline::helix(
-            nurbs::Placement { ..Default::default() },
-            nurbs::HelixShape { radius: 1.0, growth: 1.0, pitch: 1.0, start: 0.0, turns: 1.0 },
+            nurbs::Placement {
+                ..Default::default()
+            },
+            nurbs::HelixShape {
+                radius: 1.0,
+                growth: 1.0,
+                pitch: 1.0,
+                start: 0.0,
+                turns: 1.0,
+            },
             0.1,
         )?;
         show("out", &found.0);
@@ -2396,7 +2809,9 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("revolve about an axis");
     {
-        let found = given.twist.revolve(&[1.0, 2.0, 3.0], &[0.0, 1.0, 0.0], 6.0, 0)?;
+        let found = given
+            .twist
+            .revolve(&[1.0, 2.0, 3.0], &[0.0, 1.0, 0.0], 6.0, 0)?;
         show("out", &found);
     }
     begin("ruled");
@@ -2432,7 +2847,15 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_coons");
     {
         let edges = given.surface.boundaries()?;
-        let found = Spline::coons([&edges.get(0)?, &edges.get(1)?, &edges.get(2)?, &edges.get(3)?], 0.0)?;
+        let found = Spline::coons(
+            [
+                &edges.get(0)?,
+                &edges.get(1)?,
+                &edges.get(2)?,
+                &edges.get(3)?,
+            ],
+            0.0,
+        )?;
         show("out", &found);
     }
     begin("surface_coons_hermite");
@@ -2440,7 +2863,12 @@ fn shape(given: &Given) -> nurbs::Result<()> {
         let edges = given.surface.boundaries()?;
         let found = Spline::coons_hermite(
             nurbs::HermiteBoundaries {
-                curves: [&edges.get(0)?, &edges.get(1)?, &edges.get(2)?, &edges.get(3)?],
+                curves: [
+                    &edges.get(0)?,
+                    &edges.get(1)?,
+                    &edges.get(2)?,
+                    &edges.get(3)?,
+                ],
                 cross: None,
                 twist: 5,
                 twists: None,
@@ -2454,7 +2882,14 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     {
         let faces = given.volume.boundaries()?;
         let found = Spline::coons_volume(
-            [&faces.get(0)?, &faces.get(1)?, &faces.get(2)?, &faces.get(3)?, &faces.get(4)?, &faces.get(5)?],
+            [
+                &faces.get(0)?,
+                &faces.get(1)?,
+                &faces.get(2)?,
+                &faces.get(3)?,
+                &faces.get(4)?,
+                &faces.get(5)?,
+            ],
             0.0,
         )?;
         show("out", &found);
@@ -2481,14 +2916,24 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_sphere");
     {
-        let found =
-            Spline::sphere(nurbs::Placement { axis: &[0.1, 0.9, 0.3], ..Default::default() }, 1.0, 2)?;
+        let found = Spline::sphere(
+            nurbs::Placement {
+                axis: &[0.1, 0.9, 0.3],
+                ..Default::default()
+            },
+            1.0,
+            2,
+        )?;
         show("out", &found);
     }
     begin("surface_sphere placed");
     {
         let found = Spline::sphere(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
             2,
         )?;
@@ -2497,9 +2942,14 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_spherical_patch");
     {
         let found = Spline::spherical_patch(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             1.0,
-            nurbs::Turn { start: 0.0, sweep: 4.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 4.0,
+            },
             0.0,
             1.0,
             0,
@@ -2508,13 +2958,23 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_sphere_patches");
     {
-        let found = Spline::sphere_patches(nurbs::Placement { ..Default::default() }, 1.0, 16777216)?;
+        let found = Spline::sphere_patches(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            16777216,
+        )?;
         show("out", &found);
     }
     begin("surface_sphere_patches placed");
     {
         let found = Spline::sphere_patches(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
             16777216,
         )?;
@@ -2522,16 +2982,27 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_ellipsoid");
     {
-        let found = Spline::ellipsoid(nurbs::Placement { ..Default::default() }, [1.0, 2.0, 3.0], 1)?;
+        let found = Spline::ellipsoid(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            [1.0, 2.0, 3.0],
+            1,
+        )?;
         show("out", &found);
     }
     begin("surface_cylinder");
     {
         let found = Spline::cylinder(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             1.0,
             2.0,
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2539,10 +3010,15 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_cone");
     {
         let found = Spline::cone(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             [1.0, 0.0],
             2.0,
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2550,23 +3026,38 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_paraboloid");
     {
         let found = Spline::paraboloid(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             [3.0, 1.0],
             1.0,
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
         )?;
         show("out", &found);
     }
     begin("surface_saddle");
     {
-        let found = Spline::saddle(nurbs::Placement { ..Default::default() }, [3.0, 1.0], 1.0)?;
+        let found = Spline::saddle(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            [3.0, 1.0],
+            1.0,
+        )?;
         show("out", &found);
     }
     begin("surface_saddle placed");
     {
         let found = Spline::saddle(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [3.0, 1.0],
             1.0,
         )?;
@@ -2575,7 +3066,11 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_rounded_rectangle placed");
     {
         let found = Spline::rounded_rectangle(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             3.0,
             2.0,
             0.5,
@@ -2585,9 +3080,16 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_arc placed");
     {
         let found = Spline::arc(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
-            nurbs::Turn { start: 0.0, sweep: 4.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 4.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2595,17 +3097,30 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_ellipse placed");
     {
         let found = Spline::ellipse(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [2.0, 1.0],
-            nurbs::Turn { start: 0.0, sweep: 4.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 4.0,
+            },
             0,
         )?;
         show("out", &found);
     }
     begin("curve_conic_point");
     {
-        let found =
-            Spline::conic_point(&[0.0, 0.0], &[1.0, 1.0], &[1.0, 0.0], &[1.0, -1.0], &[0.5, 0.25], 0)?;
+        let found = Spline::conic_point(
+            &[0.0, 0.0],
+            &[1.0, 1.0],
+            &[1.0, 0.0],
+            &[1.0, -1.0],
+            &[0.5, 0.25],
+            0,
+        )?;
         show("out", &found);
     }
     begin("curve_conic_focus");
@@ -2615,7 +3130,10 @@ fn shape(given: &Given) -> nurbs::Result<()> {
             &[],
             &[1.0, 0.0],
             0.5,
-            nurbs::Turn { start: 0.0, sweep: 6.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 6.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2627,7 +3145,10 @@ fn shape(given: &Given) -> nurbs::Result<()> {
             &[0.0, 1.0, 0.0],
             &[2.0, 2.0, 3.0],
             0.5,
-            nurbs::Turn { start: 0.0, sweep: 6.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 6.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2635,8 +3156,18 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("curve_helix placed");
     {
         let found = Spline::helix(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
-            nurbs::HelixShape { radius: 1.0, growth: 1.0, pitch: 1.0, start: 0.0, turns: 1.0 },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
+            nurbs::HelixShape {
+                radius: 1.0,
+                growth: 1.0,
+                pitch: 1.0,
+                start: 0.0,
+                turns: 1.0,
+            },
             0.1,
         )?;
         show("out", &found.0);
@@ -2659,9 +3190,16 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_spherical_patch placed");
     {
         let found = Spline::spherical_patch(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
-            nurbs::Turn { start: 0.0, sweep: 4.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 4.0,
+            },
             0.0,
             1.0,
             0,
@@ -2671,7 +3209,11 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_ellipsoid placed");
     {
         let found = Spline::ellipsoid(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [1.0, 2.0, 3.0],
             1,
         )?;
@@ -2680,10 +3222,17 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_cylinder placed");
     {
         let found = Spline::cylinder(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             1.0,
             2.0,
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2691,10 +3240,17 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_cone placed");
     {
         let found = Spline::cone(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [1.0, 0.0],
             2.0,
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2702,10 +3258,18 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_torus");
     {
         let found = Spline::torus(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             [3.0, 1.0],
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
-            nurbs::Turn { start: 0.0, sweep: 6.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 6.0,
+            },
             2,
         )?;
         show("out", &found);
@@ -2713,10 +3277,20 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_torus placed");
     {
         let found = Spline::torus(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [3.0, 1.0],
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
-            nurbs::Turn { start: 0.0, sweep: 6.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 6.0,
+            },
             2,
         )?;
         show("out", &found);
@@ -2724,10 +3298,17 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_paraboloid placed");
     {
         let found = Spline::paraboloid(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [3.0, 1.0],
             1.0,
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
         )?;
         show("out", &found);
@@ -2735,10 +3316,15 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_hyperboloid");
     {
         let found = Spline::hyperboloid(
-            nurbs::Placement { ..Default::default() },
+            nurbs::Placement {
+                ..Default::default()
+            },
             [3.0, 1.0, 1.0],
             [-9.0, 9.0],
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
             0,
         )?;
@@ -2747,10 +3333,17 @@ fn shape(given: &Given) -> nurbs::Result<()> {
     begin("surface_hyperboloid placed");
     {
         let found = Spline::hyperboloid(
-            nurbs::Placement { origin: &[1.0, 2.0, 3.0], axis: &[0.0, 1.0, 0.0], x: &[1.0, 0.0, 0.0] },
+            nurbs::Placement {
+                origin: &[1.0, 2.0, 3.0],
+                axis: &[0.0, 1.0, 0.0],
+                x: &[1.0, 0.0, 0.0],
+            },
             [3.0, 1.0, 1.0],
             [-9.0, 9.0],
-            nurbs::Turn { start: 0.0, sweep: 3.0 },
+            nurbs::Turn {
+                start: 0.0,
+                sweep: 3.0,
+            },
             0,
             0,
         )?;
