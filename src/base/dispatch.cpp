@@ -4,7 +4,11 @@
 #include <hwy/targets.h>
 
 #if HWY_ARCH_X86 && __has_include(<sys/platform/x86.h>)
+#if defined(__clang__) // whose stdbool.h leaves C's name out in standard C++
+#define _Bool bool
+#endif
 #include <sys/platform/x86.h>
+#undef _Bool
 #define NURBS_HAS(glibc, gcc) CPU_FEATURE_ACTIVE(glibc)
 #else
 #define NURBS_HAS(glibc, gcc) __builtin_cpu_supports(gcc)
