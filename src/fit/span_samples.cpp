@@ -2,6 +2,7 @@
 #include "fit/span_samples.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "basis/bspline.h"
 #include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
@@ -76,7 +77,10 @@ std::vector<double> sampled(const Spline &spline, const Places &places) {
     for (int k = 1; k < spline.axes(); ++k) {
         values = applied(*values, k, sampling_table(spline.axis(k), places[static_cast<size_t>(k)]));
     }
-    return {values->points().begin(), values->points().end()};
+    std::vector<double> samples;
+    grow_watched(samples, values->points().size());
+    std::copy(values->points().begin(), values->points().end(), samples.begin());
+    return samples;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "measure/chord_path.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 
@@ -14,6 +15,7 @@ namespace nrb::measure {
 namespace {
 
 constexpr int most_corrections = 6;
+constexpr int64_t work_of_a_place = 100;
 constexpr int64_t most_work = 4'000'000; // evaluations
 constexpr double shortest_chord = 1e-9;  // of a chord
 
@@ -49,6 +51,7 @@ bool ChordPath::evaluate() {
     eval::evaluate_points(curve_, rules, 1, {params_.data(), count},
                           {values_.data(), count, 2 * curve_.dim(), 2 * curve_.dim()});
     work_ += count;
+    count_work(work_of_a_place * count);
     rounding_ = 0;
     for (size_t i = 0; i <= count_; ++i) {
         rounding_ = std::max(rounding_, 8 * eps * norm(values_.data() + 2 * i * dim, curve_.dim()));

@@ -108,7 +108,8 @@ CentredRecords centred_records(const Spline &given, const std::vector<double> &c
     const double reach = length(centre.data(), dim);
     CentredRecords records{dim + (weighted ? 1 : 0), weighted, true, {}, {}};
     const int64_t count = spline.point_count();
-    records.values.resize(static_cast<size_t>(count * records.width));
+    grow_watched(records.values, static_cast<size_t>(count * records.width));
+    count_work(4 * count);
     records.sizes.reserve(static_cast<size_t>(count));
     double *out = records.values.data();
     for (int64_t i = 0; i < count; ++i, out += records.width) {

@@ -124,7 +124,7 @@ HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *param
             return false;
         }
     }
-    const auto &[u, v, w] = tables.axes;
+    const SingleAxis &u = tables.axes[0], &v = tables.axes[1], &w = tables.axes[2];
     const auto column = [&](const double *from) HWY_ATTR {
         return contract_axis<kDegree>(u, functions[0],
                                       [&](int i) HWY_ATTR { return hn::LoadU(Vec4(), from + i * u.stride); });
@@ -152,7 +152,7 @@ HWY_INLINE void contract_first_derivs(const SingleTables &tables,
                                       const double (*functions)[2][most_functions], const double *net,
                                       int part, V4 *HWY_RESTRICT slots) {
     const Vec4 d;
-    const auto &[u, v, w] = tables.axes;
+    const SingleAxis &u = tables.axes[0], &v = tables.axes[1];
     const int degree_v = kDegree >= 0 ? kDegree : v.degree;
     for (int j = 0; j <= degree_v; ++j) {
         const double *from = net + part * vec4_lanes + j * v.stride;

@@ -4,6 +4,7 @@
 #include "base/finite.h"
 #include "base/limits.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
 #include "refine/algebra/compose.h"
@@ -69,20 +70,30 @@ int image_degree(const Spline &spline, const Spline &volume) noexcept {
     return composed && degree <= max_degree ? degree : 0;
 }
 
+// Packed points at packed parameters.
+void evaluate_watched(const Spline &volume, const std::vector<double> &params, std::vector<double> &points) {
+    constexpr int64_t part = 1024, work_of_a_point = 200;
+    const int64_t dim = volume.dim(), count = std::ssize(params) / dim;
+    for (int64_t first = 0; first < count; first += part) {
+        const int64_t size = std::min(part, count - first);
+        eval::evaluate_points(volume, {}, 0, {params.data() + first * dim, size, dim, dim, 1},
+                              {points.data() + first * dim, size, dim, dim, 1});
+        count_work(size * work_of_a_point);
+    }
+}
+
 } // namespace
 
 DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
                                const double *upper, double tolerance) {
     const Box box(*volume, lower, upper);
     const fit::PointMap map = [&](const std::vector<double> &points, std::vector<double> &images) {
-        const auto dim = static_cast<int64_t>(box.dim());
-        std::vector<double> params(points.size());
+        std::vector<double> params;
+        grow_watched(params, points.size());
         for (size_t i = 0; i < points.size(); ++i) {
             params[i] = box.parameter(i % box.dim(), points[i]);
         }
-        const int64_t count = std::ssize(points) / dim;
-        eval::evaluate_points(*volume, {}, 0, {params.data(), count, dim, dim, 1},
-                              {images.data(), count, dim, dim, 1});
+        evaluate_watched(*volume, params, images);
     };
     const int degree = image_degree(*spline, *volume);
     fit::Judge judge;

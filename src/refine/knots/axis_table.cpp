@@ -12,6 +12,7 @@ namespace nrb::refine {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     constexpr int64_t rows_between_counts = 256;
+    constexpr int64_t most_alike = 8192;    // are made without a look at the watch
     constexpr int64_t many = row_lanes / 2; // from this many on it pays that they are alike
     const int degree = refinement.width() - 1;
     LayerTable table;
@@ -31,7 +32,7 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
             table.add_copy(layer);
             continue;
         }
-        const int64_t alike = steps == degree ? refinement.alike(j, end) : 1;
+        const int64_t alike = steps == degree ? refinement.alike(j, std::min(end, j + most_alike)) : 1;
         if (alike >= many) {
             count_work(alike * refinement.width() * refinement.width());
             sliding_blossom_rows(degree, left, right, arguments, alike, table.room(0));
