@@ -55,7 +55,7 @@ class LayerCall:
     def handle(self, name):
         return self.own[name] if name in self.own else self.layer.handles[name]
 
-    def run(self):
+    def run(self, progress=lambda done: None):
         receiver, function = self.function()
         if not callable(function):  # a property, of all axes
             return function[self.step.given("axis").value] if "axis" in self.values else function
@@ -70,7 +70,7 @@ class LayerCall:
         if missing:
             raise Unlike(f"nothing takes {', '.join(missing)}")
         if self.step.watched:
-            given["progress"] = lambda done: None
+            given["progress"] = progress
         return function(*rest, **given)
 
     def one_by_one(self, array):
