@@ -14,7 +14,8 @@ import re
 import calls_model
 from calls_model import (Bytes, CallsError, Handle, Handles, Items, NewHandle, NewStruct, Null, Number, Numbers, Path, Slot,
                          Struct, StructSize, inputs_of)
-from calls_terms import TERMS, Facts
+from calls_terms import Facts, Sizes, extent
+from extents import Term
 from shapes import Shapes
 
 SETTINGS = {"without", "can_do_without"}  # of an entry, beside the arguments
@@ -30,6 +31,7 @@ class ArgumentReader:
         self.without = set(entry.get("without", []))
         self.outputs = outputs
         self.shapes = Shapes(function)
+        self.sizes = Sizes(self.argument, model.inputs)
         self.structs = {struct.name for struct in manual.structs}
         self.problems = []
         self.values = {}
@@ -175,12 +177,14 @@ class ArgumentReader:
     def number_of_records(self, entry):
         for array in self.function.parameters:
             length = self.length(self.values.get(array.name))
-            first, *behind = self.shapes.sizes(array.shape) if array.shape else [""]
-            if length is None or first != entry.name:
+            if length is None or not array.shape:
+                continue
+            first, *behind = self.shapes.terms(array.shape)
+            if first != Term("parameter", entry.name):
                 continue
             try:
-                width = self.evaluated(" * ".join(f"({size})" for size in behind) or "1")
-            except NameError:  # another number has to be known first
+                width = self.sizes.product(behind)
+            except KeyError:  # another number has to be known first
                 continue
             if length % width != 0:
                 raise CallsError(f"{array.name} has {length} numbers, no multiple of {width}: {array.shape}")
@@ -195,19 +199,18 @@ class ArgumentReader:
             return len(value.names)
         return len(self.model.texts[value.text].encode()) if isinstance(value, Bytes) else None
 
-    def evaluated(self, expression):
-        known = {name: self.plain(value) for name, value in self.values.items()}
-        constants = {name: constant.value for name, constant in self.manual.constants.items()}
-        return eval(expression, {"__builtins__": {}}, TERMS | constants | known)  # noqa: S307 - the project's own header
+    def argument(self, name):
+        """What a term of a shape is given; numbers of pieces that only the call tells are those of the spline."""
+        if name in self.shapes.arrays and self.shapes.arrays[name].direction == "out":
+            spline = self.values[next(iter(self.shapes.splines))].name
+            facts = Facts(spline, self.model.inputs[spline].call)
+            return Numbers(tuple(Number(facts.spans(axis)) for axis in range(len(facts.degrees))))
+        return self.values[name]
 
-    def plain(self, value):
-        """What a term of a shape is given."""
-        if isinstance(value, Number):
-            return value.value
-        if isinstance(value, Numbers):
-            return [number.value for number in value.values]
-        facts = [Facts(name, self.model.inputs[name].call) for name in inputs_of(value)]
-        return facts[0] if isinstance(value, Handle) else facts
+    def extent(self, index):
+        """The number of elements of an array, strides included."""
+        records, width = map(self.sizes.product, self.shapes.parts(self.function.parameters[index].shape))
+        return extent(records, width, *(self.values[name].value for name in self.shapes.strides(index)))
 
     def check_lengths(self):
         for index, entry in enumerate(self.function.parameters):
@@ -216,9 +219,9 @@ class ArgumentReader:
                 self.attempt(entry, lambda entry, index=index, length=length: self.check_length(entry, index, length))
 
     def check_length(self, entry, index, length):
-        extent = self.evaluated(self.shapes.extent(index))
-        if length != extent:
-            raise CallsError(f"has {length} elements, but {entry.shape} asks for {extent} here")
+        wanted = self.extent(index)
+        if length != wanted:
+            raise CallsError(f"has {length} elements, but {entry.shape} asks for {wanted} here")
 
     # Outputs.
 
@@ -231,7 +234,7 @@ class ArgumentReader:
             return NewHandle(self.places[entry.base].pop(0))
         if not self.outputs:
             raise CallsError("cannot be NULL, so that this call can make no input")
-        return self.slot(entry.base, self.evaluated(self.shapes.extent(index)) if entry.shape else 1)
+        return self.slot(entry.base, self.extent(index) if entry.shape else 1)
 
     def slot(self, base, length):
         array = calls_model.ARRAYS[base]

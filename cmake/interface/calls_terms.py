@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The terms of shapes.py for Python: lengths of arrays, from the arguments of a call and from what is known of its inputs.
+"""Terms of extents.py as numbers: lengths of arrays, from the arguments of a good call and from what is known of its inputs.
 
-They are those of tests/capi/guarded/shape_terms.h, which asks the library instead.
+tests/capi/guarded/shape_terms.h asks the library instead.
 """
 
 import math
+import operator
 from itertools import accumulate
 
-from calls_model import CallsError, Numbers
+from calls_model import CallsError, Number, Numbers, inputs_of
 
 
 TELLING = ("nurbs_create", "nurbs_create_homogeneous", "nurbs_create_bezier")
@@ -59,27 +60,68 @@ class Facts:
 
 
 def extent(records, width, stride=0, component_stride=0):
+    """From the first element to the last, strides included."""
     step = component_stride or 1
     record = stride or width * step
     return (records - 1) * record + (width - 1) * step + 1 if records > 0 and width > 0 else 0
 
 
-def order_product(first, degrees=None):
-    return math.prod(degree + 1 for degree in (first.degrees if degrees is None else degrees))
-
-
-TERMS = {
-    "extent": extent,
-    "order_product": order_product,
-    "axes_of": lambda g: len(g.degrees),
-    "dim_of": lambda g: g.dim,
-    "points_of": lambda g: math.prod(g.counts),
-    "rational_of": lambda g: g.rational,
-    "degree_of": lambda g, axis: g.degrees[axis],
-    "count_of": lambda g, axis: g.counts[axis],
-    "pieces_of": lambda g: math.prod(g.spans(axis) for axis in range(len(g.degrees))),
-    "pieces_sum": lambda g: sum(g.spans(axis) for axis in range(len(g.degrees))),
-    "product": lambda axes, counts: math.prod(counts[:axes]),
-    "sum": lambda axes, counts: sum(counts[:axes]),
-    "slots": lambda axes, order: math.comb(order + axes, axes),
+OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul}
+FUNCTIONS = {
+    "sum": sum,
+    "product": lambda values: math.prod(values) if isinstance(values, list) else values,
+    "size": len,
+    "positive": lambda number: max(number, 0),
+    "homogeneous": lambda flags: flags >> 30 & 1,  # NURBS_HOMOGENEOUS
+    "basis_width": lambda order, degree: (order + 1) * (degree + 1),
+    "matrix_size": lambda degree: (degree + 1) ** 2,
+    "knot_count": lambda degree, count: degree + 1 + count,
+    "bezier_count": lambda degree, pieces: degree * pieces + 1,
 }
+OF_SPLINE = {
+    "degree": lambda facts, axis: facts.degrees[axis],
+    "count": lambda facts, axis: facts.counts[axis],
+    "slots": lambda facts, order: math.comb(order + len(facts.degrees), len(facts.degrees)),
+    "active": lambda facts: math.prod(degree + 1 for degree in facts.degrees),
+}
+PROPERTIES = {"axes": lambda facts: len(facts.degrees), "dim": lambda facts: facts.dim,
+              "N": lambda facts: math.prod(facts.counts), "rational": lambda facts: facts.rational}
+
+
+class Sizes:
+    """Of one call. given(name): the value of a parameter; inputs: those of the model."""
+
+    def __init__(self, given, inputs):
+        self.given, self.inputs = given, inputs
+
+    def of(self, extents):
+        return [self.number(extent) for extent in extents]
+
+    def product(self, extents):
+        return math.prod(self.of(extents))
+
+    def facts(self, name):
+        """Of several splines those of the first one."""
+        first = next(iter(inputs_of(self.given(name))))
+        return Facts(first, self.inputs[first].call)
+
+    def number(self, term):
+        if term.op == "number":
+            return term.name
+        if term.op == "parameter":
+            return self.plain(self.given(term.name))
+        if term.op == "property":
+            return PROPERTIES[term.name](self.facts(term.of))
+        arguments = self.of(term.arguments)
+        if term.op == "call":
+            own = [self.facts(term.of)] if term.of else []
+            return (OF_SPLINE if own else FUNCTIONS)[term.name](*own, *arguments)
+        if isinstance(arguments[0], list):
+            return [OPERATORS[term.op](item, arguments[1]) for item in arguments[0]]
+        return OPERATORS[term.op](*arguments)
+
+    @staticmethod
+    def plain(given):
+        if isinstance(given, Numbers):
+            return [item.value for item in given.values]
+        return given.value if isinstance(given, Number) else 0

@@ -52,9 +52,12 @@ class Term:
         return own.union(*(argument.names() for argument in self.arguments))
 
 
-def brackets(shape):
-    """The texts in the outermost brackets; those of all axes, [counts[0]]...[counts[axes-1]], become one product."""
+def brackets(shape, orders="active()"):
+    """The texts in the outermost brackets; those of all axes, [counts[0]]...[counts[axes-1]] or [p_0 + 1]..., become one
+    product, and of k only the sum stays: sum of (pieces[k] + 1)."""
     shape = re.sub(r"\[(\w+)\[0\]\]\.\.\.\[\1\[axes-1\]\]", r"[product(\1)]", shape)
+    shape = shape.replace("[p_0 + 1]...", f"[{orders}]")
+    shape = re.sub(r"sum of \((\w+)\[k\] \+ 1\)", r"sum of \1 + axes", shape)
     if not re.fullmatch(r"(\[[^\[\]]*\])*", shape):
         raise ExtentError(f"the shape {shape} needs one that is written out: shape.NAME = \"[n][dim]\"")
     return re.findall(r"\[([^\[\]]*)\]", shape)
@@ -73,7 +76,8 @@ class Reader:
         self.definitions = definitions
 
     def shape(self, text):
-        return tuple(self.term(extent) for extent in brackets(text))
+        orders = "product(degrees + 1)" if "degrees" in self.arrays else "active()"
+        return tuple(self.term(extent) for extent in brackets(text, orders))
 
     def term(self, text):
         try:

@@ -1,84 +1,97 @@
 # SPDX-License-Identifier: MIT
-"""The shapes of arrays, "[n][dim + 1]", as expressions of the arguments of a call.
+"""The shapes of the arrays of a function of nurbs.h, "[n][dim + 1]", without the table's methods.
 
-    Shapes(function).sizes(entry.shape)    one expression for each index
-    Shapes(function).extent(index)         the number of elements from the first to the last one of a parameter
+    Shapes(function).terms(entry.shape)    one term of extents.py for each index
+    Shapes(function).extent(index)         the number of elements from the first to the last one of a parameter, in C++
 
-The expressions are valid in C++ and in Python alike: numbers, parameters by their names, +, -, *, and the functions of
-tests/capi/guarded/shape_terms.h, which calls_model.py has for Python.
+Letters that nurbs.h explains in words are those of the table of the bindings: where.M = "active()". The expressions of C++
+call the functions of tests/capi/guarded/shape_terms.h.
 """
 
-import re
+import functools
+import tomllib
+from pathlib import Path
 
-import header
+import extents
 
-GRID_FRAMES = "nurbs_surface_eval_grid_frames"
-# Letters that the texts of functions explain, in the terms of C++; a function's own come first.
-LETTERS = {
-    "nurbs_create_power": {"pieces": "product(axes, piece_counts)", "W": "dim + ((flags & NURBS_HOMOGENEOUS) != 0)"},
-    "nurbs_to_power": {"pieces": "pieces_of(g)", "W": "dim_of(g) + rational_of(g)"},
-    "nurbs_rational_basis": {"M": "order_product(g)"},
-    "nurbs_surface_eval_grid_frames": {"M": "product(2, counts)"},
-    "nurbs_refinement_matrix": {"m": "count_of(g, axis) + count"},
-    "nurbs_free_form_deform": {"m": "axes_of(volume)"},
-    "nurbs_bezier_extraction": {"p": "degree_of(g, axis)"},
-    "nurbs_create_bezier": {"N": "order_product(axes, degrees)"},
-}
+TABLE = Path(__file__).resolve().parents[2] / "capi/bindings/table"
+PROPERTIES = {"axes": "axes_of", "dim": "dim_of", "N": "points_of", "rational": "rational_of"}
+OF_SPLINE = {"degree": "degree_of", "count": "count_of", "active": "order_product"}
+STRIDES = ("_stride", "_component_stride")
+
+
+@functools.cache
+def definitions():
+    """{function: what letters in its shapes are}"""
+    files = [tomllib.loads(path.read_text(encoding="utf-8")) for path in TABLE.glob("*.toml")]
+    return {name: entry["where"] for file in files for name, entry in file.items() if "where" in entry}
 
 
 class Shapes:
-    """The sizes of the arrays of a function, as expressions of C++."""
-
     def __init__(self, function):
-        self.function = function
-        self.numbers = {entry.name for entry in function.parameters if not entry.pointers}
-        self.arrays = {entry.name for entry in function.parameters if entry.shape}
-        splines = [entry for entry in function.parameters if entry.base == "nurbs" and entry.is_const]
-        self.spline = (splines[0].name + "[0]" * (splines[0].pointers - 1)) if splines else None
+        self.parameters = function.parameters
+        numbers = {entry.name for entry in self.parameters if not entry.pointers}
+        self.arrays = {entry.name: entry for entry in self.parameters if entry.shape}
+        self.splines = {entry.name: entry for entry in self.parameters if entry.base == "nurbs" and entry.is_const}
+        where = definitions().get(function.name.removesuffix("_with"), {})
+        self.reader = extents.Reader(numbers, self.arrays, list(self.splines), where)
 
-    def letter(self, name):
-        own = LETTERS.get(self.function.name.removesuffix("_with"), {})
-        if name in own:
-            return own[name]
-        if name.isdigit() or name in self.numbers:
-            return name
-        if name == "N" and "counts" in self.arrays:
-            return "product(axes, counts)"
-        known = {"N": "points_of", "dim": "dim_of", "axes": "axes_of", "rational": "rational_of"}
-        if name in known and self.spline:
-            return f"{known[name]}({self.spline})"
-        if name == "S":
-            return f"slots({self.letter('axes')}, order)"
-        raise header.HeaderError(f"{self.function.name}: what is {name}?")
+    def terms(self, shape):
+        return self.reader.shape(shape)
 
-    def term(self, text):
-        """What stands in one pair of brackets."""
-        total = re.fullmatch(r"sum of (?:(\w+)|\((\w+)\[k\] \+ 1\))", text)
-        if total and (total[1] or total[2]) == "piece_counts":
-            return f"pieces_sum({self.spline}) + {self.letter('axes')}"
-        if total:
-            return f"sum({self.letter('axes') if self.function.name != GRID_FRAMES else 2}, {total[1]})"
-        of = re.fullmatch(r"axes of (\w+)", text)
-        if of:
-            return f"axes_of({of[1]})"
-        return re.sub(r"\b[A-Za-z]\w*", lambda match: self.letter(match[0]), text)
+    def parts(self, shape):
+        """The indices of records and those within one; dots stand between indices of records."""
+        terms = self.terms(shape)
+        records = 1 + shape.startswith("[pieces][p_0 + 1]...")
+        return terms[:records], terms[records:]
 
-    def sizes(self, shape):
-        """Of every index."""
-        if shape.startswith("[counts[0]]...[counts[axes-1]]"):
-            shape = shape.removeprefix("[counts[0]]...[counts[axes-1]]")
-            yield f"product({self.letter('axes')}, counts)"
-        elif shape.startswith("[pieces][p_0 + 1]..."):
-            shape = shape.removeprefix("[pieces][p_0 + 1]...")
-            orders = "axes, degrees" if "degrees" in self.arrays else "g"
-            yield f"({self.letter('pieces')}) * order_product({orders})"
-        for inside in re.findall(r"\[((?:[^\[\]]|\[\w\])*)\]", shape):
-            yield self.term(inside)
+    def strides(self, index):
+        """The parameters behind an array that say how it is stored."""
+        behind = self.parameters[index + 1:index + 3]
+        return [after.name for after, end in zip(behind, STRIDES) if after.name.endswith(end)]
+
+    # In C++.
 
     def extent(self, index):
-        """The number of elements from the first to the last one of an array, strides included."""
-        entry, *behind = self.function.parameters[index:index + 3]
-        records, *components = [f"({size})" for size in self.sizes(entry.shape)]
-        width = " * ".join(components) or "1"
-        strides = [after.name for after, end in zip(behind, ("_stride", "_component_stride")) if after.name.endswith(end)]
-        return f"extent({', '.join([records, width, *strides])})"
+        records, width = map(self.product, self.parts(self.parameters[index].shape))
+        return f"extent({', '.join([records, width, *self.strides(index)])})"
+
+    def product(self, terms):
+        return " * ".join(f"({self.text(term)})" for term in terms) or "1"
+
+    def text(self, term):
+        if term.op in ("number", "parameter"):
+            return str(term.name)
+        if term.op == "property":
+            return f"{PROPERTIES[term.name]}({self.spline(term.of)})"
+        if term.op == "call":
+            return self.called(term)
+        left, right = (f"({self.text(side)})" if side.op in extents.OPERATORS.values() else self.text(side)
+                       for side in term.arguments)
+        return f"{left} {term.op} {right}"
+
+    def spline(self, name):
+        """Of an array of splines the first one."""
+        return name + "[0]" * (self.splines[name].pointers - 1)
+
+    def called(self, term):
+        if term.name in ("sum", "product"):
+            return self.of_array(term.name, term.arguments[0])
+        words = [self.text(argument) for argument in term.arguments]
+        if term.name == "slots":
+            return f"slots(axes_of({self.spline(term.of)}), {words[0]})"
+        if term.name == "homogeneous":
+            return f"(({words[0]} & NURBS_HOMOGENEOUS) != 0)"
+        if term.name in OF_SPLINE:
+            return f"{OF_SPLINE[term.name]}({', '.join([self.spline(term.of), *words])})"
+        raise extents.ExtentError(f"shape_terms.h has no function {term.name}")
+
+    def of_array(self, name, argument):
+        """Numbers of pieces that only the call tells are those of the spline; degrees + 1 are orders."""
+        if argument.op == "+":
+            name, argument = "order_product", argument.arguments[0]
+        array = self.arrays[argument.name]
+        if array.direction == "out":
+            return f"pieces_{'of' if name == 'product' else name}({self.spline(next(iter(self.splines)))})"
+        length, = self.terms(array.shape)
+        return f"{name}({self.text(length)}, {array.name})"

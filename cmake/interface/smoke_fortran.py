@@ -8,11 +8,11 @@ import calls_model
 import header
 import smoke
 from calls_model import Bytes, Handle, Handles, Items, Null, Number, Numbers
+from calls_terms import Sizes
 from fortran_methods.dummies import dummies
 from fortran_methods.statements import statement
 from fortran_methods.words import Words
 from signature import Each, Several, Struct, Take
-from smoke_extents import Sizes
 
 PATH = f"{smoke.FOLDER}/smoke_calls.f90"
 NOTICE = f"""\
@@ -38,7 +38,7 @@ class Writer:
     def __init__(self, step, words, model):
         self.step, self.words, self.model = step, words, model
         self.method, self.values = step.method, step.method.values
-        self.sizes = Sizes(step, model)
+        self.sizes = Sizes(step.given, model.inputs)
         self.declared, self.before, self.after = [], [], []
 
     # Inputs.
@@ -66,7 +66,7 @@ class Writer:
 
     def extents(self, value, length=None):
         """In Fortran's order, as numbers."""
-        own = self.sizes.of(value)
+        own = self.sizes.of(value.extents)
         if length is not None and math.prod(own) != length:
             own[0] = length // math.prod(own[1:])
         return own[::-1] if value.name in self.words.stored else own[:1] + own[:0:-1]

@@ -13,10 +13,10 @@ import numpy
 import smoke_table
 from smoke_table import TYPES, show, text_of
 
-import smoke  # from the project, as calls_model, smoke_extents and table
+import smoke  # from the project, as calls_model, calls_terms and table
 import table
 from calls_model import Bytes, Handle, Handles, Items, Null, Number, Numbers, Path, Slot
-from smoke_extents import Sizes
+from calls_terms import Sizes
 
 import nurbs
 
@@ -48,7 +48,7 @@ class LayerCall:
             raise Unlike("no method")
         self.layer, self.call, self.step = layer, call, step
         self.values = step.method.values
-        self.sizes = Sizes(step, layer.model)
+        self.sizes = Sizes(step.given, layer.model.inputs)
         self.own = {name: layer.made(layer.model.inputs[name].call) for name in call.made}
         self.used = set()
 
@@ -158,7 +158,7 @@ class LayerCall:
             return numbers.reshape(self.net(value))
         if len(value.extents) < 2:
             return numbers
-        sizes = self.sizes.of(value)[1:]
+        sizes = self.sizes.of(value.extents)[1:]
         one = value.extents[-1].op == "property" and value.extents[-1].name == "axes" and sizes[-1] == 1
         return numbers if one and len(sizes) == 1 else numbers.reshape(-1, *sizes)
 
