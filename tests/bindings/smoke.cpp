@@ -287,6 +287,18 @@ static void errors_name_what_is_wrong() {
            libnurbs::Status::file);
 }
 
+// Lengths that follow from wrong numbers are not what the error is about.
+static void errors_are_those_of_the_library() {
+    const auto curve = circle();
+    EXPECT(status_of([] { (void)libnurbs::knots_uniform(-1, 4); }) == libnurbs::Status::degree);
+    EXPECT(status_of([] { (void)libnurbs::knots_bezier(2, std::int64_t{-1}); }) == libnurbs::Status::count);
+    EXPECT(status_of([&] { (void)curve.eval_grid({-1}, {0.5}); }) == libnurbs::Status::count);
+    EXPECT(status_of([] { (void)Spline::create_bezier({-1}, 2, {0, 0}); }) == libnurbs::Status::degree);
+    EXPECT(status_of([] {
+               (void)libnurbs::create_power({-1}, 2, {{0, 1}, {0, 1}, {1}});
+           }) == libnurbs::Status::degree);
+}
+
 int main() {
     known_points();
     single_precision_is_rounded_once();
@@ -308,5 +320,6 @@ int main() {
     bases();
     frames();
     errors_name_what_is_wrong();
+    errors_are_those_of_the_library();
     return failures == 0 ? 0 : 1;
 }

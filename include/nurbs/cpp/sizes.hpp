@@ -60,21 +60,23 @@ std::int64_t times(Extents... extents) {
     const std::int64_t sizes[] = {std::int64_t{extents}...};
     return product<std::int64_t>(sizes);
 }
-// An array of these extents.
+// An array of these extents. An empty one has a place too: what makes it empty is the library's to name, and not NULL.
 template <class T = double, class... Extents>
 std::vector<T> room(Extents... extents) {
-    return std::vector<T>(to_size(times(extents...)));
+    std::vector<T> values(to_size(times(extents...)));
+    values.reserve(1);
+    return values;
 }
 
 // For as many axes as a library takes, and then for too many.
 inline std::int32_t axes_of(View<std::int32_t> degrees) {
     return degrees.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(degrees.size());
 }
-// Control points of one piece of these degrees.
+// Control points of one piece of these degrees; -1 if one is negative, as product() says it.
 inline std::int64_t piece_points(View<std::int32_t> degrees) {
     std::vector<std::int64_t> orders(degrees.begin(), degrees.end());
     for (std::int64_t &order : orders) {
-        ++order;
+        order += order < 0 ? 0 : 1;
     }
     return product<std::int64_t>(orders);
 }

@@ -274,7 +274,7 @@ public:
     Returned<void> eval_grid(View<std::int64_t> counts, View<double> params, Output points,
                              std::uint32_t flags = 0) const {
         detail::require(counts, detail::axes(get()), "counts");
-        detail::require(params, detail::sum(counts), "params");
+        detail::require_unless_negative(params, detail::sum(counts), "params");
         points.require(detail::product<std::int64_t>(counts), detail::dimension(get()), "points");
         return detail::call(nurbs_eval_grid, get(), counts.data(), params.data(), points.data(),
                             points.stride(), points.component_stride(), flags);
@@ -283,7 +283,7 @@ public:
     [[nodiscard]] Returned<std::vector<double>> eval_grid(View<std::int64_t> counts, View<double> params,
                                                           std::uint32_t flags = 0) const {
         detail::require(counts, detail::axes(get()), "counts");
-        detail::require(params, detail::sum(counts), "params");
+        detail::require_unless_negative(params, detail::sum(counts), "params");
         std::vector<double> values =
             detail::room(detail::product<std::int64_t>(counts), detail::dimension(get()));
         detail::run([&] { return eval_grid(counts, params, values, flags); });
@@ -293,7 +293,7 @@ public:
     Returned<void> eval_grid_derivs(std::int32_t order, View<std::int64_t> counts, View<double> params,
                                     Output derivs, std::uint32_t flags = 0) const {
         detail::require(counts, detail::axes(get()), "counts");
-        detail::require(params, detail::sum(counts), "params");
+        detail::require_unless_negative(params, detail::sum(counts), "params");
         derivs.require(detail::product<std::int64_t>(counts),
                        detail::slots(get(), order) * detail::dimension(get()), "derivs");
         return detail::call(nurbs_eval_grid_derivs, get(), order, counts.data(), params.data(), derivs.data(),
@@ -305,7 +305,7 @@ public:
                                                                  View<double> params,
                                                                  std::uint32_t flags = 0) const {
         detail::require(counts, detail::axes(get()), "counts");
-        detail::require(params, detail::sum(counts), "params");
+        detail::require_unless_negative(params, detail::sum(counts), "params");
         std::vector<double> values = detail::room(detail::product<std::int64_t>(counts),
                                                   detail::slots(get(), order), detail::dimension(get()));
         detail::run([&] { return eval_grid_derivs(order, counts, params, values, flags); });
@@ -330,7 +330,7 @@ public:
     Returned<void> eval_grid_f32(View<std::int64_t> counts, View<double> params, FloatOutput points,
                                  std::uint32_t flags = 0) const {
         detail::require(counts, detail::axes(get()), "counts");
-        detail::require(params, detail::sum(counts), "params");
+        detail::require_unless_negative(params, detail::sum(counts), "params");
         points.require(detail::product<std::int64_t>(counts), detail::dimension(get()), "points");
         return detail::call(nurbs_eval_grid_f32, get(), counts.data(), params.data(), points.data(),
                             points.stride(), points.component_stride(), flags);
@@ -339,7 +339,7 @@ public:
     [[nodiscard]] Returned<std::vector<float>> eval_grid_f32(View<std::int64_t> counts, View<double> params,
                                                              std::uint32_t flags = 0) const {
         detail::require(counts, detail::axes(get()), "counts");
-        detail::require(params, detail::sum(counts), "params");
+        detail::require_unless_negative(params, detail::sum(counts), "params");
         std::vector<float> values =
             detail::room<float>(detail::product<std::int64_t>(counts), detail::dimension(get()));
         detail::run([&] { return eval_grid_f32(counts, params, values, flags); });
