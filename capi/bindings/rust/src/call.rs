@@ -3,11 +3,12 @@
 
 use crate::sys;
 use std::any::Any;
-use std::cell::RefCell;
+use std::cell::Cell;
 use std::fmt;
 use std::mem::size_of;
 use std::os::raw::c_void;
 use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
+use std::ptr::{null, null_mut};
 
 type Progress<'a> = Box<dyn FnMut(f64) -> bool + 'a>;
 
@@ -34,12 +35,8 @@ impl<'a> Call<'a> {
     /// Without a limit, and without a callback.
     pub fn new() -> Call<'a> {
         let size = size_of::<sys::nurbs_call_options>() as i64;
-        let mut options = sys::nurbs_call_options {
-            struct_size: size,
-            work: 0,
-            progress: None,
-            user: std::ptr::null_mut(),
-        };
+        let mut options =
+            sys::nurbs_call_options { struct_size: size, work: 0, progress: None, user: null_mut() };
         // Of a struct of the header's size nothing can be wrong.
         unsafe { sys::nurbs_call_options_init(&mut options, size) };
         Call { options, progress: None }
@@ -57,8 +54,9 @@ impl<'a> Call<'a> {
         self
     }
 
-    /// For one call; the address of the callback is that of `self`.
+    /// For one call, which begins without a panic; the address of the callback is that of `self`.
     pub(crate) fn options(&mut self) -> *const sys::nurbs_call_options {
+        drop(keep(None));
         if let Some(progress) = &mut self.progress {
             self.options.progress = Some(tell);
             self.options.user = (progress as *mut Progress<'a>).cast::<c_void>();
@@ -79,9 +77,17 @@ impl fmt::Debug for Call<'_> {
     }
 }
 
+type Panic = Box<dyn Any + Send>;
+
 thread_local! {
     /// The panic of a callback, until its call has ended.
-    static KEPT: RefCell<Option<Box<dyn Any + Send>>> = const { RefCell::new(None) };
+    static KEPT: Cell<Option<Panic>> = const { Cell::new(None) };
+}
+
+/// Keeps a panic, or none, and returns what was kept. A thread that ends, and has no place for it any more, keeps
+/// nothing: its call is only cancelled.
+fn keep(panic: Option<Panic>) -> Option<Panic> {
+    KEPT.try_with(|kept| kept.replace(panic)).ok().flatten()
 }
 
 /// The callback as C sees it, through which no panic goes.
@@ -90,7 +96,7 @@ unsafe extern "C" fn tell(done: f64, user: *mut c_void) -> i32 {
     match catch_unwind(AssertUnwindSafe(|| progress(done))) {
         Ok(more) => i32::from(!more),
         Err(panic) => {
-            KEPT.with(|kept| *kept.borrow_mut() = Some(panic));
+            keep(Some(panic));
             1
         }
     }
@@ -98,168 +104,95 @@ unsafe extern "C" fn tell(done: f64, user: *mut c_void) -> i32 {
 
 /// Goes on with the panic that ended a call.
 pub(crate) fn resume() {
-    if let Some(panic) = KEPT.with(|kept| kept.borrow_mut().take()) {
+    if let Some(panic) = keep(None) {
         resume_unwind(panic);
     }
 }
 
 // The long calls that take structs, with the arguments of their plain forms.
 
-#[allow(clippy::too_many_arguments)]
-pub(crate) unsafe fn nurbs_closest_points_with(
-    g: *const sys::nurbs,
-    n: i64,
-    points: *const f64,
-    point_stride: i64,
-    point_component_stride: i64,
-    range: *const f64,
-    tolerance: f64,
-    budget: i64,
-    params: *mut f64,
-    param_stride: i64,
-    param_component_stride: i64,
-    feet: *mut f64,
-    foot_stride: i64,
-    foot_component_stride: i64,
-    distances: *mut f64,
-    distance_stride: i64,
-    status: *mut i32,
-    flags: u32,
-    call: *const sys::nurbs_call_options,
-) -> i32 {
-    let query = sys::nurbs_closest_query {
-        struct_size: size_of::<sys::nurbs_closest_query>() as i64,
-        n,
-        points,
-        point_stride,
-        point_component_stride,
-        guesses: std::ptr::null(),
-        guess_stride: 0,
-        guess_component_stride: 0,
-        range,
-        tolerance,
-        budget,
-        flags,
-        reserved: 0,
-    };
-    let answer = sys::nurbs_closest_answer {
-        struct_size: size_of::<sys::nurbs_closest_answer>() as i64,
-        params,
-        param_stride,
-        param_component_stride,
-        feet,
-        foot_stride,
-        foot_component_stride,
-        distances,
-        distance_stride,
-        status,
-    };
-    sys::nurbs_closest_points_with(g, &query, &answer, call)
-}
+/// Of no points, and with the defaults.
+const QUERY: sys::nurbs_closest_query = sys::nurbs_closest_query {
+    struct_size: size_of::<sys::nurbs_closest_query>() as i64,
+    n: 0,
+    points: null(),
+    point_stride: 0,
+    point_component_stride: 0,
+    guesses: null(),
+    guess_stride: 0,
+    guess_component_stride: 0,
+    range: null(),
+    tolerance: 0.0,
+    budget: 0,
+    flags: 0,
+    reserved: 0,
+};
 
-#[allow(clippy::too_many_arguments)]
-pub(crate) unsafe fn nurbs_farthest_points_with(
-    g: *const sys::nurbs,
-    n: i64,
-    points: *const f64,
-    point_stride: i64,
-    point_component_stride: i64,
-    range: *const f64,
-    tolerance: f64,
-    budget: i64,
-    params: *mut f64,
-    param_stride: i64,
-    param_component_stride: i64,
-    feet: *mut f64,
-    foot_stride: i64,
-    foot_component_stride: i64,
-    distances: *mut f64,
-    distance_stride: i64,
-    status: *mut i32,
-    flags: u32,
-    call: *const sys::nurbs_call_options,
-) -> i32 {
-    let query = sys::nurbs_closest_query {
-        struct_size: size_of::<sys::nurbs_closest_query>() as i64,
-        n,
-        points,
-        point_stride,
-        point_component_stride,
-        guesses: std::ptr::null(),
-        guess_stride: 0,
-        guess_component_stride: 0,
-        range,
-        tolerance,
-        budget,
-        flags,
-        reserved: 0,
-    };
-    let answer = sys::nurbs_closest_answer {
-        struct_size: size_of::<sys::nurbs_closest_answer>() as i64,
-        params,
-        param_stride,
-        param_component_stride,
-        feet,
-        foot_stride,
-        foot_component_stride,
-        distances,
-        distance_stride,
-        status,
-    };
-    sys::nurbs_farthest_points_with(g, &query, &answer, call)
-}
+/// Of which nothing is wanted.
+const ANSWER: sys::nurbs_closest_answer = sys::nurbs_closest_answer {
+    struct_size: size_of::<sys::nurbs_closest_answer>() as i64,
+    params: null_mut(),
+    param_stride: 0,
+    param_component_stride: 0,
+    feet: null_mut(),
+    foot_stride: 0,
+    foot_component_stride: 0,
+    distances: null_mut(),
+    distance_stride: 0,
+    status: null_mut(),
+};
 
-#[allow(clippy::too_many_arguments)]
-pub(crate) unsafe fn nurbs_closest_local_with(
-    g: *const sys::nurbs,
-    n: i64,
-    points: *const f64,
-    point_stride: i64,
-    point_component_stride: i64,
-    guesses: *const f64,
-    guess_stride: i64,
-    guess_component_stride: i64,
-    params: *mut f64,
-    param_stride: i64,
-    param_component_stride: i64,
-    feet: *mut f64,
-    foot_stride: i64,
-    foot_component_stride: i64,
-    distances: *mut f64,
-    distance_stride: i64,
-    status: *mut i32,
-    flags: u32,
-    call: *const sys::nurbs_call_options,
-) -> i32 {
-    let query = sys::nurbs_closest_query {
-        struct_size: size_of::<sys::nurbs_closest_query>() as i64,
-        n,
-        points,
-        point_stride,
-        point_component_stride,
-        guesses,
-        guess_stride,
-        guess_component_stride,
-        range: std::ptr::null(),
-        tolerance: 0.0,
-        budget: 0,
-        flags,
-        reserved: 0,
+/// A function that answers all, with the fields of the query that only some of them have.
+macro_rules! closest_with {
+    ($name:ident, $($field:ident: $kind:ty),*) => {
+        #[allow(clippy::too_many_arguments)]
+        pub(crate) unsafe fn $name(
+            g: *const sys::nurbs,
+            n: i64,
+            points: *const f64,
+            point_stride: i64,
+            point_component_stride: i64,
+            $($field: $kind,)*
+            params: *mut f64,
+            param_stride: i64,
+            param_component_stride: i64,
+            feet: *mut f64,
+            foot_stride: i64,
+            foot_component_stride: i64,
+            distances: *mut f64,
+            distance_stride: i64,
+            status: *mut i32,
+            flags: u32,
+            call: *const sys::nurbs_call_options,
+        ) -> i32 {
+            let query = sys::nurbs_closest_query {
+                n,
+                points,
+                point_stride,
+                point_component_stride,
+                flags,
+                $($field,)*
+                ..QUERY
+            };
+            let answer = sys::nurbs_closest_answer {
+                params,
+                param_stride,
+                param_component_stride,
+                feet,
+                foot_stride,
+                foot_component_stride,
+                distances,
+                distance_stride,
+                status,
+                ..ANSWER
+            };
+            sys::$name(g, &query, &answer, call)
+        }
     };
-    let answer = sys::nurbs_closest_answer {
-        struct_size: size_of::<sys::nurbs_closest_answer>() as i64,
-        params,
-        param_stride,
-        param_component_stride,
-        feet,
-        foot_stride,
-        foot_component_stride,
-        distances,
-        distance_stride,
-        status,
-    };
-    sys::nurbs_closest_local_with(g, &query, &answer, call)
 }
+closest_with!(nurbs_closest_points_with, range: *const f64, tolerance: f64, budget: i64);
+closest_with!(nurbs_farthest_points_with, range: *const f64, tolerance: f64, budget: i64);
+closest_with!(nurbs_closest_local_with, guesses: *const f64, guess_stride: i64, guess_component_stride: i64);
 
 #[allow(clippy::too_many_arguments)]
 pub(crate) unsafe fn nurbs_curve_signed_distances_with(
@@ -279,32 +212,17 @@ pub(crate) unsafe fn nurbs_curve_signed_distances_with(
     call: *const sys::nurbs_call_options,
 ) -> i32 {
     let query = sys::nurbs_closest_query {
-        struct_size: size_of::<sys::nurbs_closest_query>() as i64,
         n,
         points,
         point_stride,
         point_component_stride,
-        guesses: std::ptr::null(),
-        guess_stride: 0,
-        guess_component_stride: 0,
-        range: std::ptr::null(),
         tolerance,
         budget,
         flags,
-        reserved: 0,
+        ..QUERY
     };
-    let answer = sys::nurbs_closest_answer {
-        struct_size: size_of::<sys::nurbs_closest_answer>() as i64,
-        params,
-        param_stride,
-        param_component_stride: 0,
-        feet: std::ptr::null_mut(),
-        foot_stride: 0,
-        foot_component_stride: 0,
-        distances,
-        distance_stride,
-        status,
-    };
+    let answer =
+        sys::nurbs_closest_answer { params, param_stride, distances, distance_stride, status, ..ANSWER };
     sys::nurbs_curve_signed_distances_with(g, &query, &answer, call)
 }
 
