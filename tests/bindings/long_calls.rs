@@ -2,7 +2,7 @@
 //! Long calls of the Rust crate: progress, panics of the callback, limits of work, and the answers of each.
 
 use nurbs::{sys, Bend, Call, ConstrainOptions, Constraints, List, Placement, Result, Search, Spline};
-use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
 
 /// A curve that runs to and fro, so that its length takes a while.
 fn winding(count: usize) -> Result<Spline> {
@@ -36,6 +36,88 @@ fn ends(curve: &Spline) {
     let mut call = Call::new().work(1);
     assert_eq!(curve.length_with(1e-9, &[], &mut call).unwrap_err().status, sys::NURBS_ERROR_WORK);
     assert!(curve.length(1e-9, &[]).is_ok());
+}
+
+/// A panic of which nothing is printed, so that only those of a failing test are.
+fn quiet_panic(text: &'static str) -> bool {
+    resume_unwind(Box::new(text))
+}
+
+/// A call ends with the panic `text`.
+fn panics<T: std::fmt::Debug>(text: &'static str, call: impl FnOnce() -> Result<T>) {
+    let panic = catch_unwind(AssertUnwindSafe(call)).expect_err(text);
+    assert_eq!(panic.downcast_ref::<&str>(), Some(&text));
+}
+
+/// A call ends with the panic of its callback.
+fn told_to_panic<T: std::fmt::Debug>(text: &'static str, call: impl FnOnce(&mut Call) -> Result<T>) {
+    panics(text, || call(&mut Call::new().progress(|_| quiet_panic(text))));
+}
+
+/// A call that its callback ends without a panic returns.
+fn only_cancelled(curve: &Spline, call: &mut Call) {
+    let ended = curve.length_with(1e-9, &[], call);
+    assert_eq!(ended.unwrap_err().status, sys::NURBS_ERROR_CANCELLED);
+}
+
+/// Panics come out of the calls that take structs as they do of others, and go no further.
+fn panics_of_structs(curve: &Spline) -> Result<()> {
+    let (g, points, guesses) = (winding(40)?, vec![0.3; 100_000], vec![0.2; 50_000]);
+    let (how, end) = (Search::default(), || Call::new().progress(|_| false));
+    told_to_panic("closest", |call| g.closest_points_with(&points, how, call));
+    only_cancelled(curve, &mut end());
+    told_to_panic("farthest", |call| g.farthest_points_with(&points, how, call));
+    only_cancelled(curve, &mut end());
+    told_to_panic("local", |call| g.closest_local_with(&points, &guesses, 0, call));
+    only_cancelled(curve, &mut end());
+    told_to_panic("signed", |call| g.signed_distances_with(&points, how, call));
+    only_cancelled(curve, &mut end());
+    Ok(())
+}
+
+/// A call in a callback has panics of its own: they end the outer call only if the callback lets them through.
+fn panics_of_inner_calls(curve: &Spline) -> Result<()> {
+    let inner = |call: &mut Call| curve.length_with(1e-9, &[], call);
+    let caught = || told_to_panic("caught", inner);
+    only_cancelled(
+        curve,
+        &mut Call::new().progress(|_| {
+            caught();
+            false
+        }),
+    );
+    let mut first = true;
+    let mut goes_on = Call::new().progress(|_| {
+        if std::mem::take(&mut first) {
+            caught();
+        }
+        true
+    });
+    assert_eq!(curve.length_with(1e-9, &[], &mut goes_on)?, curve.length(1e-9, &[])?);
+    let through = |_| inner(&mut Call::new().progress(|_| quiet_panic("through both"))).is_ok();
+    panics("through both", || curve.length_with(1e-9, &[], &mut Call::new().progress(through)));
+    only_cancelled(curve, &mut Call::new().progress(|_| false));
+    Ok(())
+}
+
+/// The same options serve again after a panic, and a panic of another thread stays there.
+fn panics_of_other_calls(curve: &Spline) {
+    let mut first = true;
+    let mut call = Call::new().progress(|_| {
+        if std::mem::take(&mut first) {
+            quiet_panic("once");
+        }
+        false
+    });
+    panics("once", || curve.length_with(1e-9, &[], &mut call));
+    only_cancelled(curve, &mut call);
+    let mut elsewhere = Call::new().progress(|_| {
+        std::thread::scope(|threads| {
+            threads.spawn(|| told_to_panic("of another thread", |call| curve.length_with(1e-9, &[], call)));
+        });
+        false
+    });
+    only_cancelled(curve, &mut elsewhere);
 }
 
 fn curves(call: &mut Call) -> Result<()> {
@@ -118,6 +200,9 @@ fn main() -> Result<()> {
     progress(&curve)?;
     ends(&curve);
     let _ = std::panic::take_hook();
+    panics_of_structs(&curve)?;
+    panics_of_inner_calls(&curve)?;
+    panics_of_other_calls(&curve);
     let mut call = Call::new().progress(|_| true);
     curves(&mut call)?;
     places(&mut call)?;

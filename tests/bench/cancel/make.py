@@ -19,18 +19,18 @@ import calls  # noqa: E402 - from the project
 import calls_arguments  # noqa: E402 - from the project
 import calls_model  # noqa: E402 - from the project
 import calls_reader  # noqa: E402 - from the project
+import calls_terms  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
 import smoke  # noqa: E402 - from the project
 import smoke_cpp  # noqa: E402 - from the project
-import smoke_extents  # noqa: E402 - from the project
 import smoke_fortran  # noqa: E402 - from the project
 import smoke_rust  # noqa: E402 - from the project
 import table  # noqa: E402 - from the project
 from calls_model import Handle  # noqa: E402 - from the project
-from calls_terms import Facts  # noqa: E402 - from the project
 
 # A cubic Bezier curve in space; the file is made of many.
 CURVE = ("126,3,3,0,0,1,0,0.,0.,0.,0.,1.,1.,1.,1.,1.,1.,1.,1.,", "0.,0.,0.,1.,2.,0.,3.,2.,0.,4.,0.,0.,0.,1.;")
+Facts = calls_terms.Facts
 MANY = {"few_points": 60, "many_points": 3000, "many_places": 2000, "many_params": 300, "many_targets": 900,
         "wild_net": 4800, "wild_knots": 88, "wild_curve_knots": 1604}
 
@@ -79,7 +79,7 @@ def read(manual):
     text["inputs"]["texts"] = {"file": "a file\n"}
     text["inputs"]["arrays"] |= {name: many(name, count) for name, count in MANY.items()}
     calls_model.LENGTHS.update(values=16384, states=1024)  # as in cancel.hpp
-    calls_arguments.Facts = smoke_extents.Facts = facts_of_source
+    calls_arguments.Facts = calls_terms.Facts = facts_of_source
     reader = calls_reader.Reader(manual)
     global model_inputs
     model_inputs = reader.model.inputs

@@ -144,7 +144,7 @@ const ANSWER: sys::nurbs_closest_answer = sys::nurbs_closest_answer {
 
 /// A function that answers all, with the fields of the query that only some of them have.
 macro_rules! closest_with {
-    ($name:ident, $($field:ident: $kind:ty),*) => {
+    (sys::$name:ident, $($field:ident: $kind:ty),*) => {
         #[allow(clippy::too_many_arguments)]
         pub(crate) unsafe fn $name(
             g: *const sys::nurbs,
@@ -190,9 +190,9 @@ macro_rules! closest_with {
         }
     };
 }
-closest_with!(nurbs_closest_points_with, range: *const f64, tolerance: f64, budget: i64);
-closest_with!(nurbs_farthest_points_with, range: *const f64, tolerance: f64, budget: i64);
-closest_with!(nurbs_closest_local_with, guesses: *const f64, guess_stride: i64, guess_component_stride: i64);
+closest_with!(sys::nurbs_closest_points_with, range: *const f64, tolerance: f64, budget: i64);
+closest_with!(sys::nurbs_farthest_points_with, range: *const f64, tolerance: f64, budget: i64);
+closest_with!(sys::nurbs_closest_local_with, guesses: *const f64, guess_stride: i64, guess_component_stride: i64);
 
 #[allow(clippy::too_many_arguments)]
 pub(crate) unsafe fn nurbs_curve_signed_distances_with(
@@ -271,4 +271,25 @@ pub(crate) unsafe fn nurbs_constrain_with(
         *optimality = report.optimality;
     }
     status
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Result, Spline};
+
+    /// A call whose library does not heed that the callback ended it.
+    fn unheeded(call: &mut Call) {
+        let options = unsafe { &*call.options() };
+        assert_eq!(unsafe { options.progress.unwrap()(0.5, options.user) }, 1);
+    }
+
+    #[test]
+    fn no_call_ends_with_the_panic_of_an_earlier_one() -> Result<()> {
+        let segment = Spline::bezier(&[1], 1, &[0.0, 1.0], None)?;
+        unheeded(&mut Call::new().progress(|_| panic!("of an earlier call")));
+        segment.length_with(1e-9, &[], &mut Call::new())?; // too short to be called back
+        assert!(crate::error::check(sys::NURBS_ERROR_CANCELLED).is_err());
+        Ok(())
+    }
 }
