@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <cxxabi.h>
 #include <new>
 #include <stdexcept>
 
@@ -25,8 +26,10 @@ void remember(const char *message) noexcept {
 
 namespace nrb::capi {
 
-nurbs_status translate_exception() noexcept {
+nurbs_status translate_exception() {
     try {
+        throw;
+    } catch (abi::__forced_unwind &) {
         throw;
     } catch (const Error &error) {
         remember(error.what());

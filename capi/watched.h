@@ -15,7 +15,7 @@ Watch::Wishes wishes_of(const nurbs_call_options *call);
 
 // Runs body(), which returns a status, as a watched call.
 template <class Body>
-nurbs_status watched(const nurbs_call_options *call, Body &&body) noexcept {
+nurbs_status watched(const nurbs_call_options *call, Body &&body) {
     nurbs_status status = NURBS_OK;
     const nurbs_status wishes = guard([&] {
         const Watch watch(wishes_of(call));
@@ -26,7 +26,7 @@ nurbs_status watched(const nurbs_call_options *call, Body &&body) noexcept {
 
 // The same for bodies with a new handle, which is NULL after wrong wishes too.
 template <class Handle, class Body>
-nurbs_status watched(const nurbs_call_options *call, Handle **out, Body &&body) noexcept {
+nurbs_status watched(const nurbs_call_options *call, Handle **out, Body &&body) {
     if (out != nullptr) {
         *out = nullptr;
     }

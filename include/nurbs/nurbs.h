@@ -477,16 +477,18 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  *
  * **Progress.** The callback is called in the thread of the call, at most every 10 ms, so that a short call
  * may end without one. If it returns anything but 0, the call ends with NURBS_ERROR_CANCELLED and writes
- * nothing. No lock is held meanwhile: the callback may call any function with any handle. It must not be left
- * by an exception or by longjmp(): keep the exception, return 1, and raise it after the call. (An exception
- * of C++ that leaves it ends the call as 1 does, and is lost.) A thread that is cancelled in it ends after
- * the call.
+ * nothing. No lock is held meanwhile: the callback may call any function with any handle, except that it must
+ * not destroy what the call was given. It must not be left by an exception or by longjmp(): keep the exception,
+ * return 1, and raise it after the call. (An exception of C++ that leaves it ends the call as 1 does, and is
+ * lost; what longjmp() leaves behind is never freed.) It may end its thread by pthread_exit(); a thread that is
+ * cancelled in it ends after the call.
  *
  * **Work** is counted in multiply-adds, estimated, and never measured by a clock: the load of the machine
  * changes no answer. A processor does some 10^9 of them in a second or two. What a handle keeps for later
- * calls is not counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so
- * there, as at the end of its budget, with what is proven so far. Any other function returns NURBS_ERROR_WORK
- * and writes nothing.
+ * calls (tables and trees, built at the first call that needs them, which takes as long as that takes) is not
+ * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at the
+ * end of its budget, with what is proven so far: in a batch the points that are left get what is found without a
+ * search. Any other function returns NURBS_ERROR_WORK and writes nothing.
  * @{ */
 
 /** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/convexity.h"
 
+#include "analysis/curve_pieces.h"
 #include "analysis/curve_turns.h"
 #include "base/numbers.h"
 #include "bernstein/sign_runs.h"
@@ -49,7 +50,7 @@ public:
     explicit ConvexityTest(const Spline &curve) : pieces_(curve) {}
 
     int32_t run() {
-        for (size_t e = 0; e < pieces_.pieces().size(); ++e) {
+        for (size_t e = 0; e < pieces_.count(); ++e) {
             knot(e);
             piece(e);
         }
@@ -80,7 +81,7 @@ private:
         if (before == nullptr) {
             return;
         }
-        const EndTangent a = end_tangent(*before, true), b = end_tangent(pieces_.pieces()[e], false);
+        const EndTangent a = end_tangent(*before, true), b = end_tangent(pieces_.piece(e), false);
         const double angle = turning_angle(a, b);
         broken_ = broken_ || pieces_.jump(e) > 0 ||
                   std::abs(angle) > std::numbers::pi - a.turned - b.turned - 4 * eps;
@@ -92,7 +93,7 @@ private:
     // A tangent that vanishes inside a piece is a cusp or a place where the curve stands still. At an end of
     // a piece it is divided out, and knot() finds out whether the curve turns back there.
     void piece(size_t e) {
-        const pieces::HomogeneousPiece &piece = pieces_.pieces()[e];
+        const pieces::HomogeneousPiece &piece = pieces_.piece(e);
         unknown_ = unknown_ || !piece.positive;
         RoundedPolynomial d = pieces::tangent_numerator(piece, 0);
         if (divide_end(d, last_axis, false) < 0) {

@@ -24,17 +24,18 @@ void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, C
     }
 }
 
-CurveSigns curve_signs(const std::vector<pieces::HomogeneousPiece> &pieces, const Numerator &numerator) {
+CurveSigns curve_signs(CurvePieces &pieces, const Numerator &numerator) {
     CurveSigns result;
-    for (const pieces::HomogeneousPiece &piece : pieces) {
-        const bool known = piece.positive && !work_ended();
-        const RoundedPolynomial f = known ? numerator(piece) : constant(0);
+    Steps steps(static_cast<int64_t>(pieces.count()));
+    for (size_t e = 0; e < pieces.count(); ++e, steps.next()) {
+        const bool known = !work_ended() && pieces.piece(e).positive;
+        const RoundedPolynomial f = known ? numerator(pieces.piece(e)) : constant(0);
         if (exactly_zero(f)) {
-            result.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 1), 0});
+            result.runs.push_back({pieces.start(e), pieces.end(e), 0});
             result.complete = result.complete && known;
-            continue;
+        } else {
+            append_runs(pieces.piece(e), sign_runs(f), result);
         }
-        append_runs(piece, sign_runs(f), result);
     }
     return result;
 }

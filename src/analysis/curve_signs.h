@@ -2,8 +2,8 @@
 // Signs along a whole curve, piece by piece.
 #pragma once
 
+#include "analysis/curve_pieces.h"
 #include "bernstein/sign_runs.h"
-#include "pieces/derivative_pieces.h"
 
 #include <functional>
 
@@ -31,7 +31,7 @@ bool exactly_zero(const RoundedPolynomial &f) noexcept;
 
 // The runs of one piece in its parameters. Pieces whose weight has no certain sign have none.
 void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out);
-CurveSigns curve_signs(const std::vector<pieces::HomogeneousPiece> &pieces, const Numerator &numerator);
+CurveSigns curve_signs(CurvePieces &pieces, const Numerator &numerator);
 
 // Where a sign changes into the other one: between the end of one run and the start of the next.
 struct SignChange {

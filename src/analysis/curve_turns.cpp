@@ -2,7 +2,6 @@
 #include "analysis/curve_turns.h"
 
 #include "base/numbers.h"
-#include "eval/evaluate.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -21,14 +20,6 @@ Bounded at_end(const RoundedPolynomial &f, bool upper, size_t c = 0) noexcept {
     const auto n = static_cast<size_t>(f.shape.width);
     const size_t i = upper ? f.values.size() - n + c : c;
     return {f.values[i], f.error(i)};
-}
-
-std::vector<double> point(const Spline &curve, double t, bool left) {
-    eval::AxisRules rules{};
-    rules[0].left = left;
-    std::vector<double> x(static_cast<size_t>(curve.dim()));
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
-    return x;
 }
 
 } // namespace
@@ -86,32 +77,6 @@ std::optional<EndCurvature> end_curvature(const pieces::HomogeneousPiece &piece,
     const double relative = 4 * w.error / w.value + 6 * s.error / s.value + 16 * eps;
     return EndCurvature{std::ldexp(bend * factor, -piece.exponent),
                         std::ldexp(factor * (error * (1 + relative) + bend * relative), -piece.exponent)};
-}
-
-CurvePieces::CurvePieces(const Spline &curve) : curve_(curve), maker_(curve, whole_domain(curve)) {
-    for (int64_t e = 0; e < maker_.count(); ++e) {
-        pieces_.push_back(maker_.piece(e));
-    }
-}
-
-const pieces::HomogeneousPiece *CurvePieces::before(size_t e) const noexcept {
-    return e > 0 ? &pieces_[e - 1] : periodic() ? &pieces_.back() : nullptr;
-}
-
-int CurvePieces::order(size_t e) const noexcept {
-    const KnotVector &axis = curve_.axis(0);
-    return axis.degree() - multiplicity(axis.knots(), maker_.breaks(0)[e]);
-}
-
-double CurvePieces::jump(size_t e) const {
-    if (order(e) >= 0) {
-        return 0;
-    }
-    const double start = maker_.breaks(0)[e], end = e > 0 ? start : maker_.breaks(0).back();
-    const std::vector<double> a = point(curve_, end, true), b = point(curve_, start, false);
-    const auto n = static_cast<int>(a.size());
-    const double gap = distance(a.data(), b.data(), n);
-    return gap > 4 * eps * (norm(a.data(), n) + norm(b.data(), n)) ? gap : 0;
 }
 
 } // namespace nrb::analysis

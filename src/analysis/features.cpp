@@ -2,6 +2,7 @@
 #include "analysis/features.h"
 
 #include "analysis/curve_signs.h"
+#include "analysis/curve_pieces.h"
 #include "analysis/curve_turns.h"
 #include "base/error.h"
 #include "base/numbers.h"
@@ -64,20 +65,20 @@ public:
     FeatureFinder(const Spline &curve, uint32_t kinds) : curve_(curve), kinds_(kinds), pieces_(curve) {}
 
     Features run() {
-        if (wants(feature_inflection)) {
-            curve_.dim() == 2 ? plane_inflections() : space_inflections();
-        }
-        if (wants(feature_curvature_maximum | feature_curvature_minimum)) {
-            extrema();
-        }
-        if (wants(feature_cusp)) {
-            cusps();
-        }
-        if (wants(feature_kink | feature_jump)) {
-            knots();
-        }
-        if (wants(feature_torsion)) {
-            torsion();
+        using Search = void (FeatureFinder::*)();
+        const std::pair<uint32_t, Search> searches[] = {
+            {feature_inflection,
+             curve_.dim() == 2 ? &FeatureFinder::plane_inflections : &FeatureFinder::space_inflections},
+            {feature_curvature_maximum | feature_curvature_minimum, &FeatureFinder::extrema},
+            {feature_cusp, &FeatureFinder::cusps},
+            {feature_kink | feature_jump, &FeatureFinder::knots},
+            {feature_torsion, &FeatureFinder::torsion}};
+        Steps steps(std::ranges::count_if(searches, [&](const auto &search) { return wants(search.first); }));
+        for (const auto &[kinds, search] : searches) {
+            if (wants(kinds)) {
+                (this->*search)();
+                steps.next();
+            }
         }
         std::stable_sort(found_.list.begin(), found_.list.end(),
                          [](const Feature &a, const Feature &b) { return a.at < b.at; });
@@ -105,9 +106,9 @@ private:
     }
 
     void plane_inflections() {
-        add_changes(curve_signs(pieces_.pieces(), pieces::bend_numerator), feature_inflection);
+        add_changes(curve_signs(pieces_, pieces::bend_numerator), feature_inflection);
     }
-    void torsion() { add_changes(curve_signs(pieces_.pieces(), pieces::twist_numerator), feature_torsion); }
+    void torsion() { add_changes(curve_signs(pieces_, pieces::twist_numerator), feature_torsion); }
 
     struct CurveZero {
         double from;
@@ -117,11 +118,10 @@ private:
     // Zeros of a vector in all pieces; a zero at a knot, seen from both sides, counts once.
     std::vector<CurveZero> zeros(const Numerator &numerator) {
         std::vector<CurveZero> result;
-        for (const pieces::HomogeneousPiece &piece : pieces_.pieces()) {
-            found_.complete = found_.complete && piece.positive && !work_ended();
-            if (work_ended()) {
-                break;
-            }
+        Steps steps(static_cast<int64_t>(pieces_.count()));
+        for (size_t e = 0; e < pieces_.count() && !work_ended(); ++e, steps.next()) {
+            const pieces::HomogeneousPiece &piece = pieces_.piece(e);
+            found_.complete = found_.complete && piece.positive;
             for (const ZeroPlace &place : zero_places(numerator(piece))) {
                 const CurveZero zero{piece.parameter(0, place.from), piece.parameter(0, place.to),
                                      place.certain};
@@ -134,6 +134,7 @@ private:
                 found_.complete = found_.complete && zero.certain;
             }
         }
+        found_.complete = found_.complete && !work_ended();
         const Interval domain = curve_.axis(0).domain();
         if (pieces_.periodic() && result.size() > 1 && result.back().to == domain.upper &&
             result.front().from == domain.lower) {
@@ -172,30 +173,37 @@ private:
     }
 
     void knots() {
-        for (size_t e = 0; e < pieces_.pieces().size(); ++e) {
-            const pieces::HomogeneousPiece *before = pieces_.before(e);
-            if (before == nullptr) {
-                continue;
+        Steps steps(static_cast<int64_t>(pieces_.count()));
+        for (size_t e = 0; e < pieces_.count() && !work_ended(); ++e, steps.next()) {
+            if (pieces_.order(e) < 1) {
+                knot(e);
             }
-            const double at = pieces_.maker().breaks(0)[e], gap = pieces_.jump(e);
-            const double angle =
-                turning_angle(end_tangent(*before, true), end_tangent(pieces_.pieces()[e], false));
-            if (wants(feature_kink) && pieces_.order(e) < 1 && angle != 0) {
-                add(at, feature_kink, angle);
-            }
-            if (wants(feature_jump) && gap > 0) {
-                add(at, feature_jump, gap);
-            }
+        }
+        found_.complete = found_.complete && !work_ended();
+    }
+
+    void knot(size_t e) {
+        const pieces::HomogeneousPiece *before = pieces_.before(e);
+        if (before == nullptr) {
+            return;
+        }
+        const double at = pieces_.start(e), gap = pieces_.jump(e);
+        const double angle = turning_angle(end_tangent(*before, true), end_tangent(pieces_.piece(e), false));
+        if (wants(feature_kink) && angle != 0) {
+            add(at, feature_kink, angle);
+        }
+        if (wants(feature_jump) && gap > 0) {
+            add(at, feature_jump, gap);
         }
     }
 
     // 1 where the curvature jumps up at the start of piece e, -1 where it jumps down.
-    [[nodiscard]] int curvature_step(size_t e) const {
-        const pieces::HomogeneousPiece *before = pieces_.before(e);
-        if (before == nullptr || pieces_.order(e) >= 2) {
+    [[nodiscard]] int curvature_step(size_t e) {
+        const pieces::HomogeneousPiece *before = pieces_.order(e) >= 2 ? nullptr : pieces_.before(e);
+        if (before == nullptr) {
             return 0;
         }
-        const auto a = end_curvature(*before, true), b = end_curvature(pieces_.pieces()[e], false);
+        const auto a = end_curvature(*before, true), b = end_curvature(pieces_.piece(e), false);
         if (!a || !b || !(std::abs(b->value - a->value) > a->error + b->error)) {
             return 0;
         }
@@ -240,12 +248,11 @@ private:
 
     void extrema() {
         CurveSigns rises, bends;
-        const auto &pieces = pieces_.pieces();
-        for (size_t e = 0; e < pieces.size(); ++e) {
-            const double start = pieces[e].parameter(0, 0);
-            rises.runs.push_back({start, start, curvature_step(e)});
-            if (pieces[e].positive && !work_ended()) {
-                append_piece(pieces[e], rises, bends);
+        Steps steps(static_cast<int64_t>(pieces_.count()));
+        for (size_t e = 0; e < pieces_.count(); ++e, steps.next()) {
+            rises.runs.push_back({pieces_.start(e), pieces_.start(e), work_ended() ? 0 : curvature_step(e)});
+            if (!work_ended() && pieces_.piece(e).positive) {
+                append_piece(pieces_.piece(e), rises, bends);
             } else {
                 rises.complete = false;
             }

@@ -92,10 +92,9 @@ public:
     }
 
     FoldTest run() {
-        for (int64_t e = 0; e < maker_.count() && !found(); ++e) {
-            start(maker_.piece(e));
-        }
-        while (!parts_.empty() && !found()) {
+        start();
+        SearchSteps steps;
+        for (; !parts_.empty() && !found(); steps.next(parts_.size())) {
             JacobianPart part = parts_.take();
             look(part);
             if (certain_sign(part.f) == 0 && !parts_.halve(part, {1, 1, 1}, 0x1p-26)) {
@@ -116,6 +115,13 @@ private:
         return n * n * factors > 2e7;
     }
 
+    void start() {
+        const Phase phase;
+        Steps steps(maker_.count());
+        for (int64_t e = 0; e < maker_.count() && !found(); ++e, steps.next()) {
+            start(maker_.piece(e));
+        }
+    }
     void start(const pieces::HomogeneousPiece &piece) {
         const size_t e = pieces_.size();
         pieces_.push_back(piece.part);

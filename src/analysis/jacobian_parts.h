@@ -29,6 +29,7 @@ public:
 
     void add(JacobianPart part);
     [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
+    [[nodiscard]] size_t size() const noexcept { return parts_.size(); }
     // Precondition: not empty.
     JacobianPart take();
     // Adds the halves of a part, which is cut along the axis on which it is longest, in units of `scale`,

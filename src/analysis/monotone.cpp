@@ -2,7 +2,7 @@
 #include "analysis/monotone.h"
 
 #include "analysis/curve_signs.h"
-#include "analysis/curve_turns.h"
+#include "analysis/curve_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +34,11 @@ RoundedPolynomial component_along(const RoundedPolynomial &d, const std::vector<
 } // namespace
 
 MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
-    const CurvePieces pieces(curve);
+    CurvePieces pieces(curve);
     const std::vector<double> unit = scaled_direction(direction, curve.dim());
     MonotonePieces result;
-    for (size_t e = 0; e < pieces.pieces().size(); ++e) {
-        const pieces::HomogeneousPiece &piece = pieces.pieces()[e];
+    for (size_t e = 0; e < pieces.count(); ++e) {
+        const pieces::HomogeneousPiece &piece = pieces.piece(e);
         const SignRuns signs = sign_runs(component_along(pieces::tangent_numerator(piece, 0), unit));
         result.complete = result.complete && !signs.doubtful;
         bool fresh = e == 0 || pieces.jump(e) > 0;

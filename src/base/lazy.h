@@ -10,8 +10,9 @@
 
 namespace nrb::inline base {
 
-// Building does not count for the limit of work of the call that needs the table first. If two threads meet, both may build; the first to store wins, and the other result is dropped. No thread
-// ever waits, and a builder that throws leaves the slot empty.
+// Building does not count for the limit of work of the call that needs the table first. If two threads meet, both may
+// build; the first to store wins, and the other result is dropped. No thread ever waits, and a builder that throws
+// leaves the slot empty.
 template <class T>
 class Lazy {
 public:
@@ -29,6 +30,7 @@ public:
             return *ready;
         }
         const NotCounted kept;
+        const Phase phase(0.2); // small tables are told by no more
         auto fresh = std::make_unique<const T>(build());
         const T *expected = nullptr;
         if (slot_.compare_exchange_strong(expected, fresh.get(), std::memory_order_acq_rel)) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cxxabi.h>
 #include <limits>
 #include <utility>
 
@@ -70,6 +71,8 @@ int32_t Watch::ask() {
     int32_t answer = 1;
     try {
         answer = wishes_.progress(done_, wishes_.user);
+    } catch (abi::__forced_unwind &) { // a thread that ends here, as Python's do at the end of the program
+        throw;
     } catch (...) {
         watch_of_thread = this;
         throw CallEnded{{Status::cancelled, "call.progress threw an exception"}};
@@ -102,6 +105,41 @@ void Steps::advance(int64_t work) {
     ++step_;
     set_step();
     watch_->count(work);
+}
+
+Phase::Phase(double share) noexcept : watch_(Watch::current()) {
+    if (watch_ != nullptr) {
+        to_ = watch_->to_;
+        end_ = watch_->to_ = watch_->from_ + share * (to_ - watch_->from_);
+    }
+}
+
+Phase::~Phase() {
+    if (watch_ != nullptr) {
+        watch_->from_ = end_;
+        watch_->to_ = to_;
+    }
+}
+
+SearchSteps::SearchSteps() noexcept : watch_(Watch::current()) {
+    if (watch_ != nullptr) {
+        from_ = watch_->from_;
+        to_ = watch_->to_;
+        watch_->to_ = from_;
+    }
+}
+
+SearchSteps::~SearchSteps() {
+    if (watch_ != nullptr) {
+        watch_->from_ = watch_->to_ = to_;
+    }
+}
+
+void SearchSteps::advance(size_t waiting) noexcept {
+    constexpr double few = 100; // of which nothing can be said
+    ++looked_;
+    const double share = looked_ / (looked_ + static_cast<double>(waiting) + few);
+    watch_->from_ = watch_->to_ = std::max(watch_->from_, from_ + share * (to_ - from_));
 }
 
 LimitedSearch::LimitedSearch() noexcept : watch_(Watch::current()) {

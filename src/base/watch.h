@@ -7,8 +7,10 @@
 // of its own. Where nobody watches, counting costs a read of the slot.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace nrb::inline base {
@@ -48,6 +50,8 @@ public:
 
 private:
     friend class Steps;
+    friend class Phase;
+    friend class SearchSteps;
     friend class LimitedSearch;
     friend class NotCounted;
     using Clock = std::chrono::steady_clock;
@@ -88,6 +92,20 @@ void grow_watched(std::vector<T> &values, size_t size) {
     values.resize(size);
 }
 
+// A copy, in parts too, with room for more.
+template <class T>
+std::vector<T> copied_watched(std::span<const T> values, size_t more = 0) {
+    std::vector<T> copy;
+    copy.reserve(values.size() + more);
+    constexpr size_t part = size_t{1} << 15;
+    for (size_t first = 0; first < values.size(); first += part) {
+        const auto some = values.subspan(first, std::min(part, values.size() - first));
+        copy.insert(copy.end(), some.begin(), some.end());
+        count_work(static_cast<int64_t>(some.size()) / 2);
+    }
+    return copy;
+}
+
 // A loop of steps that take about equally long: tells how much of the call is done. Loops inside a step divide it
 // further.
 class Steps {
@@ -111,6 +129,41 @@ private:
     Watch *watch_;
     int64_t count_, step_ = 0;
     double from_ = 0, to_ = 1; // of all steps
+};
+
+// A part of a call that others follow, whose share of it is a guess: what is left at its end is theirs. In a loop of
+// which nobody knows how long it goes on, each round takes half of what is left.
+class Phase {
+public:
+    explicit Phase(double share = 0.5) noexcept;
+    ~Phase();
+    Phase(const Phase &) = delete;
+    Phase &operator=(const Phase &) = delete;
+
+private:
+    Watch *watch_;
+    double end_ = 0, to_ = 0;
+};
+
+// A search of which nobody knows how long it takes: what has been looked at, of that and of what waits.
+class SearchSteps {
+public:
+    SearchSteps() noexcept;
+    ~SearchSteps();
+    SearchSteps(const SearchSteps &) = delete;
+    SearchSteps &operator=(const SearchSteps &) = delete;
+
+    void next(size_t waiting) noexcept {
+        if (watch_ != nullptr) {
+            advance(waiting);
+        }
+    }
+
+private:
+    void advance(size_t waiting) noexcept;
+
+    Watch *watch_;
+    double looked_ = 0, from_ = 0, to_ = 0;
 };
 
 // While this exists, the limit of work does not end the call: the search asks, and answers with what it has.

@@ -2,6 +2,7 @@
 #include "bernstein/products.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <vector>
@@ -82,10 +83,12 @@ std::vector<double> binomial_factors(const BernsteinShape &shape) {
 }
 
 void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
-                     const double *right, double *out) noexcept {
+                     const double *right, double *out) {
     const BernsteinShape product = product_shape(a, b);
     const int64_t row = int64_t{product.degrees[2] + 1} * a.width, plane = (product.degrees[1] + 1) * row;
+    const int64_t work = a.values() * (b.degrees[1] + 1) * (b.degrees[2] + 1);
     for (int i = 0; i <= b.degrees[0]; ++i) {
+        count_work(work);
         for (int j = 0; j <= b.degrees[1]; ++j) {
             double *target = out + i * plane + j * row;
             for (int k = 0; k <= b.degrees[2]; ++k, target += a.width) {

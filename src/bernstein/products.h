@@ -52,7 +52,7 @@ double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 std::vector<double> binomial_factors(const BernsteinShape &shape);
 // out += a * b; out overlaps neither. Cost: a.values() * b.coefficients().
 void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
-                     const double *right, double *out) noexcept;
+                     const double *right, double *out);
 
 // Halves along an axis of the three: `values` becomes the upper one. Precondition: lower does not overlap
 // values.

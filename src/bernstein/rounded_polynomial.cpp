@@ -12,6 +12,8 @@ namespace nrb::inline bernstein {
 
 namespace {
 
+constexpr int64_t work_of_a_product = 400; // its memory
+
 // Roundings of binomial_factors(): of the rows and of their products.
 double binomial_steps(const BernsteinShape &shape) noexcept {
     double steps = 1;
@@ -95,7 +97,7 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
 // product, three multiplications, and sums of as many terms as the smaller factor has coefficients; half an
 // eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
-    count_work(4 * a.shape.values() * b.shape.coefficients());
+    count_work(work_of_a_product + 4 * (a.shape.values() + b.shape.values()));
     RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
     const auto left = binomial_factors(a.shape), right = binomial_factors(b.shape),
                over = binomial_factors(result.shape);

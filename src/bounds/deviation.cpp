@@ -30,11 +30,14 @@ void check_comparable(const Spline &f, const Spline &g) {
 
 // The knots of both splines in an interval, with its ends.
 std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Interval part) {
-    std::vector<double> breaks{part.lower, part.upper};
     const auto inside = [part](double t) { return t > part.lower && t < part.upper; };
+    std::vector<double> breaks{part.lower};
     std::copy_if(f.knots().begin(), f.knots().end(), std::back_inserter(breaks), inside);
+    const auto middle = std::ssize(breaks);
+    count_work(2 * (std::ssize(f.knots()) + std::ssize(g.knots())));
     std::copy_if(g.knots().begin(), g.knots().end(), std::back_inserter(breaks), inside);
-    std::sort(breaks.begin(), breaks.end());
+    std::inplace_merge(breaks.begin(), breaks.begin() + middle, breaks.end());
+    breaks.push_back(part.upper);
     breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
     return breaks;
 }
@@ -117,7 +120,7 @@ public:
     }
 
     void fill(int64_t piece, pieces::QuotientPiece &out) {
-        count_work(f_.weighted() ? 3 * vector_.values() * scalar_.coefficients() : 8 * vector_.values());
+        count_work(8 * vector_.values());
         out.numerator_error = out.quotient_error = out.denominator_error = out.denominator_factor = 0;
         out.last_axis = -1;
         size_ = std::max(f_.size(piece), g_.size(piece));

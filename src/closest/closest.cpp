@@ -16,7 +16,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int64_t block = 64;
-constexpr int64_t work_of_a_point = 1000, work_of_a_descent = 3000; // beyond what searches count
+constexpr int64_t work_of_a_point = 1000, work_of_a_descent = 15000; // beyond what searches count
 
 // The search of patches answers for curves as well, in 1.8 times the time of their own one.
 std::shared_ptr<const Locator> make_locator(const Spline &spline) {

@@ -17,6 +17,7 @@ namespace nrb::fit {
 namespace {
 
 constexpr int64_t work_of_a_point = 100; // which is mapped
+constexpr int64_t work_of_a_comparison = 10; // of two points
 constexpr size_t points_between_counts = 256;
 
 // The numerators w F(A / w) at samples (A, w) of homogeneous points, and the weights.
@@ -45,6 +46,7 @@ Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational,
     grow_watched(result.values, points.size());
     map(points, result.values);
     require_representable(result.values, "the image");
+    count_work(std::ssize(result.values));
     for (size_t i = 0; i < result.values.size() && rational; ++i) {
         result.values[i] *= result.weights[i / dim];
     }
@@ -63,6 +65,7 @@ std::vector<double> span_errors(const Numerators &numerators, const std::vector<
                                 const Lines &lines, size_t dim) {
     std::vector<double> errors(lines.spans, 0.0);
     for (size_t i = 0; i * dim < projected.size(); ++i) {
+        count_work(work_of_a_comparison);
         const double gap =
             distance(numerators.values.data() + i * dim, projected.data() + i * dim, static_cast<int>(dim));
         double &error = errors[i / lines.inner / lines.places % lines.spans];
@@ -83,6 +86,7 @@ public:
     FittedImage run() {
         double share = 0.25 / static_cast<double>(nodes_.size());
         for (int round = 0; round < max_rounds && stalled_ < max_stalled; ++round) {
+            const Phase phase(0.25);
             if (refine_where_needed(share * tolerance_)) {
                 continue;
             }
@@ -151,7 +155,9 @@ private:
         std::vector<char> raised(nodes_.size(), 0);
         const SplinePtr homogeneous = records();
         bool cut = false;
-        for (size_t k = 0; k < nodes_.size(); ++k) {
+        const Phase phase;
+        Steps steps(std::ssize(nodes_));
+        for (size_t k = 0; k < nodes_.size(); ++k, steps.next()) {
             Places places;
             for (size_t j = 0; j < nodes_.size(); ++j) {
                 places[j] = j == k ? nodes_[j].with_checks() : nodes_[j].nodes();
@@ -159,7 +165,7 @@ private:
             const Numerators numerators =
                 mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
             const std::vector<double> projected =
-                projected_along(*fine_, static_cast<int>(k), nodes_, numerators.values, fine_->dim());
+                projected_along(*fine_, static_cast<int>(k), nodes_, copied_watched<double>(numerators.values), fine_->dim());
             const std::vector<double> errors = span_errors(numerators, projected, lines_of(k), dim_);
             raised[k] = cheaper_raised(fine_->axis(static_cast<int>(k)), errors, target) ? 1 : 0;
             if (raised[k] == 0) {
@@ -283,7 +289,9 @@ private:
     [[nodiscard]] SplinePtr with_numerators(std::vector<double> numerators) const {
         std::vector<double> weights(fine_->weights().begin(), fine_->weights().end());
         std::vector<double> points;
+        points.reserve(numerators.size() + numerators.size() / dim_);
         for (size_t i = 0; i < numerators.size(); ++i) {
+            count_work(1);
             const double weight = fine_->weight(static_cast<int64_t>(i / dim_));
             const bool divided = fine_->form() == Form::rational && weight != 0;
             points.push_back(divided ? numerators[i] / weight : numerators[i]);
@@ -310,6 +318,7 @@ private:
         const size_t width = dim_ + (rational ? 1 : 0);
         double largest = 0;
         for (size_t i = 0; i * dim_ < exact.values.size(); ++i) {
+            count_work(work_of_a_comparison);
             const double gap = norm_of(static_cast<int>(dim_), [&](int c) {
                 const auto at = static_cast<size_t>(c);
                 return got[i * width + at] - exact.values[i * dim_ + at];

@@ -47,6 +47,7 @@ LayerTable sampling_table(const KnotVector &axis, const std::vector<double> &pla
         const double from = axis[span], to = axis[span + 1];
         for (const double x : places) {
             const double t = x == 1 ? to : std::min(to, from + x * (to - from));
+            count_work(int64_t{axis.degree() + 1} * (axis.degree() + 1));
             basis_values(axis.knots().data(), axis.degree(), span, t, values);
             table.add_row(span - axis.degree(), values, axis.degree() + 1);
         }
@@ -77,10 +78,7 @@ std::vector<double> sampled(const Spline &spline, const Places &places) {
     for (int k = 1; k < spline.axes(); ++k) {
         values = applied(*values, k, sampling_table(spline.axis(k), places[static_cast<size_t>(k)]));
     }
-    std::vector<double> samples;
-    grow_watched(samples, values->points().size());
-    std::copy(values->points().begin(), values->points().end(), samples.begin());
-    return samples;
+    return copied_watched(values->points());
 }
 
 namespace {
@@ -109,7 +107,8 @@ public:
             }
             add(row.size == 0 ? pin : 1, row, sample);
         }
-        std::vector<double> layers(static_cast<size_t>(columns_ * length_));
+        std::vector<double> layers;
+        grow_watched(layers, static_cast<size_t>(columns_ * length_));
         if (!system_.solve(layers.data())) {
             fail(Status::not_representable, "the knots lie too close for degree %d", axis_.degree());
         }
@@ -127,6 +126,7 @@ private:
     }
 
     void add(double factor, const LayerTable::Row &row, const double *sample) {
+        count_work(2 * length_);
         static constexpr double copied = 1;
         const double *const entries = row.size == 0 ? &copied : table_.coefficients(row);
         for (int i = 0; i < std::max(row.size, 1); ++i) {
@@ -190,7 +190,7 @@ std::vector<double> control_points(const Spline &spline, const std::vector<Local
         const LocalNodes &own = nodes[static_cast<size_t>(k)];
         values = fitted(*values, k, spline.axis(k), own, own.nodes().size(), 1);
     }
-    return {values->points().begin(), values->points().end()};
+    return copied_watched(values->points());
 }
 
 std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
@@ -202,7 +202,7 @@ std::vector<double> projected_along(const Spline &spline, int k, const std::vect
     SplinePtr values = as_spline(spline, counts, std::move(samples), width);
     values = fitted(*values, k, spline.axis(k), nodes[at], all.size(), 2);
     values = applied(*values, k, sampling_table(spline.axis(k), all));
-    return {values->points().begin(), values->points().end()};
+    return copied_watched(values->points());
 }
 
 } // namespace nrb::fit

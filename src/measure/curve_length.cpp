@@ -60,7 +60,7 @@ private:
     RuleDecay decay_;
 };
 
-constexpr int64_t work_of_a_value = 32; // of a net: at the nodes of a rule
+constexpr int64_t work_of_a_value = 8; // of a net: at the nodes of a rule
 
 // One search with a given idea of the whole length.
 class LengthSearch {
@@ -263,6 +263,7 @@ Integral integrate_to(const SpeedPieces &pieces, double tolerance, std::vector<L
     double fraction = 1.0 / (32.0 * static_cast<double>(pieces.size()));
     Integral result{0, 0};
     for (int attempt = 0; attempt < 4; ++attempt) {
+        const Phase phase(0.75);
         result = search.run(length, fraction);
         fraction /= 64;
         length = result.value;

@@ -96,7 +96,7 @@ size_t LengthTable::work_size() const noexcept {
 }
 
 int64_t LengthTable::work_of_a_place() const noexcept {
-    return 32 * int64_t{pieces_.form().size()};
+    return 16 * int64_t{pieces_.form().size()};
 }
 
 double LengthTable::length_at(double t, double *work) const noexcept {

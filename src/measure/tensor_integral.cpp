@@ -41,17 +41,21 @@ public:
 
     // The rules of the first levels alone.
     Integrals rough() {
+        const Phase phase(0.25);
         start();
+        Steps splines(std::ssize(splines_));
         for (const Elements &elements : splines_) {
             TensorRule rule(elements, integrand_);
             Element element;
-            for (int64_t e = 0; e < elements.size(); ++e) {
+            Steps steps(elements.size());
+            for (int64_t e = 0; e < elements.size(); ++e, steps.next()) {
                 elements.load(e, element);
                 add_rounding(elements, element);
                 count_work(work_of_rule(elements, first(elements)));
                 rule.evaluate(element.net.data(), element.origin, first(elements));
                 accept(rule, elements.axes(), true);
             }
+            splines.next();
         }
         return finish();
     }
@@ -59,6 +63,7 @@ public:
     Integrals run(const Goal &goal) {
         start();
         budget_ = 0;
+        Steps splines(std::ssize(splines_));
         for (const Elements &elements : splines_) {
             TensorRule rule(elements, integrand_);
             ElementShape shape(elements);
@@ -71,6 +76,7 @@ public:
                 run_element(elements, element, rule, shape, goal);
                 steps.next();
             }
+            splines.next();
         }
         return finish();
     }
@@ -243,6 +249,7 @@ Goal goal_of(const Integrals &known, const Integrand &integrand, double toleranc
 Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double tolerance, Integrals known) {
     double fraction = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
     for (int attempt = 0; attempt < 3; ++attempt) {
+        const Phase phase(0.75);
         known = search.run(goal_of(known, integrand, tolerance, fraction));
         const Goal reached = goal_of(known, integrand, tolerance, fraction);
         known.converged = true;

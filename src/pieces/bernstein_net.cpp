@@ -14,6 +14,8 @@ namespace nrb::pieces {
 
 namespace {
 
+constexpr int64_t work_of_a_record = 16; // which is moved, and measured
+
 double length(const double *x, int n) noexcept {
     double largest = 0;
     for (int c = 0; c < n; ++c) {
@@ -26,6 +28,7 @@ LayerTable elevation_rows(int low, int high, int64_t pieces) {
     LayerTable table;
     table.reserve(pieces * (high + 1));
     for (int64_t e = 0; e < pieces; ++e) {
+        count_work(int64_t{high + 1} * (high - low + 1));
         for (int i = 0; i <= high; ++i) {
             const int first = std::max(0, i - (high - low)), last = std::min(low, i);
             double row[max_degree + 1];
@@ -51,6 +54,7 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
     std::vector<double> result(static_cast<size_t>(view.outer * pieces * view.inner), 0.0);
     const std::vector<int64_t> first = first_layers(axis, breaks);
     for (int64_t e = 0; e < pieces; ++e) {
+        count_work(2 * view.outer * view.inner * (axis.degree() + 1));
         const int64_t low = first[static_cast<size_t>(e)], high = low + axis.degree();
         for (int64_t o = 0; o < view.outer; ++o) {
             double *target = result.data() + (o * pieces + e) * view.inner;
@@ -83,6 +87,7 @@ std::vector<double> centre_of(const Spline &given) {
     }
     for (size_t c = 0; c < dim; ++c) {
         double low = spline.points()[c], high = low;
+        count_work(spline.point_count());
         for (size_t i = c; i < spline.points().size(); i += dim) {
             low = std::min(low, spline.points()[i]);
             high = std::max(high, spline.points()[i]);
@@ -109,10 +114,10 @@ CentredRecords centred_records(const Spline &given, const std::vector<double> &c
     CentredRecords records{dim + (weighted ? 1 : 0), weighted, true, {}, {}};
     const int64_t count = spline.point_count();
     grow_watched(records.values, static_cast<size_t>(count * records.width));
-    count_work(4 * count);
     records.sizes.reserve(static_cast<size_t>(count));
     double *out = records.values.data();
     for (int64_t i = 0; i < count; ++i, out += records.width) {
+        count_work(work_of_a_record);
         const double *point = spline.points().data() + i * stored;
         const double w = weighted ? std::ldexp(spline.weight(i), -exponent) : 1.0;
         if (spline.form() != Form::homogeneous) {
@@ -140,7 +145,7 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
                            std::span<const int> degrees)
     : weighted_(records.weighted), positive_(records.positive) {
     auto net = std::make_shared<const Spline>(spline.knot_vectors(), records.width, Form::polynomial,
-                                              records.values, std::vector<double>());
+                                              copied_watched<double>(records.values), std::vector<double>());
     std::vector<double> sizes = records.sizes;
     AxisView view = axis_view(spline, 0, 1);
     double steps = 2;
@@ -151,7 +156,6 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
         const auto padded = static_cast<size_t>(max_axes - spline.axes()) + at;
         shape_.degrees[padded] = n;
         counts_[padded] = std::ssize(breaks[at]) - 1;
-        count_work(view.outer * view.count * view.inner * (p + 1));
         sizes = active_maxima(sizes, view, axis, breaks[at]);
         if (k + 1 < spline.axes()) {
             view = {view.outer * counts_[padded], spline.count(k + 1), view.inner / spline.count(k + 1)};

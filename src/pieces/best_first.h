@@ -57,8 +57,10 @@ public:
     // which look() may take more itself, and as long as the limit of work is not reached.
     template <class Counts, class Look>
     void run(int64_t &budget, Counts &&counts, Look &&look) {
+        SearchSteps steps;
         while (!empty() && counts(best()) && budget-- > 0 && !work_ended()) {
             look(pop());
+            steps.next(size());
         }
     }
 

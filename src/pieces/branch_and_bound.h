@@ -55,12 +55,14 @@ private:
         std::optional<Piece> piece; // none: that of the source, not looked at yet
     };
     using Queue = BestFirst<Candidate>;
+    static constexpr int64_t work_of_an_entry = 64; // its memory
     using Entry = typename Queue::Entry;
 
     static std::vector<Entry> unloaded(std::span<const double> uppers) {
         std::vector<Entry> entries;
         entries.reserve(uppers.size());
         for (const double upper : uppers) {
+            count_work(work_of_an_entry);
             const double bound = std::isnan(upper) ? std::numeric_limits<double>::infinity() : upper;
             entries.push_back({bound, {0, std::ssize(entries), std::nullopt}});
         }

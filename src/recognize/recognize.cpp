@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/representable.h"
+#include "base/watch.h"
 #include "recognize/shape_bound.h"
 #include "recognize/shape_fit.h"
 #include "recognize/shape_refine.h"
@@ -122,6 +123,7 @@ Recognition recognize(const Spline &given, double tolerance) {
     const auto kinds =
         spline.axes() == 1 ? std::span<const int32_t>(curves) : std::span<const int32_t>(surfaces);
     for (const int32_t kind : kinds) {
+        const Phase phase;
         if (undetermined(kind, samples)) {
             return {};
         }

@@ -124,10 +124,12 @@ void GreedyKnotRemoval::queue_all() {
 
 int64_t GreedyKnotRemoval::run(double tolerance) {
     int64_t removed = 0;
+    SearchSteps steps;
     while (!heap_.empty() && heap_.front().key <= tolerance) {
         const auto [key, knot] = heap_.front();
         std::pop_heap(heap_.begin(), heap_.end());
         heap_.pop_back();
+        steps.next(heap_.size());
         Knot &at = knots_[static_cast<size_t>(knot)];
         if (!at.present || key != at.key) {
             continue;
@@ -247,6 +249,7 @@ SplinePtr GreedyKnotRemoval::result() const {
         layer = layers_[static_cast<size_t>(layer)].previous;
     }
     std::vector<LayerSource> sources;
+    sources.reserve(static_cast<size_t>(axis->count()));
     for (int64_t l = 0; l < axis->count(); ++l, layer = layers_[static_cast<size_t>(layer)].next) {
         const bool changed = layers_[static_cast<size_t>(layer)].changed;
         sources.push_back({changed ? -1 : layer, points_.data() + layer * length_});

@@ -3,6 +3,7 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
+#include "base/watch.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/knots/axis_table.h"
 
@@ -26,10 +27,12 @@ Net net_of_layers(const Spline &old, int axis, std::span<const LayerSource> laye
     const AxisView weights = axis_view(old, axis, 1);
     const bool rational = old.form() == Form::rational;
     const int64_t count = std::ssize(layers), record = weights.inner * old.width();
-    Net net{std::vector<double>(static_cast<size_t>(points.outer * count * points.inner)),
-            std::vector<double>(rational ? static_cast<size_t>(weights.outer * count * weights.inner) : 0)};
+    Net net;
+    grow_watched(net.points, static_cast<size_t>(points.outer * count * points.inner));
+    grow_watched(net.weights, rational ? static_cast<size_t>(weights.outer * count * weights.inner) : 0);
     for (int64_t l = 0; l < count; ++l) {
         const auto [stored, records] = layers[static_cast<size_t>(l)];
+        count_work(points.outer * points.inner);
         for (int64_t o = 0; o < points.outer; ++o) {
             const int64_t from = o * points.count + stored, to = o * count + l;
             double *point = net.points.data() + to * points.inner;
@@ -71,7 +74,7 @@ int64_t layer_length(const Spline &spline, int axis) {
 std::vector<double> layer_records(const Spline &spline, int axis) {
     std::vector<double> records = spline.rational()
                                       ? refine::homogeneous_points(spline)
-                                      : std::vector<double>(spline.points().begin(), spline.points().end());
+                                      : copied_watched(spline.points());
     const AxisView view = axis_view(spline, axis, spline.width());
     if (view.outer == 1) {
         return records;
@@ -79,6 +82,7 @@ std::vector<double> layer_records(const Spline &spline, int axis) {
     std::vector<double> layers;
     layers.reserve(records.size());
     for (int64_t l = 0; l < view.count; ++l) {
+        count_work(view.outer * view.inner);
         for (int64_t o = 0; o < view.outer; ++o) {
             const auto from = records.begin() + (o * view.count + l) * view.inner;
             layers.insert(layers.end(), from, from + view.inner);

@@ -3,6 +3,7 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
+#include "base/watch.h"
 #include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
 #include "refine/degree/elevate.h"
@@ -89,13 +90,12 @@ std::vector<double> missing_knots(const KnotVector &fine, const KnotVector &coar
 
 // The polynomial spline of the records, with one layer of the axis after the other.
 std::vector<double> refined_layers(const Spline &spline, int axis, const refine::AxisTable &made) {
-    const std::vector<double> points =
-        spline.rational() ? refine::homogeneous_points(spline)
-                          : std::vector<double>(spline.points().begin(), spline.points().end());
-    const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial, points, {});
-    const Net net = apply_along(records, axis, made.table);
+    std::vector<double> points =
+        spline.rational() ? refine::homogeneous_points(spline) : copied_watched(spline.points());
+    const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial, std::move(points), {});
+    Net net = apply_along(records, axis, made.table);
     const Spline refined(refine::with_axis(spline, axis, made.axis), spline.width(), Form::polynomial,
-                         net.points, {});
+                         std::move(net.points), {});
     return layer_records(refined, axis);
 }
 
@@ -118,7 +118,8 @@ public:
     bool solve(const std::vector<double> &targets, int64_t shift, double *x) {
         BandedLeastSquares system(columns_, bandwidth_, static_cast<int>(border_), length_);
         std::vector<double> right(static_cast<size_t>(length_));
-        for (int64_t r = 0; r < rows_; ++r) {
+        Steps steps(rows_);
+        for (int64_t r = 0; r < rows_; ++r, steps.next()) {
             const int64_t target = ((r + shift) % rows_ + rows_) % rows_;
             std::copy_n(targets.data() + target * length_, length_, right.data());
             add(system, r, right, x);
@@ -181,6 +182,7 @@ LayerWeights clear_rounded_weights(const Spline &spline, int degree, int64_t len
     const int64_t count = std::ssize(layers) / length;
     LayerWeights found;
     for (int64_t i = 0; spline.form() == Form::rational && i < count * length; i += spline.width()) {
+        count_work(2 * int64_t{degree + 2} * spline.width());
         const int64_t layer = i / length;
         const RecordRounding around =
             largest_around(layers, length, i % length, spline.dim(), std::max<int64_t>(layer - degree - 1, 0),
@@ -208,6 +210,7 @@ struct Lowered {
 };
 
 Lowered lowered_layers(const SplinePtr &spline, int axis, int times) {
+    const Phase phase;
     const bool periodic = spline->axis(axis).periodic();
     const SplinePtr source = periodic ? spline : refine::clamp_ends(spline, axis);
     const KnotVector &old = source->axis(axis);
@@ -216,7 +219,8 @@ Lowered lowered_layers(const SplinePtr &spline, int axis, int times) {
     const refine::AxisTable refined = refine::refine_axis(old, missing_knots(*raised.axis, old));
     const int64_t length = layer_length(*source, axis), count = knots->distinct_layers();
     const bool fixed = !periodic && knots->degree() > 0;
-    std::vector<double> layers(static_cast<size_t>(checked_product(count, length, "points")));
+    std::vector<double> layers;
+    grow_watched(layers, static_cast<size_t>(checked_product(count, length, "points")));
     const std::vector<double> targets = refined_layers(*source, axis, refined);
     if (fixed) {
         std::copy_n(targets.begin(), length, layers.begin());

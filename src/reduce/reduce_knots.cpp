@@ -2,6 +2,7 @@
 #include "reduce/reduce_knots.h"
 
 #include "base/tolerance.h"
+#include "base/watch.h"
 #include "reduce/knot_removal_greedy.h"
 
 #include <algorithm>
@@ -41,7 +42,11 @@ struct Certified {
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
     GreedyKnotRemoval removal(*spline, axis, forgive_rounding);
-    for (int round = 0; round < max_rounds && removal.run(aim) > 0; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
+        const Phase phase;
+        if (removal.run(aim) == 0) {
+            break;
+        }
         const SplinePtr next = removal.result();
         bounds::DeviationPieces pieces(*spline, *next);
         std::vector<double> uppers = pieces.uppers();
@@ -62,6 +67,7 @@ Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     double aim = tolerance;
     bool forgive = spline->rational();
     for (int attempt = 0; attempt < max_attempts; ++attempt, aim /= forgive ? 1 : 2, forgive = false) {
+        const Phase phase;
         const Certified found = thin(spline, axis, tolerance, aim, forgive);
         if (found.pieces.has_value()) {
             return {found.spline, std::min(tolerance, found.pieces->enclosure(found.uppers).upper)};
@@ -79,7 +85,8 @@ Reduced reduce_knots(const SplinePtr &spline, int axis, double tolerance) {
     }
     Reduced result{spline, 0};
     double sum = 0;
-    for (int k = 0; k < spline->axes(); ++k) {
+    Steps steps(spline->axes());
+    for (int k = 0; k < spline->axes(); ++k, steps.next()) {
         const double share = (tolerance - result.bound) / (spline->axes() - k);
         const Reduced next = reduce_axis(result.spline, k, std::max(share, 0.0));
         if (next.spline == result.spline) {

@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/tolerance.h"
+#include "base/watch.h"
 #include "reduce/reduce_degree.h"
 #include "refine/forms/homogeneous.h"
 
@@ -45,6 +46,7 @@ bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolera
 
 // With as few knots as the remaining tolerance allows.
 Reduced thinned(const SplinePtr &original, const Reduced &state, double tolerance) {
+    const Phase phase;
     const Reduced fewer = reduce_knots(state.spline, -1, tolerance - state.bound);
     Reduced result = state;
     if (fewer.spline != state.spline && !accept(original, fewer.spline, tolerance, result)) {

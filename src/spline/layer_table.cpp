@@ -52,15 +52,29 @@ std::vector<double> finished(std::vector<double> layers) {
     return layers;
 }
 
+// Calls combine(rows, number of the first) for parts of a table, between which the watch is looked at.
+template <class Combine>
+void for_parts(const LayerTable &table, int64_t inner, Combine &&combine) {
+    constexpr size_t part = size_t{1} << 16;
+    const std::span<const LayerTable::Row> all = table.all();
+    for (size_t first = 0; first < all.size(); first += part) {
+        const auto rows = all.subspan(first, std::min(part, all.size() - first));
+        count_work(std::ssize(rows) * inner * 2);
+        combine(LayerRows{rows, table.coefficients()}, static_cast<int64_t>(first));
+    }
+}
+
 // Writes the layers of a table; `total` layers belong to each outer index.
 void combine_all(const LayerTable &table, const Layers &layers, int64_t total, double *out) {
     const int64_t inner = layers.view.inner;
     for (int64_t o = 0; o < layers.view.outer; ++o, out += total * inner) {
-        count_work(table.rows() * inner * 2);
         if (layers.padded && inner <= longest_short_layer) {
-            combine_short(table, layers.at(o, 0), static_cast<int>(inner), out);
+            for_parts(table, inner, [&](const LayerRows &rows, int64_t first) {
+                combine_short(rows, layers.at(o, 0), static_cast<int>(inner), out + first * inner);
+            });
             continue;
         }
+        count_work(table.rows() * inner * 2);
         for (int64_t r = 0; r < table.rows(); ++r) {
             combine(table, table.row(r), layers, o, out + r * inner);
         }
@@ -107,9 +121,11 @@ private:
     bool combine_short_ones(const LayerTable &table, int64_t total, double *points, double *weights) const {
         bool weighted = true;
         for (int64_t o = 0; o < records_.view.outer && weighted; ++o) {
-            count_work(table.rows() * records_.view.inner * 2);
             const ShortNet net{records_.at(o, 0), points_.at(o, 0), weights_.at(o, 0), dim_};
-            weighted = combine_short(table, net, points + o * total * dim_, weights + o * total);
+            for_parts(table, records_.view.inner, [&](const LayerRows &rows, int64_t first) {
+                const int64_t at = o * total + first;
+                weighted = combine_short(rows, net, points + at * dim_, weights + at) && weighted;
+            });
         }
         return weighted;
     }

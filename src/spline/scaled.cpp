@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "spline/scaled.h"
 
+#include "base/watch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +10,8 @@
 namespace nrb::inline spline {
 
 namespace {
+
+constexpr int64_t work_of_a_value = 8; // in which a power of two is multiplied
 
 KnotVectorPtr multiplied(const KnotVectorPtr &axis, int exponent) {
     if (exponent == 0) {
@@ -43,9 +47,10 @@ SplinePtr scaled(const Spline &spline, const Powers &powers) {
         const auto at = static_cast<size_t>(k);
         axes.push_back(multiplied(spline.knot_vectors()[at], powers.knots[at]));
     }
-    std::vector<double> points(spline.points().begin(), spline.points().end());
+    std::vector<double> points = copied_watched(spline.points());
     const auto width = static_cast<size_t>(spline.stored_width()), dim = static_cast<size_t>(spline.dim());
     for (size_t i = 0; i < points.size(); ++i) {
+        count_work(work_of_a_value);
         points[i] = std::ldexp(points[i], i % width < dim ? powers.coordinates : powers.weights);
     }
     std::vector<double> weights(spline.weights().begin(), spline.weights().end());

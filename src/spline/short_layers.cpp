@@ -62,9 +62,9 @@ struct Sum {
 };
 
 // What is written after a row is overwritten by the next one.
-void combine_plain(const LayerTable &table, const double *layers, int width, double *HWY_RESTRICT out) {
-    const double *coefficients = table.coefficients();
-    for (const LayerTable::Row &row : table.all()) {
+void combine_plain(const LayerRows &rows, const double *layers, int width, double *HWY_RESTRICT out) {
+    const double *coefficients = rows.coefficients;
+    for (const LayerTable::Row &row : rows.rows) {
         const double *from = layers + row.first * width;
         if (row.size == 0) {
             std::copy_n(from, width, out);
@@ -76,13 +76,13 @@ void combine_plain(const LayerTable &table, const double *layers, int width, dou
 }
 
 template <int kDim>
-bool combine_rational(const LayerTable &table, const ShortNet &net, double *HWY_RESTRICT points,
+bool combine_rational(const LayerRows &rows, const ShortNet &net, double *HWY_RESTRICT points,
                       double *HWY_RESTRICT weights) {
     const ShortNet from = net; // kept in registers, as are the coefficients
-    const double *coefficients = table.coefficients();
+    const double *coefficients = rows.coefficients;
     const LayerTable::Row *last = nullptr;
     auto least = hn::Set(Lanes(), 1.0); // of the magnitudes of sums, up to 1
-    for (const LayerTable::Row &row : table.all()) {
+    for (const LayerTable::Row &row : rows.rows) {
         if (row.size == 0) {
             std::copy_n(from.points + row.first * kDim, kDim, points);
             *weights = from.weights[row.first];
@@ -105,14 +105,14 @@ bool combine_rational(const LayerTable &table, const ShortNet &net, double *HWY_
     return magnitudes[kDim % lanes] != 0;
 }
 
-bool combine_quotients(const LayerTable &table, const ShortNet &net, double *points, double *weights) {
+bool combine_quotients(const LayerRows &rows, const ShortNet &net, double *points, double *weights) {
     switch (net.dim) {
     case 1:
-        return combine_rational<1>(table, net, points, weights);
+        return combine_rational<1>(rows, net, points, weights);
     case 2:
-        return combine_rational<2>(table, net, points, weights);
+        return combine_rational<2>(rows, net, points, weights);
     default:
-        return combine_rational<3>(table, net, points, weights);
+        return combine_rational<3>(rows, net, points, weights);
     }
 }
 
@@ -126,12 +126,12 @@ namespace nrb::inline spline {
 NURBS_FORMS(combine_plain);
 NURBS_FORMS(combine_quotients);
 
-void combine_short(const LayerTable &table, const double *layers, int width, double *out) noexcept {
-    NURBS_BEST(combine_plain)(table, layers, width, out);
+void combine_short(const LayerRows &rows, const double *layers, int width, double *out) noexcept {
+    NURBS_BEST(combine_plain)(rows, layers, width, out);
 }
 
-bool combine_short(const LayerTable &table, const ShortNet &net, double *points, double *weights) noexcept {
-    return NURBS_BEST(combine_quotients)(table, net, points, weights);
+bool combine_short(const LayerRows &rows, const ShortNet &net, double *points, double *weights) noexcept {
+    return NURBS_BEST(combine_quotients)(rows, net, points, weights);
 }
 
 } // namespace nrb::inline spline

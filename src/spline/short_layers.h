@@ -9,9 +9,15 @@ namespace nrb::inline spline {
 
 inline constexpr int64_t longest_short_layer = 4;
 
+// Rows of a table, and all of its coefficients.
+struct LayerRows {
+    std::span<const LayerTable::Row> rows;
+    const double *coefficients;
+};
+
 // New layers from old ones of `width` doubles, at most longest_short_layer, with the bits of contract().
 // Spline::padding doubles are read after the layers and written after the result.
-void combine_short(const LayerTable &table, const double *layers, int width, double *out) noexcept;
+void combine_short(const LayerRows &rows, const double *layers, int width, double *out) noexcept;
 
 // The Cartesian points, and the weights, of new layers of one record (w x, w y, ..., w) each, for dimensions
 // up to 3; copied layers are copied from `points` and `weights`. False if a sum has no weight: the result
@@ -22,6 +28,6 @@ struct ShortNet {
     const double *weights;
     int dim;
 };
-bool combine_short(const LayerTable &table, const ShortNet &net, double *points, double *weights) noexcept;
+bool combine_short(const LayerRows &rows, const ShortNet &net, double *points, double *weights) noexcept;
 
 } // namespace nrb::inline spline

@@ -31,6 +31,14 @@ bool moderate_products(double weight, std::span<const double> points) noexcept {
     return weight <= usual || weight * largest_magnitude(points) < moderate_product;
 }
 
+// Appends room that may be read, and no more than that.
+void pad(std::vector<double> &points) {
+    if (points.capacity() < points.size() + Spline::padding) {
+        points = copied_watched<double>(points, Spline::padding);
+    }
+    points.resize(points.size() + Spline::padding);
+}
+
 // Whether all layers of an axis are active.
 bool all_active(const KnotVector &axis) noexcept {
     const auto [lower, upper] = axis.domain();
@@ -42,9 +50,7 @@ bool all_active(const KnotVector &axis) noexcept {
 Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights)
     : axes_(std::move(axes)), axis_count_(static_cast<int>(axes_.size())), dim_(dim), form_(form),
       points_(std::move(points)), weights_(std::move(weights)) {
-    count_work(std::ssize(points_) / 4);
-    points_.reserve(points_.size() + padding); // no more than that
-    points_.resize(points_.size() + padding);
+    pad(points_);
     inert_ =
         !std::all_of(axes_.begin(), axes_.end(), [](const KnotVectorPtr &axis) { return all_active(*axis); });
     if (rational()) {

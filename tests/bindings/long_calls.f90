@@ -9,20 +9,39 @@ module watchers
     real(c_double) :: last = 0
     logical :: rising = .true.
 
+    type :: patience
+        integer :: left = 2
+    end type patience
+
 contains
 
-    logical function count_calls(done) result(stop)
+    logical function count_calls(done, user) result(stop)
         real(c_double), intent(in) :: done
+        class(*), intent(inout), optional :: user
         rising = rising .and. done >= last .and. done <= 1
         last = done
         told = told + 1
         stop = .false.
+        if (present(user)) stop = .true. ! which none of these has
     end function count_calls
 
-    logical function stop_at_once(done) result(stop)
+    logical function stop_at_once(done, user) result(stop)
         real(c_double), intent(in) :: done
-        stop = done >= 0
+        class(*), intent(inout), optional :: user
+        stop = done >= 0 .and. .not. present(user)
     end function stop_at_once
+
+    !> A callback with data of its own: stops at the second call.
+    logical function stop_later(done, user) result(stop)
+        real(c_double), intent(in) :: done
+        class(*), intent(inout), optional :: user
+        stop = done > 1
+        select type (user)
+        type is (patience)
+            user%left = user%left - 1
+            stop = user%left == 0
+        end select
+    end function stop_later
 end module watchers
 
 program long_calls
@@ -83,6 +102,8 @@ contains
     subroutine stops()
         real(c_double) :: length
         integer(c_int32_t) :: code
+        type(patience), target :: own
+        type(nurbs_call) :: waiting
         length = -1
         call curve_length(long, length, tolerance=1d-9, status=code, call=nurbs_call(progress=stop_at_once))
         call expect(code == NURBS_ERROR_CANCELLED .and. length < 0, 'a call that is stopped')
@@ -90,6 +111,10 @@ contains
         call expect(code == NURBS_ERROR_WORK .and. length < 0, 'a limit of work')
         call curve_length(long, length, tolerance=1d-9, status=code, call=nurbs_call())
         call expect(code == NURBS_OK .and. length > 0, 'no wishes')
+        waiting = nurbs_call(progress=stop_later)
+        waiting%user => own
+        call curve_length(long, length, tolerance=1d-9, status=code, call=waiting)
+        call expect(code == NURBS_ERROR_CANCELLED .and. own%left == 0, 'a callback with data of its own')
     end subroutine stops
 
     logical function same(a, b)

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 // Threads end calls at random moments while others ask the same new handles, and get the answers that they would
-// get alone. A callback may throw.
+// get alone. A callback may throw, and may end its thread.
 #include "long_calls.h"
 
 #include <array>
 #include <atomic>
 #include <cstring>
 #include <memory>
+#include <pthread.h>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -66,6 +67,39 @@ void ask(const LongShapes *shapes, const LongResult *wanted) {
     expect(std::memcmp(result->values, wanted->values, sizeof wanted->values) == 0, "the same bits");
 }
 
+struct Ending {
+    const LongShapes *shapes;
+    int freed = 0;
+};
+struct Freed {
+    Ending *ending;
+    ~Freed() { ++ending->freed; }
+};
+
+int32_t end_thread(double /*done*/, void * /*user*/) {
+    pthread_exit(nullptr);
+}
+
+void *end_in_callback(void *given) {
+    Ending &ending = *static_cast<Ending *>(given);
+    const Freed freed{&ending}; // as everything is that the thread holds
+    nurbs_call_options call;
+    expect(nurbs_call_options_init(&call, sizeof call) == NURBS_OK, "init");
+    call.progress = end_thread;
+    const auto result = fresh();
+    expect(long_closest_points(ending.shapes, 0, &call, result.get()) == NURBS_OK, "too short to be called back");
+    return nullptr;
+}
+
+void threads_that_end(const LongShapes *shapes, const LongResult *wanted) {
+    Ending ending{shapes};
+    pthread_t thread{};
+    CHECK_INT(pthread_create(&thread, nullptr, end_in_callback, &ending), 0);
+    CHECK_INT(pthread_join(thread, nullptr), 0);
+    CHECK_INT(ending.freed, 1);
+    ask(shapes, wanted);
+}
+
 } // namespace
 
 int main() {
@@ -90,6 +124,7 @@ int main() {
         for (std::thread &thread : threads) {
             thread.join();
         }
+        threads_that_end(shapes, wanted.get());
     }
     CHECK_INT(failures.load(), 0);
     long_destroy(shapes);

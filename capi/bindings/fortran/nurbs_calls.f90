@@ -12,10 +12,12 @@ module nurbs_calls
 
     abstract interface
         !> Told how much of a call is done, an estimate from 0 to 1. Whether the call is to stop, which then fails with
-        !> NURBS_ERROR_CANCELLED and changes nothing. It is called at most every 10 ms, and may call anything.
-        logical function nurbs_progress(done) result(stop)
+        !> NURBS_ERROR_CANCELLED and changes nothing. It is called at most every 10 ms, and may call anything. `user` is
+        !> that of the nurbs_call, if it has one; `select type` tells what it is.
+        logical function nurbs_progress(done, user) result(stop)
             import :: c_double
             real(c_double), intent(in) :: done
+            class(*), intent(inout), optional :: user
         end function nurbs_progress
     end interface
 
@@ -24,6 +26,7 @@ module nurbs_calls
     type, public :: nurbs_call
         integer(c_int64_t) :: work = 0 ! most multiply-adds; 0 sets no limit
         procedure(nurbs_progress), pointer, nopass :: progress => null()
+        class(*), pointer :: user => null() ! for progress; set by call%user => data, as gfortran 12 cannot construct it
     end type nurbs_call
 
 contains
@@ -38,12 +41,16 @@ contains
         options%user = c_loc(call)
     end function watched
 
-    recursive integer(c_int32_t) function tell(done, user) bind(c)
+    recursive integer(c_int32_t) function tell(done, user) bind(c, name='')
         real(c_double), intent(in), value :: done
         type(c_ptr), intent(in), value :: user
         type(nurbs_call), pointer :: watching
         call c_f_pointer(user, watching)
-        tell = merge(1, 0, watching%progress(done))
+        if (associated(watching%user)) then
+            tell = merge(1, 0, watching%progress(done, watching%user))
+        else
+            tell = merge(1, 0, watching%progress(done))
+        end if
     end function tell
 
     ! The long calls that take structs, with the arguments of their plain forms.

@@ -104,7 +104,8 @@ public:
     CriticalSet run() {
         const int64_t count = maker_.count();
         PieceEnds first, previous;
-        for (int64_t i = 0; i < count; ++i) {
+        Steps steps(count);
+        for (int64_t i = 0; i < count; ++i, steps.next()) {
             const PieceEnds ends = look_at(i);
             if (i == 0) {
                 first = ends;

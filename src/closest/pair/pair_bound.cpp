@@ -2,6 +2,7 @@
 #include "closest/pair/pair_bound.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ PairBound::Extremes PairBound::distances(const pieces::BezierPiece &piece, const
     BernsteinShape shape = piece.shape();
     shape.width = 1;
     const BernsteinShape product = product_shape(shape, shape);
+    count_work(4 * (count * (dim + 4) + product.coefficients()));
     factors_ = binomial_factors(shape);
     coordinate_.resize(static_cast<size_t>(count * (dim + 1)));
     squares_.assign(static_cast<size_t>(product.coefficients()), 0.0);

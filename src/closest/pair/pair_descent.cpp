@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/pair/pair_descent.h"
 
+#include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/norm.h"
 
@@ -12,6 +13,7 @@ namespace nrb::closest {
 namespace {
 
 constexpr int most_steps = 60;
+constexpr int64_t work_of_a_factor = 4; // of a coefficient
 constexpr int row_length = max_degree + 1, row_size = 3 * row_length;
 
 // visit(slot, first, second) for a value, the derivatives by one axis and those by two; -1 for none.
@@ -59,6 +61,7 @@ double PieceJet::factor(const std::array<int, max_axes> &at, int first, int seco
 
 void PieceJet::contract(const pieces::BezierPiece &piece, bool derivatives) {
     const int width = dim_ + 1;
+    count_work(2 * piece.coefficients() * (std::ssize(records_) + work_of_a_factor * axes_));
     std::array<int, max_axes> at{};
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
         const double *record = piece.record(i);

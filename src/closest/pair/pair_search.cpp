@@ -32,6 +32,8 @@ int highest_degree(const Spline &spline) noexcept {
     return degree;
 }
 
+constexpr int64_t work_of_a_look = 400; // at a pair: memory and boxes of its parts
+
 using Entry = pieces::BestFirst<CellPair>::Entry;
 
 class PairSearch {
@@ -52,6 +54,7 @@ public:
         queue_.run(
             budget_, [&](const Entry &top) { return -top.bound < limit(); },
             [&](const Entry &top) {
+                count_work(work_of_a_look);
                 bounds(top.item) ? bound(top.item, -top.bound) : divide(top.item, -top.bound);
             });
     }

@@ -21,6 +21,11 @@ public:
     LinearSystem(const NetState &state, const std::vector<LocalEquations> &all)
         : dim_(state.start().dim()), columns_(state.columns()), unknowns_(std::ssize(columns_.point_costs)) {
         static_cast<void>(checked_product(std::ssize(all) * max_axes, unknowns_, "equations"));
+        size_t rows = 0;
+        for (const LocalEquations &local : all) {
+            rows += local.functions.size();
+        }
+        rows_.reserve(rows * static_cast<size_t>(unknowns_));
         for (const LocalEquations &local : all) {
             add_rows(local);
         }
@@ -98,7 +103,9 @@ private:
 
     [[nodiscard]] std::vector<double> reduced_rows() const {
         std::vector<double> rows;
+        rows.reserve(row_of_.size() * static_cast<size_t>(space_->size() * dim_));
         for (size_t k = 0; k < row_of_.size(); ++k) {
+            count_work(4 * space_->size() * dim_);
             for (int64_t j = 0; j < space_->size(); ++j) {
                 const double value = space_->coordinate(static_cast<int64_t>(row_of_[k]), j);
                 for (int c = 0; c < dim_; ++c) {

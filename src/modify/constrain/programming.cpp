@@ -174,6 +174,7 @@ private:
         size_t k = 0;
         for (const LocalEquations &local : all_equations(state_, conditions_, tolerance_)) {
             for (size_t i = 0; i < local.residual.size(); ++i, ++k) {
+                count_work(3 * static_cast<int64_t>(unknowns_));
                 std::fill(row.begin(), row.end(), 0.0);
                 fill_row(local, i, row.data());
                 const double factor = multipliers[k] * system.scale[k];

@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "modify/deform/bend_bound.h"
 #include "numeric/norm.h"
 
@@ -53,6 +54,8 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
 
 namespace {
 
+constexpr int64_t work_of_a_point = 100; // sines and cosines
+
 double along_of(const Bend &bend, const double *point) noexcept {
     double a = 0;
     for (size_t c = 0; c < bend.along.size(); ++c) {
@@ -98,6 +101,7 @@ DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) 
     const size_t dim = bend.along.size();
     const fit::PointMap map = [&bend, dim](const std::vector<double> &points, std::vector<double> &images) {
         for (size_t i = 0; i < points.size(); i += dim) {
+            count_work(work_of_a_point);
             bend_point(bend, points.data() + i, images.data() + i);
         }
     };

@@ -102,6 +102,12 @@ public:
     }
 
     std::vector<Entry> entries() {
+        const Phase phase(0.1);
+        int64_t count = 1;
+        for (int k = 0; k < spline_.axes(); ++k) {
+            count *= entries_of_axis(spline_.axis(k));
+        }
+        entries_.reserve(static_cast<size_t>(count));
         Steps steps(spline_.point_count());
         for (int64_t i = 0; i < spline_.point_count();
              ++i, steps.next(work_of_an_entry * entries_of_a_row())) {
@@ -117,6 +123,15 @@ private:
         int64_t entries = 1;
         for (int k = 0; k < spline_.axes(); ++k) {
             entries *= 2 * spline_.axis(k).degree() + 1;
+        }
+        return entries;
+    }
+
+    [[nodiscard]] static int64_t entries_of_axis(const KnotVector &axis) noexcept {
+        int64_t entries = 0;
+        for (int64_t layer = 0; layer < axis.count(); ++layer) {
+            const Band band = band_of(axis, layer);
+            entries += band.end - band.first;
         }
         return entries;
     }

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace nrb::modify {
 
@@ -147,13 +148,16 @@ private:
         for (const double value : diagonal) {
             sum += value;
         }
+        std::optional<Phase> order(0.1);
         SparseSystem system(entries, diagonal, elimination_order());
+        order.reset();
         const auto accepted = [&](double at) { return accept(system, std::pow(10.0, at) * (trace / sum)); };
         if (accepted(least)) {
             return;
         }
         double low = least, high = most;
-        for (int i = 0; i < halvings; ++i) {
+        Steps steps(halvings);
+        for (int i = 0; i < halvings; ++i, steps.next()) {
             const double middle = low + (high - low) / 2;
             (accepted(middle) ? high : low) = middle;
         }
@@ -161,6 +165,7 @@ private:
 
     // Takes the solution for one rho if it is within the tolerance; returns whether it is.
     bool accept(SparseSystem &system, double rho) {
+        const Phase phase(0.1);
         std::vector<double> step;
         if (!system.solve(rho, right_, spline_->dim(), step)) {
             return false;

@@ -74,11 +74,11 @@ int image_degree(const Spline &spline, const Spline &volume) noexcept {
 void evaluate_watched(const Spline &volume, const std::vector<double> &params, std::vector<double> &points) {
     constexpr int64_t part = 1024, work_of_a_point = 200;
     const int64_t dim = volume.dim(), count = std::ssize(params) / dim;
-    for (int64_t first = 0; first < count; first += part) {
+    Steps steps(count / part + 1);
+    for (int64_t first = 0; first < count; first += part, steps.next(part * work_of_a_point)) {
         const int64_t size = std::min(part, count - first);
         eval::evaluate_points(volume, {}, 0, {params.data() + first * dim, size, dim, dim, 1},
                               {points.data() + first * dim, size, dim, dim, 1});
-        count_work(size * work_of_a_point);
     }
 }
 
@@ -91,6 +91,7 @@ DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume,
         std::vector<double> params;
         grow_watched(params, points.size());
         for (size_t i = 0; i < points.size(); ++i) {
+            count_work(4);
             params[i] = box.parameter(i % box.dim(), points[i]);
         }
         evaluate_watched(*volume, params, images);

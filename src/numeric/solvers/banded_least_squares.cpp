@@ -9,11 +9,18 @@
 
 namespace nrb::inline numeric {
 
+namespace {
+
+constexpr int64_t work_of_a_rotation = 60; // its angle
+
+} // namespace
+
 BandedLeastSquares::BandedLeastSquares(int64_t columns, int bandwidth, int border, int64_t width)
     : banded_(columns - border), bandwidth_(bandwidth), border_(border), width_(width),
       stride_(bandwidth + border + width),
-      rows_(static_cast<size_t>(checked_product(columns, stride_, "least squares"))),
-      fresh_(static_cast<size_t>(stride_)) {}
+      fresh_(static_cast<size_t>(stride_)) {
+    grow_watched(rows_, static_cast<size_t>(checked_product(columns, stride_, "least squares")));
+}
 
 // Turns the fresh row and a row of the factor so that entry `at` of the fresh one vanishes; entries before
 // `from` are zero in both.
@@ -51,7 +58,7 @@ void BandedLeastSquares::add_entered(const double *right) {
 
 void BandedLeastSquares::add_row(int64_t first, std::span<const double> band, std::span<const double> border,
                                  const double *right) {
-    count_work(4 * stride_ * (bandwidth_ + border_));
+    count_work((8 * stride_ + work_of_a_rotation) * (bandwidth_ + border_));
     std::fill(fresh_.begin(), fresh_.end(), 0.0);
     std::copy(band.begin(), band.end(), fresh_.begin());
     std::copy(border.begin(), border.end(), fresh_.begin() + bandwidth_);

@@ -13,6 +13,7 @@ namespace nrb::inline numeric {
 namespace {
 
 constexpr Eigen::Index panel = 48;       // columns whose reflections are applied to the others together
+constexpr int64_t work_per_value = 4; // of a reflection of one column
 constexpr Eigen::Index most_chunk = 128; // columns that they are applied to at a time
 
 } // namespace
@@ -45,6 +46,26 @@ void Householder::reflect(Eigen::Index k, Eigen::Index end) {
     a_(k, k) = diagonal;
     a_.block(k, k + 1, rest, end - k - 1)
         .applyHouseholderOnTheLeft(a_.col(k).tail(rest - 1), coefficients_(k), work_.data() + k + 1);
+}
+
+void Householder::reflect(Eigen::Index k, Eigen::MatrixXd &x, double &work) const {
+    const Eigen::Index rest = a_.rows() - k;
+    count_work(work_per_value * rest);
+    x.bottomRows(rest).applyHouseholderOnTheLeft(a_.col(k).tail(rest - 1), coefficients_(k), &work);
+}
+
+void Householder::turn(Eigen::MatrixXd &x) const {
+    double work = 0;
+    for (Eigen::Index k = coefficients_.size(); k-- > 0;) {
+        reflect(k, x, work);
+    }
+}
+
+void Householder::turn_back(Eigen::MatrixXd &x) const {
+    double work = 0;
+    for (Eigen::Index k = 0; k < coefficients_.size(); ++k) {
+        reflect(k, x, work);
+    }
 }
 
 // The column with the largest norm below row k (P. Businger, G. Golub, Numer. Math. 7 (1965)).

@@ -25,12 +25,16 @@ public:
     [[nodiscard]] Eigen::Index rank(double threshold) const noexcept;
     // Q as a sequence of reflections, which Eigen applies in blocks.
     [[nodiscard]] auto q() const { return Eigen::HouseholderSequence(a_, coefficients_); }
+    // Q x and its inverse for one column.
+    void turn(Eigen::MatrixXd &x) const;
+    void turn_back(Eigen::MatrixXd &x) const;
 
 private:
     struct Norms {
         Eigen::VectorXd updated;
         Eigen::VectorXd computed; // when the column was last looked at as a whole
     };
+    void reflect(Eigen::Index k, Eigen::MatrixXd &x, double &work) const;
     void choose_column(Eigen::Index k, Norms &norms);
     void reflect(Eigen::Index k, Eigen::Index end);
     void update(Eigen::Index k, Norms &norms) const;

@@ -2,6 +2,7 @@
 #include "numeric/solvers/minimum_norm.h"
 
 #include "base/representable.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/householder.h"
 
@@ -23,7 +24,13 @@ std::vector<double> values_of(const RowMajor &matrix) {
 
 Eigen::MatrixXd transposed(const std::vector<double> &rows, int64_t n) {
     require_representable(rows, "equations"); // which Eigen does not promise to survive
-    return matrix_of(rows, n).transpose();
+    const auto given = matrix_of(rows, n);
+    Eigen::MatrixXd columns(n, given.rows());
+    for (Eigen::Index k = 0; k < given.rows(); ++k) {
+        count_work(n);
+        columns.col(k) = given.row(k).transpose();
+    }
+    return columns;
 }
 
 } // namespace
@@ -61,10 +68,10 @@ std::vector<double> MinimumNorm::solve(const std::vector<double> &right, int64_t
 
 MinimumNorm::Multipliers MinimumNorm::multipliers(const std::vector<double> &x) const {
     const Eigen::Index rank = factors_->rank;
-    Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(x.data(), unknowns_);
-    turned.applyOnTheLeft(factors_->qr.q().adjoint());
+    Eigen::MatrixXd turned = Eigen::Map<const Eigen::VectorXd>(x.data(), unknowns_);
+    factors_->qr.turn_back(turned);
     const Eigen::VectorXd solved =
-        factors_->triangle().triangularView<Eigen::Upper>().solve(turned.head(rank));
+        factors_->triangle().triangularView<Eigen::Upper>().solve(turned.col(0).head(rank));
     std::vector<double> values(static_cast<size_t>(factors_->qr.columns()), 0.0);
     for (Eigen::Index i = 0; i < rank; ++i) {
         values[static_cast<size_t>(factors_->qr.order()[static_cast<size_t>(i)])] = solved(i);
@@ -74,9 +81,9 @@ MinimumNorm::Multipliers MinimumNorm::multipliers(const std::vector<double> &x) 
 
 std::vector<double> MinimumNorm::kernel_part(const std::vector<double> &x) const {
     Eigen::MatrixXd turned = Eigen::Map<const Eigen::VectorXd>(x.data(), unknowns_);
-    turned.applyOnTheLeft(factors_->qr.q().adjoint());
+    factors_->qr.turn_back(turned);
     turned.topRows(factors_->rank).setZero();
-    turned.applyOnTheLeft(factors_->qr.q());
+    factors_->qr.turn(turned);
     return values_of(turned);
 }
 

@@ -117,7 +117,7 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
 
 using Window = CommonKnots::Window;
 
-constexpr int64_t work_of_a_term = 32; // for each component: arguments, contractions, a compensated sum
+constexpr int64_t work_of_a_term = 100; // for each component: arguments, contractions, a compensated sum
 
 class Composer {
 public:

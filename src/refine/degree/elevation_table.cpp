@@ -312,10 +312,13 @@ std::vector<double> Elevation::knots() const {
 }
 
 LayerTable Elevation::rows(int64_t first, int64_t end) const {
+    constexpr int64_t part = 8192; // is made without a look at the watch
     LayerTable table;
-    count_work((end - first) * (axis_.degree() + 2) * (axis_.degree() + 2));
     table.reserve(end - first, axis_.degree() + 2);
-    RowMaker(axis_, old_knots(), groups_, lead_, table).make(first_ + 1 + first, first_ + 1 + end);
+    for (int64_t next = std::min(first + part, end); first < end; first = next, next = std::min(next + part, end)) {
+        count_work((next - first) * (axis_.degree() + 2) * (axis_.degree() + 2));
+        RowMaker(axis_, old_knots(), groups_, lead_, table).make(first_ + 1 + first, first_ + 1 + next);
+    }
     return table;
 }
 

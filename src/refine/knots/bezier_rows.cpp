@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refine/knots/bezier_rows.h"
 
+#include "base/watch.h"
 #include "refine/knots/blossom_rows.h"
 
 #include <algorithm>
@@ -152,6 +153,7 @@ KnotVectorPtr bezier_knots(int degree, std::span<const double> breaks) {
     std::vector<double> knots;
     knots.reserve(breaks.size() * (static_cast<size_t>(degree) + 1));
     for (const double knot : breaks) {
+        count_work(degree + 1);
         knots.insert(knots.end(), static_cast<size_t>(degree) + 1, knot);
     }
     return std::make_shared<const KnotVector>(degree, std::move(knots));

@@ -9,6 +9,8 @@ namespace nrb::refine {
 
 namespace {
 
+constexpr int64_t work_of_a_knot = 16; // of the coarse ones, with the fine ones up to the next
+
 size_t at(int64_t i) noexcept {
     return static_cast<size_t>(i);
 }
@@ -21,8 +23,8 @@ Refinement::Refinement(int degree, std::span<const double> coarse, std::span<con
       old_last_(std::make_unique_for_overwrite<int64_t[]>(fine.size() + 1)) {
     int64_t old = 0, begin = 0;
     const auto rows = std::ssize(fine);
-    count_work(4 * rows);
     while (old < std::ssize(coarse)) {
+        count_work(work_of_a_knot);
         const double knot = coarse[at(old)];
         for (; fine[at(begin)] < knot; ++begin) {
             old_first_[at(begin)] = old_last_[at(begin)] = old;

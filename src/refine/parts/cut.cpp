@@ -2,6 +2,7 @@
 #include "refine/parts/cut.h"
 
 #include "base/checked.h"
+#include "base/watch.h"
 #include "refine/knots/bezier_rows.h"
 #include "refine/periodic/seam.h"
 
@@ -16,6 +17,7 @@ std::vector<double> saturated(const KnotVector &axis, std::span<const double> br
     fine.reserve(knots.size() + breaks.size() * (static_cast<size_t>(axis.degree()) + 1));
     auto from = knots.begin();
     for (const double knot : breaks) {
+        count_work(2 * (axis.degree() + 1));
         const auto first = std::find_if(from, knots.end(), [knot](double t) { return t >= knot; });
         fine.insert(fine.end(), from, first);
         fine.insert(fine.end(), static_cast<size_t>(axis.degree()) + 1, knot);

@@ -10,6 +10,8 @@ namespace nrb::refine {
 
 namespace {
 
+constexpr int64_t work_of_a_row = 100; // its memory
+
 // A row of a period of rows, moved by `periods` periods.
 struct Shifted {
     const double *coefficients;
@@ -26,15 +28,23 @@ Shifted shifted(const LayerTable &table, int64_t layer, int64_t period) noexcept
     return row.size == 0 ? Shifted{&copied, first, 1} : Shifted{table.coefficients(row), first, row.size};
 }
 
+int widest_row(const LayerTable &table) noexcept {
+    int widest = 1;
+    for (const LayerTable::Row &row : table.all()) {
+        widest = std::max(widest, row.size);
+    }
+    return widest;
+}
+
 } // namespace
 
 LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t period) {
     LayerTable table;
-    table.reserve(outer.rows());
+    table.reserve(outer.rows(), widest_row(outer) + widest_row(inner));
     std::vector<double> sum;
     for (int64_t r = 0; r < outer.rows(); ++r) {
         const Shifted row = shifted(outer, r, 0);
-        count_work(8 * int64_t{row.size} * row.size);
+        count_work(work_of_a_row + 8 * int64_t{row.size} * row.size);
         int64_t first = shifted(inner, row.first, period).first;
         for (int i = 1; i < row.size; ++i) {
             first = std::min(first, shifted(inner, row.first + i, period).first);

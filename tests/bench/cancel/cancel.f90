@@ -25,14 +25,15 @@ contains
         now = 1d3 * real(count, c_double) / real(rate, c_double)
     end function now
 
-    logical function tell(done) result(stop)
+    logical function tell(done, user) result(stop)
         real(c_double), intent(in) :: done
+        class(*), intent(inout), optional :: user
         real(c_double) :: time
         time = now()
         gap = max(gap, time - last)
         last = time
         if (time - start >= stop_at .and. stopped == 0 .and. done >= 0) stopped = time
-        stop = stopped > 0
+        stop = stopped > 0 .or. present(user)
     end function tell
 
     subroutine measure(name, body)

@@ -21,7 +21,8 @@ from .constants import NURBS_OK
 if TYPE_CHECKING:
     from ._bars import Bar
 
-    #: Called now and then with the part that is done, from 0 to 1; False ends the call. True: a bar.
+    #: Called now and then with the part that is done, from 0 to 1; returns False to end the call, True or None to go
+    #: on. True: a bar.
     Progress = Union[Callable[[float], object], bool, None]
     #: Calls the long form: from the arguments of the plain one, and the options of the call.
     _Form = Callable[[Tuple[Any, ...], Any], Any]
@@ -53,7 +54,9 @@ class _Listener:
             return 0
         try:
             wish = self.progress(done)
-            return int(isinstance(wish, (bool, numpy.bool_)) and not wish)
+            if wish is None or isinstance(wish, (bool, numpy.bool_)):
+                return int(wish is not None and not wish)
+            raise TypeError(f"progress is to return False to end the call, True or None, not {wish!r}")
         except BaseException as failure:
             self.failure = failure
             return 1
@@ -93,6 +96,7 @@ class _Thread(threading.local):
     def __init__(self) -> None:
         #: Those that no call uses; a call that a progress makes takes another one.
         self.free: List[_Watch] = []
+        self.handles_signals = threading.current_thread() is threading.main_thread()
 
 
 _thread = _Thread()
@@ -107,6 +111,7 @@ def _run(form: _Form, arguments: Tuple[Any, ...], progress: Optional[Callable[[f
         watch = _Watch()
     watch.listener.progress, watch.options.work = progress, work
     status = form(arguments, watch.reference)
+    watch.listener.progress = None
     failure = watch.listener.failure
     if failure is None:
         free.append(watch)
@@ -245,7 +250,8 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
 # --- What methods call ---
 
 class _Interruptible:
-    """A function in its long form, whose callback only lets signals interrupt it."""
+    """A function in its long form, whose callback only lets signals interrupt it. That is of use in the main thread
+    alone: in others it would wait for the interpreter every time."""
 
     __slots__ = ("__name__", "plain", "form")
 
@@ -254,7 +260,7 @@ class _Interruptible:
         self.plain, self.form = plain, form
 
     def __call__(self, *arguments: Any) -> Any:
-        return _run(self.form, arguments, None, 0)
+        return _run(self.form, arguments, None, 0) if _thread.handles_signals else self.plain(*arguments)
 
 
 class _Watched:

@@ -12,6 +12,7 @@ namespace nrb::closest {
 namespace {
 
 constexpr int deepest = 26; // halvings of an axis
+constexpr int64_t work_of_a_value = 12; // of a product: squares, their derivatives, and bounds of them
 constexpr int shallow = 8;  // before a singular matrix is looked at
 
 } // namespace
@@ -25,9 +26,11 @@ CriticalSearch::CriticalSearch(const PieceGrid &pieces, const Query &query, bool
 
 void CriticalSearch::search(const PatchFace &face, const std::vector<int64_t> &pieces) {
     const pieces::PatchSquares squares(face.shape);
+    Steps steps(std::ssize(pieces));
     for (const int64_t piece : pieces) {
         const PatchMemory::Hold hold(query_.memory());
         search_piece(face, squares, piece);
+        steps.next();
     }
 }
 
@@ -57,7 +60,7 @@ void CriticalSearch::examine(const Target &target, FacePart &part) {
         return;
     }
     spent_ += cost_;
-    count_work(target.face.shape.products() * target.face.shape.lanes);
+    count_work(work_of_a_value * target.face.shape.products() * target.face.shape.lanes);
     int axis = 0;
     if (!finished(target, part, axis)) {
         split(target, part, axis);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/critical/patch_critical.h"
 
+#include "base/watch.h"
 #include "closest/patch/critical/critical_search.h"
 
 namespace nrb::closest {
@@ -23,6 +24,7 @@ CriticalSet critical_points(const PieceGrid &pieces, const Query &query) {
     }
     search.find_poles();
     for (int code = 0; code < face_count(pieces.shape()); ++code) {
+        const Phase phase; // inner faces first
         const PatchFace face = face_of(pieces.shape(), code);
         if (is_boundary(pieces, query, face) && !search.is_pole(face)) {
             search.search(face, pieces_at(pieces, query, face));
@@ -38,6 +40,7 @@ MinimumCandidates minimum_candidates(const PieceGrid &pieces, const Query &query
     search.set_limit(limit);
     search.find_poles();
     for (int code = 0; code < face_count(pieces.shape()); ++code) {
+        const Phase phase; // inner faces first
         search.search(face_of(pieces.shape(), code), among);
     }
     MinimumCandidates result{{}, search.gaps()};
