@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/features.h"
 
-#include "analysis/curve_signs.h"
 #include "analysis/curve_pieces.h"
+#include "analysis/curve_signs.h"
 #include "analysis/curve_turns.h"
 #include "base/error.h"
 #include "base/numbers.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/monotone.h"
 
-#include "analysis/curve_signs.h"
 #include "analysis/curve_pieces.h"
+#include "analysis/curve_signs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -28,15 +28,18 @@ void check_comparable(const Spline &f, const Spline &g) {
     }
 }
 
+std::span<const double> inner_knots(const KnotVector &axis, Interval part) {
+    const auto first = std::upper_bound(axis.knots().begin(), axis.knots().end(), part.lower);
+    return {first, std::lower_bound(first, axis.knots().end(), part.upper)};
+}
+
 // The knots of both splines in an interval, with its ends.
 std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Interval part) {
-    const auto inside = [part](double t) { return t > part.lower && t < part.upper; };
+    const std::span<const double> a = inner_knots(f, part), b = inner_knots(g, part);
     std::vector<double> breaks{part.lower};
-    std::copy_if(f.knots().begin(), f.knots().end(), std::back_inserter(breaks), inside);
-    const auto middle = std::ssize(breaks);
-    count_work(2 * (std::ssize(f.knots()) + std::ssize(g.knots())));
-    std::copy_if(g.knots().begin(), g.knots().end(), std::back_inserter(breaks), inside);
-    std::inplace_merge(breaks.begin(), breaks.begin() + middle, breaks.end());
+    breaks.reserve(a.size() + b.size() + 2);
+    count_work(2 * (std::ssize(a) + std::ssize(b)));
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(breaks));
     breaks.push_back(part.upper);
     breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
     return breaks;

@@ -16,7 +16,7 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int64_t work_of_a_point = 100; // which is mapped
+constexpr int64_t work_of_a_point = 100;     // which is mapped
 constexpr int64_t work_of_a_comparison = 10; // of two points
 constexpr size_t points_between_counts = 256;
 
@@ -164,8 +164,8 @@ private:
             }
             const Numerators numerators =
                 mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
-            const std::vector<double> projected =
-                projected_along(*fine_, static_cast<int>(k), nodes_, copied_watched<double>(numerators.values), fine_->dim());
+            const std::vector<double> projected = projected_along(
+                *fine_, static_cast<int>(k), nodes_, copied_watched<double>(numerators.values), fine_->dim());
             const std::vector<double> errors = span_errors(numerators, projected, lines_of(k), dim_);
             raised[k] = cheaper_raised(fine_->axis(static_cast<int>(k)), errors, target) ? 1 : 0;
             if (raised[k] == 0) {

@@ -72,9 +72,8 @@ int64_t layer_length(const Spline &spline, int axis) {
 }
 
 std::vector<double> layer_records(const Spline &spline, int axis) {
-    std::vector<double> records = spline.rational()
-                                      ? refine::homogeneous_points(spline)
-                                      : copied_watched(spline.points());
+    std::vector<double> records =
+        spline.rational() ? refine::homogeneous_points(spline) : copied_watched(spline.points());
     const AxisView view = axis_view(spline, axis, spline.width());
     if (view.outer == 1) {
         return records;

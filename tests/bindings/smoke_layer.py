@@ -36,7 +36,10 @@ class Layer:
     def __init__(self):
         self.model = smoke_table.model
         self.planner = smoke.Planner(table.read(smoke_table.manual, smoke_table.TOP), "cpp")
-        self.handles = {name: self.made(entry.call) for name, entry in self.model.inputs.items() if entry.shared}
+        self.handles = {}  # made of others that are before them
+        for name, entry in self.model.inputs.items():
+            if entry.shared:
+                self.handles[name] = self.made(entry.call)
 
     def made(self, call):
         return LayerCall(self, call, self.planner.step(call)).run()

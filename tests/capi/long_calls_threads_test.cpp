@@ -87,7 +87,8 @@ void *end_in_callback(void *given) {
     expect(nurbs_call_options_init(&call, sizeof call) == NURBS_OK, "init");
     call.progress = end_thread;
     const auto result = fresh();
-    expect(long_closest_points(ending.shapes, 0, &call, result.get()) == NURBS_OK, "too short to be called back");
+    expect(long_closest_points(ending.shapes, 0, &call, result.get()) == NURBS_OK,
+           "too short to be called back");
     return nullptr;
 }
 

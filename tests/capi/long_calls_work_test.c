@@ -5,7 +5,8 @@
 
 #include <time.h>
 
-static const double shortest = 0.1, longest = 6; /* seconds for 10^9: other processors are faster, or slower */
+static const double shortest = 0.1,
+                    longest = 6; /* seconds for 10^9: other processors are faster, or slower */
 
 static double seconds(void) {
     struct timespec now;
@@ -20,7 +21,8 @@ static void discard(LongResult *r) {
 }
 
 /* Whether a call gets its whole answer within a limit. */
-static int is_enough(const LongShapes *s, const LongEntry *entry, int64_t work, const LongResult *wanted, LongResult *r) {
+static int is_enough(const LongShapes *s, const LongEntry *entry, int64_t work, const LongResult *wanted,
+                     LongResult *r) {
     nurbs_call_options call;
     CHECK_OK(nurbs_call_options_init(&call, sizeof call));
     call.work = work;
@@ -62,7 +64,8 @@ static double time_of(const LongShapes *s, const LongEntry *entry, LongResult *r
     return least;
 }
 
-static void takes_a_second_or_two(const LongShapes *s, const LongEntry *entry, const LongResult *wanted, LongResult *r) {
+static void takes_a_second_or_two(const LongShapes *s, const LongEntry *entry, const LongResult *wanted,
+                                  LongResult *r) {
     const double unit = 1e9 * time_of(s, entry, r) / (double)work_of(s, entry, wanted, r);
     if (!(unit >= shortest && unit <= longest)) {
         fprintf(stderr, "%s: 10^9 multiply-adds take %.3g s\n", entry->name, unit);
@@ -92,7 +95,8 @@ static void tells_how_much(const LongShapes *s, const LongEntry *entry, LongResu
     discard(r);
     const int wrong = told.calls >= 8 && !(told.first < 1 && told.last > told.first);
     if (wrong) {
-        fprintf(stderr, "%s: told from %g to %g in %d calls\n", entry->name, told.first, told.last, told.calls);
+        fprintf(stderr, "%s: told from %g to %g in %d calls\n", entry->name, told.first, told.last,
+                told.calls);
     }
     CHECK(!wrong);
 }
@@ -104,7 +108,8 @@ int main(void) {
         return 77;
     }
     LongShapes *s = long_shapes(3);
-    LongResult *wanted = (LongResult *)calloc(1, sizeof(LongResult)), *r = (LongResult *)calloc(1, sizeof(LongResult));
+    LongResult *wanted = (LongResult *)calloc(1, sizeof(LongResult)),
+               *r = (LongResult *)calloc(1, sizeof(LongResult));
     FILE *file = fopen(long_path, "wb");
     CHECK(file != NULL && fwrite(s->file, 1, (size_t)s->file_size, file) == (size_t)s->file_size);
     CHECK(file == NULL || fclose(file) == 0);

@@ -46,6 +46,10 @@ private:
 #ifdef __cpp_exceptions
         try {
             return watch.call_.progress(done) ? 0 : 1;
+#ifdef __GLIBCXX__
+        } catch (abi::__forced_unwind &) { // the thread ends
+            throw;
+#endif
         } catch (...) {
             keep(std::current_exception());
             return 1;

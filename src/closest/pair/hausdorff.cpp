@@ -22,7 +22,7 @@ namespace nrb::closest {
 namespace {
 
 constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
-constexpr int64_t work_of_a_look = 400;        // at a piece: its memory
+constexpr int64_t work_of_a_look = 400;    // at a piece: its memory
 constexpr double same_point = 0x1p-40;     // of points that may be the same, before anything is proven
 
 // Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they

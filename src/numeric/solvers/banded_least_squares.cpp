@@ -17,8 +17,7 @@ constexpr int64_t work_of_a_rotation = 60; // its angle
 
 BandedLeastSquares::BandedLeastSquares(int64_t columns, int bandwidth, int border, int64_t width)
     : banded_(columns - border), bandwidth_(bandwidth), border_(border), width_(width),
-      stride_(bandwidth + border + width),
-      fresh_(static_cast<size_t>(stride_)) {
+      stride_(bandwidth + border + width), fresh_(static_cast<size_t>(stride_)) {
     grow_watched(rows_, static_cast<size_t>(checked_product(columns, stride_, "least squares")));
 }
 

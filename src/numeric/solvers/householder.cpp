@@ -13,7 +13,7 @@ namespace nrb::inline numeric {
 namespace {
 
 constexpr Eigen::Index panel = 48;       // columns whose reflections are applied to the others together
-constexpr int64_t work_per_value = 4; // of a reflection of one column
+constexpr int64_t work_per_value = 4;    // of a reflection of one column
 constexpr Eigen::Index most_chunk = 128; // columns that they are applied to at a time
 
 } // namespace

@@ -120,7 +120,8 @@ private:
     // Adds to one layer of axis k of the result.
     void add_layer(size_t k, std::span<const Term> terms, const double *a, const double *b, double weight,
                    CompensatedSum *out) {
-        count_work(std::ssize(terms) * (work_of_a_choice + (degrees_[k] + 1) * (lengths_a_[k] + lengths_b_[k])));
+        count_work(std::ssize(terms) *
+                   (work_of_a_choice + (degrees_[k] + 1) * (lengths_a_[k] + lengths_b_[k])));
         for (const Term &term : terms) {
             const double *coefficients = terms_[k].coefficients(term);
             double *part_a = parts_a_[k].data(), *part_b = parts_b_[k].data();

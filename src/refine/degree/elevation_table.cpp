@@ -315,7 +315,8 @@ LayerTable Elevation::rows(int64_t first, int64_t end) const {
     constexpr int64_t part = 8192; // is made without a look at the watch
     LayerTable table;
     table.reserve(end - first, axis_.degree() + 2);
-    for (int64_t next = std::min(first + part, end); first < end; first = next, next = std::min(next + part, end)) {
+    for (int64_t next = std::min(first + part, end); first < end;
+         first = next, next = std::min(next + part, end)) {
         count_work((next - first) * (axis_.degree() + 2) * (axis_.degree() + 2));
         RowMaker(axis_, old_knots(), groups_, lead_, table).make(first_ + 1 + first, first_ + 1 + next);
     }

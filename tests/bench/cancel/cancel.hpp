@@ -19,7 +19,8 @@
 #include <vector>
 
 inline double now() { // milliseconds
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 struct Meter {

@@ -24,7 +24,7 @@ class Meter:
         self.gap, self.last = max(self.gap, now - self.last), now
         if now >= self.stop and not self.stopped:
             self.stopped = now
-        return bool(self.stopped)
+        return not self.stopped
 
 
 def timed(call, moment):

@@ -11,9 +11,9 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr int deepest = 26; // halvings of an axis
+constexpr int deepest = 26;             // halvings of an axis
 constexpr int64_t work_of_a_value = 12; // of a product: squares, their derivatives, and bounds of them
-constexpr int shallow = 8;  // before a singular matrix is looked at
+constexpr int shallow = 8;              // before a singular matrix is looked at
 
 } // namespace
 
