@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#ifdef __GLIBCXX__
+#include <cxxabi.h>
+#endif
 
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
