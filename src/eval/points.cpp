@@ -39,7 +39,8 @@ public:
                scratch_.take(static_cast<size_t>(shape_.slots)),
                scratch_.take(power_span_size(curve, shape_)),
                scratch_.take(values_size(curve, shape_)),
-               scratch_.take(power_span_size(curve, shape_))} {}
+               scratch_.take(power_span_size(curve, shape_)),
+               scratch_.take(lanes_size(curve, shape_))} {}
 
     void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
@@ -49,14 +50,18 @@ private:
         return curve.has_power_spans(0) ? nullptr : curve.records_after(uses);
     }
     static size_t power_span_size(const Spline &curve, const RecordShape &shape) noexcept {
-        return static_cast<size_t>(PowerSpan::size(curve.axis(0).degree(), shape.width));
+        return PowerSpan::head_size +
+               static_cast<size_t>(curve.axis(0).degree() + 1) * lanes_size(curve, shape);
+    }
+    static size_t lanes_size(const Spline &curve, const RecordShape &shape) noexcept {
+        return static_cast<size_t>(std::max(shape.lanes, curve.span_lanes()));
     }
     static size_t values_size(const Spline &curve, const RecordShape &shape) noexcept {
         return static_cast<size_t>(shape.slots) * static_cast<size_t>(curve.axis(0).degree() + 1);
     }
     static size_t scratch_size(const Spline &curve, const RecordShape &shape) noexcept {
         return record_scratch(shape, curve_group) + 2 * power_span_size(curve, shape) +
-               values_size(curve, shape) + Scratch::line;
+               values_size(curve, shape) + lanes_size(curve, shape) + Scratch::line;
     }
 
     RecordShape shape_;

@@ -3,12 +3,19 @@
 #include "base/finite.h"
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "basis/bernstein_span.h"
 #include "spline/spline.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace nrb::inline spline {
+
+namespace {
+
+constexpr int64_t work_of_a_lerp = 40; // in twice the precision
+
+} // namespace
 
 bool Spline::even(WeightRange range) noexcept {
     constexpr double largest_ratio = 4;
@@ -54,23 +61,28 @@ bool Spline::moderate_window(int64_t span) const noexcept {
     return moderate;
 }
 
+// The points of a span with the weights that they are to be multiplied by: [degree + 1][lanes].
+void Spline::copy_window(int64_t span, int lanes, double *weights, double *points) const noexcept {
+    const int degree = axis(0).degree();
+    for (int j = 0; j <= degree; ++j) {
+        const int64_t i = span - degree + j;
+        double *point = points + static_cast<int64_t>(j) * lanes;
+        std::fill(std::copy_n(points_.data() + i * stored_width(), stored_width(), point), point + lanes,
+                  0.0);
+        if (form_ != Form::homogeneous && dim_ < lanes) {
+            point[dim_] = 1;
+        }
+        weights[j] = form_ == Form::rational ? scaled_weight(i) : 1;
+    }
+}
+
 // From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].
 void Spline::combine(int64_t span, const double *basis, const double *rests, double *points,
                      double *power_span) const noexcept {
     const int degree = axis(0).degree();
     const int lanes = PowerSpan::lanes(width());
     double weights[max_power_span_degree + 1];
-    for (int j = 0; j <= degree; ++j) {
-        const int64_t i = span - degree + j;
-        double *point = points + static_cast<int64_t>(j) * lanes;
-        std::fill(std::copy_n(points_.data() + i * stored_width(), stored_width(), point), point + lanes,
-                  0.0);
-        weights[j] = 1;
-        if (form_ == Form::rational) {
-            point[dim_] = 1;
-            weights[j] = scaled_weight(i);
-        }
-    }
+    copy_window(span, lanes, weights, points);
     std::copy_n(basis, static_cast<int>(PowerSpan::head_size), power_span);
     combine_power_spans(basis, rests, degree, weights, points, lanes, power_span + PowerSpan::head_size);
 }
@@ -84,13 +96,37 @@ void Spline::curve_power_span(int64_t span, double *points, double *power_span) 
     combine(span, basis, rests, points, power_span);
 }
 
-PowerSpans Spline::curve_power_spans() const {
+bool Spline::has_bernstein_span(int64_t span) const noexcept {
+    constexpr double shortest = 0x1p-900, longest = 0x1p900, largest = 0x1p960;
+    const KnotVector &knots = axis(0);
+    const int degree = knots.degree();
+    const double length = knots[span + 1] - knots[span];
+    const double extent = knots[span + degree] - knots[span + 1 - degree];
+    bool allowed = degree >= 1 && dim_ < span_lanes() && length >= shortest && extent <= longest &&
+                   weight_range(span - degree, degree + 1).smallest >= 0;
+    for (int64_t i = span - degree; i <= span && allowed; ++i) {
+        const double factor = form_ == Form::rational ? std::max(scaled_weight(i), 1.0) : 1;
+        for (int c = 0; c < stored_width(); ++c) {
+            allowed =
+                allowed && factor * std::abs(points_[static_cast<size_t>(i * stored_width() + c)]) < largest;
+        }
+    }
+    return allowed;
+}
+
+void Spline::curve_bernstein_span(int64_t span, double *points, double *bernstein_span) const noexcept {
+    double weights[max_degree + 1];
+    const int lanes = span_lanes();
+    copy_window(span, lanes, weights, points);
+    make_bernstein_span(axis(0).knots().data(), axis(0).degree(), span, weights, points, lanes,
+                        bernstein_span);
+}
+
+// The power spans that there are, and NaN bounds.
+void Spline::fill_power_spans(PowerSpans &power_spans, std::vector<double> &points) const {
     static_cast<void>(moderate()); // which makes it unnecessary to look at every window
     const SpanTable &spans = axis(0).spans();
     const int degree = axis(0).degree();
-    PowerSpans power_spans(spans.size(), PowerSpan::size(degree, width()));
-    std::vector<double> points(static_cast<size_t>(degree + 1) *
-                               static_cast<size_t>(PowerSpan::lanes(width())));
     double basis[most_power_spans_together][max_basis_power_span];
     double rests[most_power_spans_together][max_basis_power_span];
     double *together[most_power_spans_together];
@@ -112,12 +148,39 @@ PowerSpans Spline::curve_power_spans() const {
             }
         }
     }
+}
+
+PowerSpans Spline::curve_power_spans() const {
+    const SpanTable &spans = axis(0).spans();
+    const int degree = axis(0).degree();
+    PowerSpans power_spans(spans.size(), PowerSpan::head_size + int64_t{degree + 1} * span_lanes());
+    std::vector<double> points(static_cast<size_t>((degree + 1) * span_lanes()));
+    const bool high = !power_span_degree(degree);
+    if (!high) {
+        fill_power_spans(power_spans, points);
+    }
+    for (int64_t e = 0; e < spans.size(); ++e) {
+        double *const place = power_spans[e];
+        const int64_t span = spans.indices()[static_cast<size_t>(e)];
+        if (high || std::isnan(place[PowerSpan::lower])) {
+            std::fill_n(place, static_cast<int>(PowerSpan::head_size), nan_value);
+            if (has_bernstein_span(span)) {
+                count_work(work_of_a_lerp * (degree + 1) * (degree + 1) * span_lanes());
+                curve_bernstein_span(span, points.data(), place);
+            }
+        }
+    }
     return power_spans;
 }
 
+// The largest table of a high degree. Most take much less.
+constexpr int64_t most_doubles = int64_t{1} << 24;
+
 const PowerSpans *Spline::power_spans_after(int64_t uses) const {
-    if (power_spans_.peek() != nullptr ||
-        (power_span_degree(axis(0).degree()) && uses_.pay(uses, count(0) / 3))) {
+    const int degree = axis(0).degree();
+    const bool wanted =
+        power_span_degree(degree) || (degree > 0 && count(0) <= most_doubles / ((degree + 2) * span_lanes()));
+    if (power_spans_.peek() != nullptr || (wanted && uses_.pay(uses, count(0) / 3))) {
         return &power_spans_.get([this] { return curve_power_spans(); });
     }
     return nullptr;

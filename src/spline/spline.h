@@ -98,11 +98,21 @@ public:
 
     // The power spans of a curve, if they exist or if `uses` more evaluations make them worth having; else
     // null. Component c < width() of a power span is that of the records. A span without a power span has NaN
-    // bounds.
+    // bounds; it has a Bernstein span if has_bernstein_span().
     [[nodiscard]] const PowerSpans *power_spans_after(int64_t uses) const;
     // The power span of one span without the table, with the same bits; points: [degree + 1][lanes], working
     // memory. Precondition: has_power_span(span).
     void curve_power_span(int64_t span, double *points, double *power_span) const noexcept;
+    // Whether a span of a curve that has no power span has a Bernstein span: no weight may be negative, and
+    // products may not overflow.
+    [[nodiscard]] bool has_bernstein_span(int64_t span) const noexcept;
+    // The same for a Bernstein span.
+    void curve_bernstein_span(int64_t span, double *points, double *bernstein_span) const noexcept;
+    // Components of the spans of a curve, rounded up: of records for power spans, of records with a weight for
+    // Bernstein spans, which all spans are of degrees too high for power spans.
+    [[nodiscard]] int span_lanes() const noexcept {
+        return PowerSpan::lanes(power_span_degree(axis(0).degree()) ? width() : dim_ + 1);
+    }
 
     // What other rooms keep with a spline. Only those rooms know the types; each thing is made at first use.
     enum class Cache {
@@ -137,6 +147,8 @@ private:
     [[nodiscard]] bool moderate_window(int64_t span) const noexcept;
     [[nodiscard]] SplinePtr without_inert_points() const;
     [[nodiscard]] PowerSpans curve_power_spans() const;
+    void fill_power_spans(PowerSpans &power_spans, std::vector<double> &points) const;
+    void copy_window(int64_t span, int lanes, double *weights, double *points) const noexcept;
     void combine(int64_t span, const double *basis, const double *rests, double *points,
                  double *power_span) const noexcept;
     [[nodiscard]] const double *weight_data() const noexcept {

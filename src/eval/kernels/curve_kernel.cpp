@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 
 #include "basis/bspline.h"
+#include "eval/kernels/bernstein-inl.h"
 #include "eval/kernels/contract-inl.h"
 #include "eval/kernels/curve_kernel.h"
 #include "eval/kernels/finish-inl.h"
@@ -13,6 +14,7 @@
 #include "eval/kernels/rows-inl.h"
 
 #include <cmath>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
@@ -25,10 +27,10 @@ struct CurveTables {
     explicit CurveTables(const CurveJob &job)
         : domain(job.spline.axis(0).domain()), find(job.spans->finder()), power_spans((*job.power_spans)[0]),
           power_span_size(job.power_spans->size()), degree(job.spline.axis(0).degree()),
-          lanes(job.shape.lanes), dim(job.shape.dim) {}
+          lanes(job.shape.lanes), bernstein_lanes(job.spline.span_lanes()), dim(job.shape.dim) {}
 
-    // The power spans of `count` parameters inside the domain; false unless each parameter lies strictly
-    // inside its span, and the span has a power span.
+    // The spans of `count` parameters inside the domain; false unless each parameter lies strictly inside its
+    // span, and the span has a power span.
     [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
                                          const double **HWY_RESTRICT found) const {
         bool all = true;
@@ -39,6 +41,14 @@ struct CurveTables {
         }
         return all;
     }
+    // The same for any parameters; null where there is no such span.
+    HWY_INLINE void locate_some(const double *HWY_RESTRICT params, int count,
+                                const double **HWY_RESTRICT found) const {
+        for (int i = 0; i < count; ++i) {
+            const bool inside = params[i] > domain.lower && params[i] < domain.upper;
+            found[i] = inside ? power_spans + find.number_inside(params[i]) * power_span_size : nullptr;
+        }
+    }
 
     Interval domain;
     SpanTable::Finder find;
@@ -46,6 +56,7 @@ struct CurveTables {
     int64_t power_span_size;
     int degree;
     int lanes;
+    int bernstein_lanes;
     int dim;
 };
 
@@ -128,7 +139,8 @@ private:
             }
             if (!between(block, count, tables.domain.lower, tables.domain.upper) ||
                 !tables.locate(block, count, power_spans)) {
-                run_specially(block, count, first);
+                tables.locate_some(block, count, power_spans);
+                run_mixed<kOrders, kDegree, kLanes>(tables, block, power_spans, count, first);
                 power_span = nullptr;
                 continue;
             }
@@ -206,32 +218,84 @@ private:
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block,
                               const double *const *power_spans, int count, int64_t first) {
-        const Vec4 d;
         QuadWriter write(job_.shape, out_);
-        const int degree = tables.degree;
-        const int dim = tables.dim;
-        const bool rational = job_.quotient != nullptr;
         for (int i = 0; i < count; ++i) {
             QuadRecord<kOrders, kLanes> record;
-            const double *power_span = power_spans[i];
-            const double scale = power_span[PowerSpan::scale];
-            const auto x = hn::Set(d, (block[i] - power_span[PowerSpan::middle]) * scale);
-            for (int part = 0; part < record.parts; ++part) {
-                horner_vector<kOrders, kDegree>(d, Components(),
-                                                power_span + PowerSpan::head_size + part * vec4_lanes, degree,
-                                                kLanes, x, scale, record.values[part]);
-            }
-            if (rational) {
-                record.template divide_by_weight<1, kOrders - 1>(dim);
-            }
+            power_quads<kOrders, kDegree>(tables, power_spans[i], block[i], record);
             write(record, first + i);
         }
         write.template finish<kOrders, kLanes>(first + count - 1);
     }
 
-    HWY_NOINLINE void run_specially(const double *params, int count, int64_t first) {
+    // A block of which some parameters have a power span or a Bernstein span: these first, then the others.
+    template <int kOrders, int kDegree, int kLanes>
+    HWY_NOINLINE void run_mixed(const CurveTables &tables, const double *block, const double *const *spans,
+                                int count, int64_t first) {
+        unsigned others = 0;
+        if constexpr (kLanes > 0) {
+            others = run_mixed_quads<kOrders, kDegree, kLanes>(tables, block, spans, count, first);
+        } else {
+            others = (1U << count) - 1;
+        }
         for (int i = 0; i < count; ++i) {
-            run_specially(params[i], first + i);
+            if ((others >> i & 1) != 0) {
+                run_specially(block[i], first + i);
+            }
+        }
+    }
+
+    // Returns those that are left as a set of bits.
+    template <int kOrders, int kDegree, int kLanes>
+    HWY_INLINE unsigned run_mixed_quads(const CurveTables &tables, const double *block,
+                                        const double *const *spans, int count, int64_t first) {
+        unsigned others = 0;
+        QuadWriter write(job_.shape, out_);
+        for (int i = 0; i < count; ++i) {
+            QuadRecord<kOrders, kLanes> record;
+            if (spans[i] != nullptr && block[i] > spans[i][PowerSpan::lower]) {
+                power_quads<kOrders, kDegree>(tables, spans[i], block[i], record);
+            } else if (spans[i] == nullptr || !bernstein_quads(tables, spans[i], block[i], record)) {
+                others |= 1U << i;
+                write.template skip<kOrders, kLanes>(first + i);
+                continue;
+            }
+            write(record, first + i);
+        }
+        write.template finish<kOrders, kLanes>(first + count - 1);
+        return others;
+    }
+
+    template <int kOrders, int kDegree, int kLanes>
+    HWY_INLINE void power_quads(const CurveTables &tables, const double *power_span, double t,
+                                QuadRecord<kOrders, kLanes> &record) {
+        const Vec4 d;
+        const double scale = power_span[PowerSpan::scale];
+        const auto x = hn::Set(d, (t - power_span[PowerSpan::middle]) * scale);
+        for (int part = 0; part < record.parts; ++part) {
+            horner_vector<kOrders, kDegree>(d, Components(),
+                                            power_span + PowerSpan::head_size + part * vec4_lanes,
+                                            tables.degree, kLanes, x, scale, record.values[part]);
+        }
+        if (job_.quotient != nullptr) {
+            record.template divide_by_weight<1, kOrders - 1>(tables.dim);
+        }
+    }
+
+    template <int kOrders, int kLanes>
+    static HWY_INLINE bool bernstein_quads(const CurveTables &tables, const double *span, double t,
+                                           QuadRecord<kOrders, kLanes> &record) {
+        if constexpr (kOrders > 1) {
+            return false;
+        } else {
+            if (tables.bernstein_lanes != kLanes || !inside_bernstein_span(span, t)) {
+                return false;
+            }
+            const BernsteinPlace place(span, tables.degree, kLanes, t);
+            for (int part = 0; part < record.parts; ++part) {
+                record.values[part][0] = place.components(tables.degree, part * vec4_lanes);
+            }
+            record.template divide_by_weight<1, 0>(tables.dim);
+            return true;
         }
     }
 
@@ -245,7 +309,7 @@ private:
             horner(job_.shape.order, piece_of(span, t), degree(), job_.shape.lanes, t, job_.records);
             write_records_(i, 1, job_.records);
         } else {
-            write_by_recurrence(span, t, i);
+            write_without_power_span(span, t, i);
         }
         const int sole = sole_function(axis_.knots().data(), degree(), span, t);
         if (sole >= 0) {
@@ -259,11 +323,47 @@ private:
         int64_t stride;
     };
 
+    // The point from a Bernstein span, if there is one, and everything else by recurrences.
+    void write_without_power_span(int64_t span, double t, int64_t i) {
+        const double *const found =
+            t > axis_[span] && t < axis_[span + 1] ? bernstein_span_of(span, t) : nullptr;
+        if (found != nullptr) {
+            bernstein_point(found, degree(), job_.shape.dim, job_.spline.span_lanes(), t, job_.point);
+        }
+        if (found == nullptr || job_.shape.order > 0) {
+            write_by_recurrence(span, t, found != nullptr, i);
+        }
+        if (found != nullptr) {
+            write_point(i);
+        }
+    }
+    void write_point(int64_t i) const {
+        for (int c = 0; c < job_.shape.dim; ++c) {
+            out_(i, c) = job_.point[c];
+        }
+    }
+
+    // From the table, or made by the same code; null if there is none.
+    const double *bernstein_span_of(int64_t span, double t) {
+        if (job_.power_spans != nullptr) {
+            const double *const found = (*job_.power_spans)[job_.spans->number(t, job_.rule.left)];
+            return std::isnan(found[BernsteinSpan::a]) ? nullptr : found;
+        }
+        if (!job_.spline.has_bernstein_span(span)) {
+            return nullptr;
+        }
+        if (std::exchange(made_, span) != span) {
+            job_.spline.curve_bernstein_span(span, job_.window, job_.power_span);
+        }
+        return job_.power_span;
+    }
+
     // The functions of degrees p, p - 1, ... with the control points of the curve and of its derivatives.
     // With derivatives of the functions instead, whose sum is 0, the rounding of the part that all points
     // have in common would remain. For the same reason the quotient rule is applied to the curve relative to
     // its own point at t, which is written afterwards.
-    void write_by_recurrence(int64_t span, double t, int64_t i) {
+    // `known`: that point is in job_.point.
+    void write_by_recurrence(int64_t span, double t, bool known, int64_t i) {
         const int order = job_.shape.order;
         basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
         const ActiveRows rows = active_rows(span);
@@ -272,16 +372,15 @@ private:
             contract_derivatives(span, rows);
             return write_records_(i, 1, job_.records);
         }
-        double *point = job_.power_span;
-        std::copy_n(job_.records, job_.shape.lanes, point);
-        divide_record<1, 0>(job_.shape, point);
-        const ActiveRows moved = rows_from(point, span, rows);
+        if (!known) {
+            std::copy_n(job_.records, job_.shape.lanes, job_.point);
+            divide_record<1, 0>(job_.shape, job_.point);
+        }
+        const ActiveRows moved = rows_from(job_.point, span, rows);
         contract(0, moved);
         contract_derivatives(span, moved);
         write_records_(i, 1, job_.records);
-        for (int c = 0; c < job_.shape.dim; ++c) {
-            out_(i, c) = point[c];
-        }
+        write_point(i);
     }
 
     // From the table, or made by the same code.
@@ -367,7 +466,9 @@ private:
         if (job_.power_spans != nullptr) {
             return (*job_.power_spans)[job_.spans->number(t, job_.rule.left)];
         }
-        job_.spline.curve_power_span(span, job_.window, job_.power_span);
+        if (std::exchange(made_, span) != span) {
+            job_.spline.curve_power_span(span, job_.window, job_.power_span);
+        }
         return job_.power_span;
     }
 
@@ -380,6 +481,7 @@ private:
     Interval domain_;
     RecordWriter write_records_;
     RowWriter write_rows_;
+    int64_t made_ = -1; // the span in job_.power_span, while there is no table
 };
 
 void run_curve(const CurveJob &job, const ConstRecords &params, const Records &out) {

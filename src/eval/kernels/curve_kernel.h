@@ -13,13 +13,14 @@ struct CurveJob {
     const RecordShape &shape;
     const QuotientRule *quotient;  // null for a polynomial curve
     const SpanTable *spans;        // null with `power_spans`
-    const PowerSpans *power_spans; // null while there is no table: then every power span is made anew
+    const PowerSpans *power_spans; // null while there is no table: then spans are made anew
     const double *net;             // the records, if the recurrence needs them; null while there is no table
     double *records;               // working memory: [group][slots][lanes], a group being curve_group points
     double *weights;               // [slots]
-    double *power_span;            // PowerSpan::size(degree, width)
+    double *power_span;            // one span
     double *values;                // [order + 1][degree + 1]
-    double *window;                // [degree + 1][lanes]
+    double *window;                // [degree + 1][lanes], those of the records and of the spans
+    double *point;                 // the same lanes
 };
 
 inline constexpr int curve_group = 8;

@@ -5,6 +5,7 @@
 
 #include <hwy/foreach_target.h>
 
+#include "eval/kernels/bernstein-inl.h"
 #include "eval/kernels/finish-inl.h"
 #include "eval/kernels/single_kernel.h"
 #include "spline/spline.h"
@@ -15,14 +16,18 @@ namespace HWY_NAMESPACE {
 
 using V4 = hn::Vec<Vec4>;
 
-// Null unless t lies strictly inside a span with a power span, where no function is alone.
-HWY_INLINE const double *power_span_at(const SingleAxis &axis, double t, int64_t &number) {
+// The place in the table of the span of t; null unless t lies inside the domain.
+HWY_INLINE const double *span_at(const SingleAxis &axis, double t, int64_t &number) {
     if (!(t > axis.domain.lower && t < axis.domain.upper)) {
         return nullptr;
     }
     number = axis.find.number_inside(t);
-    const double *power_span = axis.power_spans + number * axis.power_span_size;
-    return t > power_span[PowerSpan::lower] ? power_span : nullptr;
+    return axis.power_spans + number * axis.power_span_size;
+}
+// Null unless t lies strictly inside a span with a power span, where no function is alone.
+HWY_INLINE const double *power_span_at(const SingleAxis &axis, double t, int64_t &number) {
+    const double *span = span_at(axis, t, number);
+    return span != nullptr && t > span[PowerSpan::lower] ? span : nullptr;
 }
 
 template <int kDegree>
@@ -37,15 +42,16 @@ HWY_INLINE V4 local_parameter(const double *power_span, double t) {
     return hn::Set(Vec4(), (t - power_span[PowerSpan::middle]) * power_span[PowerSpan::scale]);
 }
 
-// The components of a record one vector after the other, from component(l), divided by the last one.
+// The components of a record one vector after the other, from component(l), if it is rational divided by
+// component dim.
 template <class Component>
-HWY_INLINE void write_components(const SingleTables &tables, const Component &component, double *point) {
+HWY_INLINE void write_components(const SingleTables &tables, bool rational, const Component &component,
+                                 double *point) {
     const Vec4 d;
     HWY_ALIGN double lanes[4];
     auto inverse = hn::Set(d, 1);
     V4 last = hn::Zero(d);
-    const int last_part = (tables.width - 1) / vec4_lanes * vec4_lanes;
-    const bool rational = tables.width > tables.dim;
+    const int last_part = tables.dim / vec4_lanes * vec4_lanes;
     if (rational) {
         last = component(last_part);
         hn::Store(last, d, lanes);
@@ -63,16 +69,26 @@ HWY_INLINE void write_components(const SingleTables &tables, const Component &co
 template <int kDegree>
 HWY_INLINE bool single_of_curve(const SingleTables &tables, const double *params, double *point) {
     const SingleAxis &axis = tables.axes[0];
+    const double t = params[0];
     int64_t number;
-    const double *power_span = power_span_at(axis, params[0], number);
-    if (power_span == nullptr) {
+    const double *span = span_at(axis, t, number);
+    if (span == nullptr) {
         return false;
     }
-    const V4 x = local_parameter(power_span, params[0]);
+    if (t > span[PowerSpan::lower]) {
+        const V4 x = local_parameter(span, t);
+        const auto component = [&](int l) HWY_ATTR {
+            return horner_at<kDegree>(span, axis.degree, tables.lanes, l, x);
+        };
+        write_components(tables, tables.width > tables.dim, component, point);
+        return true;
+    }
+    if (!inside_bernstein_span(span, t)) {
+        return false;
+    }
+    const BernsteinPlace place(span, axis.degree, tables.span_lanes, t);
     write_components(
-        tables,
-        [&](int l) HWY_ATTR { return horner_at<kDegree>(power_span, axis.degree, tables.lanes, l, x); },
-        point);
+        tables, true, [&](int l) HWY_ATTR { return place.components(axis.degree, l); }, point);
     return true;
 }
 
@@ -125,6 +141,7 @@ HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *param
         }
     }
     const SingleAxis &u = tables.axes[0], &v = tables.axes[1], &w = tables.axes[2];
+    const bool rational = tables.width > tables.dim;
     const auto column = [&](const double *from) HWY_ATTR {
         return contract_axis<kDegree>(u, functions[0],
                                       [&](int i) HWY_ATTR { return hn::LoadU(Vec4(), from + i * u.stride); });
@@ -135,13 +152,13 @@ HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *param
     };
     if (tables.axis_count == 2) {
         write_components(
-            tables, [&](int l) HWY_ATTR { return plane(net + l); }, point);
+            tables, rational, [&](int l) HWY_ATTR { return plane(net + l); }, point);
     } else {
         const auto body = [&](int l) HWY_ATTR {
             return contract_axis<kDegree>(w, functions[2],
                                           [&](int k) HWY_ATTR { return plane(net + l + k * w.stride); });
         };
-        write_components(tables, body, point);
+        write_components(tables, rational, body, point);
     }
     return true;
 }
@@ -245,6 +262,7 @@ std::shared_ptr<const SingleTables> make_tables(const Spline &spline) {
     tables->width = spline.width();
     tables->lanes = PowerSpan::lanes(spline.width());
     if (spline.axes() == 1) {
+        tables->span_lanes = spline.span_lanes();
         tables->axes[0] = axis_of(spline, 0, spline.power_spans_after(0));
         return tables->axes[0].power_spans != nullptr ? tables : nullptr;
     }

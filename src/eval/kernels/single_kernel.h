@@ -28,6 +28,7 @@ struct SingleTables {
     int dim = 0;
     int width = 0;
     int lanes = 0;
+    int span_lanes = 0;          // as Spline::span_lanes(), of a curve
     const double *net = nullptr; // the records; null for a curve
 };
 
@@ -37,7 +38,7 @@ const SingleTables *single_tables(const Spline &spline) noexcept;
 void keep_single_tables(const Spline &spline);
 
 // The same point as in a batch: params [axes], point [dim]. False, and nothing is written, unless every
-// parameter lies strictly inside a span that has a power span.
+// parameter lies strictly inside a span that has a power span, or a Bernstein span of a curve.
 bool evaluate_single(const SingleTables &tables, const double *params, double *point) noexcept;
 // The same with first derivatives, of a surface in space: derivs [3][3] are S, S_u and S_v.
 bool evaluate_single_derivs(const SingleTables &tables, const double *params, double *derivs) noexcept;
