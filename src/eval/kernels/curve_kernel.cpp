@@ -227,42 +227,53 @@ private:
         write.template finish<kOrders, kLanes>(first + count - 1);
     }
 
-    // A block of which some parameters have a power span or a Bernstein span: these first, then the others.
+    // A block of which some parameters have a power span or a Bernstein span.
     template <int kOrders, int kDegree, int kLanes>
     HWY_NOINLINE void run_mixed(const CurveTables &tables, const double *block, const double *const *spans,
                                 int count, int64_t first) {
-        unsigned others = 0;
+        unsigned left = (1U << count) - 1;
         if constexpr (kLanes > 0) {
-            others = run_mixed_quads<kOrders, kDegree, kLanes>(tables, block, spans, count, first);
-        } else {
-            others = (1U << count) - 1;
+            left = run_mixed_quads<kOrders, kDegree, kLanes>(tables, block, spans, count, first);
         }
         for (int i = 0; i < count; ++i) {
-            if ((others >> i & 1) != 0) {
+            if ((left >> i & 1) != 0) {
                 run_specially(block[i], first + i);
             }
         }
     }
 
-    // Returns those that are left as a set of bits.
+    // Returns, as a set of bits, those that are left. Packed records have to be written in rising order; those in
+    // rows are written later, and only after them those that are left.
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE unsigned run_mixed_quads(const CurveTables &tables, const double *block,
                                         const double *const *spans, int count, int64_t first) {
-        unsigned others = 0;
+        unsigned left = 0;
         QuadWriter write(job_.shape, out_);
         for (int i = 0; i < count; ++i) {
             QuadRecord<kOrders, kLanes> record;
-            if (spans[i] != nullptr && block[i] > spans[i][PowerSpan::lower]) {
-                power_quads<kOrders, kDegree>(tables, spans[i], block[i], record);
-            } else if (spans[i] == nullptr || !bernstein_quads(tables, spans[i], block[i], record)) {
-                others |= 1U << i;
-                write.template skip<kOrders, kLanes>(first + i);
+            if (quads_of<kOrders, kDegree>(tables, spans[i], block[i], record)) {
+                write(record, first + i);
                 continue;
             }
-            write(record, first + i);
+            write.template skip<kOrders, kLanes>(first + i);
+            if (write.waits()) {
+                left |= 1U << i;
+            } else {
+                run_specially(block[i], first + i);
+            }
         }
         write.template finish<kOrders, kLanes>(first + count - 1);
-        return others;
+        return left;
+    }
+
+    template <int kOrders, int kDegree, int kLanes>
+    HWY_INLINE bool quads_of(const CurveTables &tables, const double *span, double t,
+                             QuadRecord<kOrders, kLanes> &record) {
+        if (span != nullptr && t > span[PowerSpan::lower]) {
+            power_quads<kOrders, kDegree>(tables, span, t, record);
+            return true;
+        }
+        return span != nullptr && bernstein_quads(tables, span, t, record);
     }
 
     template <int kOrders, int kDegree, int kLanes>

@@ -146,6 +146,9 @@ public:
         }
     }
 
+    // Whether records are written only when there are enough for a row.
+    [[nodiscard]] HWY_INLINE bool waits() const { return rows_; }
+
     // In place of record i.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void skip(int64_t i) {
