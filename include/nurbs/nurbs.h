@@ -96,15 +96,17 @@
  *     c(p)        1   3   4   4   6   6   8   8  12  12    16     24     32
  *
  * This table is tested, not proved: comparison with exact arithmetic, and searches for the worst case, find
- * at most 0.95 of it. There are two methods. Spans of degree 1 to 9 are evaluated as polynomials in a local
+ * at most 0.95 of it. There are three methods. Spans of degree 1 to 9 are evaluated as polynomials in a local
  * parameter centred on the span if their active weights (for surfaces and volumes: all weights that are
  * active somewhere) are positive and differ by a factor of at most 4. With these polynomials c is multiplied
- * by that factor, the largest of these weights over the smallest; no other ratio of weights enters. All other
- * spans are evaluated by the Cox-de Boor recurrence, for which 7 p + 2 is proved. So are spans of a few units
- * of rounding, spans shorter than 2^-100, spans whose knots reach over more than 2^500 or 2^500 times their
- * length, and spans of curves with a control point of 2^961 or more. With signed weights hull is (max|w_i
- * P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every axis) the
- * stored control point is returned bit for bit.
+ * by that factor, the largest of these weights over the smallest; no other ratio of weights enters. Spans of
+ * a few units of rounding, shorter than 2^-100, with knots that reach over more than 2^500 or 2^500 times
+ * their length, or (of curves) with a control point of 2^961 or more are none of these. Points of all other
+ * spans of curves whose weights are not negative come from the Bezier points of the span, by Horner's rule in
+ * (t - a) / (b - t), unless a span is shorter than 2^-900, or a control point is 2^960 or more. Everything
+ * else is evaluated by the Cox-de Boor recurrence, for which 7 p + 2 is proved. With signed weights hull is
+ * (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every
+ * axis) the stored control point is returned bit for bit.
  *
  * A derivative of multi-index a (order k = |a| > 0) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
  * where H_a is the largest control point of the derivative that is active at the parameter, computed in

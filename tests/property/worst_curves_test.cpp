@@ -17,8 +17,8 @@ using reference::eps;
 
 namespace {
 
-// Weights within the ratio of 4, to which spans are evaluated in centred powers, or just beyond it.
-enum class Balance { polynomial, within_4, beyond_4 };
+// Weights within the ratio of 4, to which spans are evaluated in centred powers, just beyond it, or far beyond it.
+enum class Balance { polynomial, within_4, beyond_4, far_apart };
 
 struct Trial {
     SplineData data; // a span alone: degree + 1 points along each axis
@@ -60,13 +60,16 @@ double random_point(Random &random) {
     return random.chance(50) ? size : -size;
 }
 
-double random_weight(Random &random) {
+double random_weight(Random &random, Balance balance) {
+    if (balance == Balance::far_apart) {
+        return random.chance(40) ? 1 : random.magnitude(1e-12, 1e12);
+    }
     return random.chance(60) ? (random.chance(50) ? 1 : 4) : random.between(1, 4);
 }
 
 // One weight 1; one at most 4, or one step above.
 void hold_ratio(std::vector<double> &weights, Balance balance) {
-    if (balance != Balance::polynomial) {
+    if (balance == Balance::within_4 || balance == Balance::beyond_4) {
         *std::min_element(weights.begin(), weights.end()) = 1;
     }
     if (balance == Balance::beyond_4) {
@@ -98,7 +101,7 @@ Trial random_trial(Random &random, const std::vector<int> &degrees, Balance bala
         trial.data.points.push_back(random_point(random));
     }
     for (int64_t i = 0; i < trial.data.point_count() && balance != Balance::polynomial; ++i) {
-        trial.data.weights.push_back(random_weight(random));
+        trial.data.weights.push_back(random_weight(random, balance));
     }
     hold_ratio(trial.data.weights, balance);
     return trial;
@@ -131,7 +134,7 @@ Trial neighbour(Random &random, Trial trial, Balance balance) {
             x = random.chance(10) ? random_point(random) : x;
         }
     } else {
-        trial.data.weights[random.bits() % trial.data.weights.size()] = random_weight(random);
+        trial.data.weights[random.bits() % trial.data.weights.size()] = random_weight(random, balance);
         hold_ratio(trial.data.weights, balance);
     }
     trial.param[k] = std::clamp(trial.param[k], trial.data.lower(axis), trial.data.upper(axis));
@@ -159,8 +162,9 @@ void climb(const std::vector<int> &degrees, int order, uint64_t seed_base, Balan
 
 void climb_curves(const char *title, uint64_t base, Balance balance) {
     WorstErrors worst(title);
-    for (const int degree : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15}) {
-        climb({degree}, 0, base + 1000 * static_cast<uint64_t>(degree), balance, 4, 700, worst);
+    for (const int degree : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 23, 31}) {
+        climb({degree}, 0, base + 1000 * static_cast<uint64_t>(degree), balance, degree > 20 ? 1 : 4, 700,
+              worst);
     }
 }
 
@@ -177,13 +181,19 @@ TEST(WorstCurves, weights_just_beyond_a_ratio_of_4) {
     climb_curves("climbing to the worst span of uneven weights, unit eps * hull", 7300000, Balance::beyond_4);
 }
 
+TEST(WorstCurves, weights_far_apart) {
+    climb_curves("climbing to the worst span of weights from 1e-12 to 1e12, unit eps * hull", 7700000,
+                 Balance::far_apart);
+}
+
 TEST(WorstCurves, derivatives) {
     for (const int order : {1, 2}) {
         WorstErrors worst("climbing to the worst derivative of order " + std::to_string(order) +
                           ", unit eps * E");
         uint64_t base = 7600000 + 100000 * static_cast<uint64_t>(order);
         for (const int degree : {1, 2, 3, 5, 9, 12}) {
-            for (const Balance balance : {Balance::polynomial, Balance::within_4, Balance::beyond_4}) {
+            for (const Balance balance :
+                 {Balance::polynomial, Balance::within_4, Balance::beyond_4, Balance::far_apart}) {
                 climb({degree}, order, base += 1000, balance, 1, 500, worst);
             }
         }

@@ -338,13 +338,11 @@ private:
     void write_without_power_span(int64_t span, double t, int64_t i) {
         const double *const found =
             t > axis_[span] && t < axis_[span + 1] ? bernstein_span_of(span, t) : nullptr;
+        if (found == nullptr || job_.shape.order > 0) {
+            write_by_recurrence(span, t, i);
+        }
         if (found != nullptr) {
             bernstein_point(found, degree(), job_.shape.dim, job_.spline.span_lanes(), t, job_.point);
-        }
-        if (found == nullptr || job_.shape.order > 0) {
-            write_by_recurrence(span, t, found != nullptr, i);
-        }
-        if (found != nullptr) {
             write_point(i);
         }
     }
@@ -373,8 +371,7 @@ private:
     // With derivatives of the functions instead, whose sum is 0, the rounding of the part that all points
     // have in common would remain. For the same reason the quotient rule is applied to the curve relative to
     // its own point at t, which is written afterwards.
-    // `known`: that point is in job_.point.
-    void write_by_recurrence(int64_t span, double t, bool known, int64_t i) {
+    void write_by_recurrence(int64_t span, double t, int64_t i) {
         const int order = job_.shape.order;
         basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
         const ActiveRows rows = active_rows(span);
@@ -383,10 +380,8 @@ private:
             contract_derivatives(span, rows);
             return write_records_(i, 1, job_.records);
         }
-        if (!known) {
-            std::copy_n(job_.records, job_.shape.lanes, job_.point);
-            divide_record<1, 0>(job_.shape, job_.point);
-        }
+        std::copy_n(job_.records, job_.shape.lanes, job_.point);
+        divide_record<1, 0>(job_.shape, job_.point);
         const ActiveRows moved = rows_from(job_.point, span, rows);
         contract(0, moved);
         contract_derivatives(span, moved);
