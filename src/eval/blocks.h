@@ -15,6 +15,8 @@ inline constexpr int64_t block_size = 64;
 class BlockSink {
 public:
     virtual ~BlockSink() = default;
+    // Whether values come as points one after the other in place of such rows, where that is as easy.
+    [[nodiscard]] virtual bool wants_points() const noexcept { return false; }
     virtual void operator()(int64_t first, ConstRecords values) noexcept = 0;
 };
 

@@ -207,8 +207,9 @@ public:
 
     // Rows of strip `i` for one parameter of axis 0, through memory for a block.
     void write(int64_t i, int64_t row, double *rows, BlockSink &sink) noexcept {
-        strips_[static_cast<size_t>(i)]->write({rows, length(i), width_, 1, block_size}, row, row + 1, &sink,
-                                               i * block_size, last_.count);
+        const bool points = sink.wants_points();
+        const Records block{rows, length(i), width_, points ? width_ : 1, points ? 1 : block_size};
+        strips_[static_cast<size_t>(i)]->write(block, row, row + 1, &sink, i * block_size, last_.count);
     }
 
 private:

@@ -37,9 +37,20 @@ void check_column(const ConstRecords &params, int k, const AxisRule &rule, Inter
     }
 }
 
+// The remainder of fmod(), which is exact, by one multiplication where the quotient is not large.
+double remainder_of(double x, double period) noexcept {
+    const double quotient = std::trunc(x / period);
+    if (!(std::abs(quotient) < most_periods)) {
+        return std::fmod(x, period);
+    }
+    const double rest = std::fma(-quotient, period, x); // exact, as is what is added, if it is of the other sign
+    const double signed_period = std::copysign(period, x);
+    return rest * signed_period < 0 ? rest + signed_period : std::abs(rest) >= period ? rest - signed_period : rest;
+}
+
 double wrap(double t, bool left, Interval domain) noexcept {
     const double period = domain.upper - domain.lower;
-    double offset = std::fmod(t - domain.lower, period);
+    double offset = remainder_of(t - domain.lower, period);
     if (!std::isfinite(offset)) { // t - lower overflows
         offset = std::fmod(std::fmod(t, period) - std::fmod(domain.lower, period), period);
     }

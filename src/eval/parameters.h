@@ -37,6 +37,10 @@ void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRe
 // none.
 bool all_inside(const double *params, int64_t count, int axes, const Interval *domains) noexcept;
 
+// The largest quotient of a parameter and a period for which a remainder takes one multiplication: its rounded value is
+// off by at most 1.
+inline constexpr double most_periods = 0x1p50;
+
 // The parameter to evaluate at for a parameter t that was checked, or NaN if the rule gives NaN. A wrapped
 // parameter is in [lower, upper), from the left in (lower, upper].
 double place(double t, const AxisRule &rule, Interval domain) noexcept;

@@ -253,10 +253,12 @@ template <class Evaluator, class Blocks>
 void evaluate_blocks(Evaluator &&evaluate, Blocks &&blocks, int64_t width, BlockSink &sink) {
     const std::unique_ptr<double[]> rows(
         new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
+    const bool points = sink.wants_points();
+    const int64_t stride = points ? width : 1, component_stride = points ? 1 : block_size;
     for (int64_t first = 0; first < blocks.count(); first += block_size) {
         const int64_t count = std::min(block_size, blocks.count() - first);
-        evaluate(blocks(first, count), Records{rows.get(), count, width, 1, block_size});
-        sink(first, {rows.get(), count, width, 1, block_size});
+        evaluate(blocks(first, count), Records{rows.get(), count, width, stride, component_stride});
+        sink(first, {rows.get(), count, width, stride, component_stride});
     }
 }
 

@@ -10,6 +10,15 @@ namespace {
 
 // Points first, first + 1, ... from those of `values`.
 void round_points(ConstRecords values, int64_t first, FloatRecords points) noexcept {
+    if (values.component_stride == 1 && values.stride == values.width && points.component_stride == 1 &&
+        points.stride == values.width) {
+        const double *const from = values.data;
+        float *const to = points.data + first * points.stride;
+        for (int64_t i = 0; i < values.count * values.width; ++i) {
+            to[i] = static_cast<float>(from[i]);
+        }
+        return;
+    }
     for (int64_t i = 0; i < values.count; ++i) {
         for (int64_t c = 0; c < values.width; ++c) {
             points(first + i, c) = static_cast<float>(values(i, c));
@@ -20,6 +29,8 @@ void round_points(ConstRecords values, int64_t first, FloatRecords points) noexc
 class FloatSink final : public BlockSink {
 public:
     explicit FloatSink(FloatRecords points) noexcept : points_(points) {}
+
+    [[nodiscard]] bool wants_points() const noexcept override { return true; }
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
         round_points(values, first, points_);

@@ -131,6 +131,9 @@ private:
         for (int64_t first = 0; first < params.count; first += curve_block) {
             const int count = static_cast<int>(std::min<int64_t>(curve_block, params.count - first));
             const double *block = block_of(params, first, count, copy);
+            if (job_.rule.outside == Outside::wrap && !between(block, count, domain_.lower, domain_.upper)) {
+                block = wrapped(block, count, copy);
+            }
             const double *power_spans[curve_block];
             if (power_span != nullptr && count == curve_block &&
                 between(block, count, power_span[PowerSpan::lower], power_span[PowerSpan::upper])) {
@@ -164,6 +167,41 @@ private:
             copy[i] = start[i * params.stride];
         }
         return copy;
+    }
+
+    // The parameters as place() gives them, with the same bits.
+    const double *wrapped(const double *block, int count, double *copy) const {
+        if (block != copy) {
+            std::copy_n(block, count, copy);
+        }
+        std::fill(copy + count, copy + curve_block, domain_.lower);
+        for (int i = 0; i < curve_block; i += vec8_lanes) {
+            wrap_vector(copy + i);
+        }
+        return copy;
+    }
+    HWY_INLINE void wrap_vector(double *params) const {
+        const Vec8 d;
+        const auto t = hn::LoadU(d, params);
+        const auto lower = hn::Set(d, domain_.lower), upper = hn::Set(d, domain_.upper);
+        const auto period = hn::Set(d, domain_.upper - domain_.lower);
+        const auto x = hn::Sub(t, lower);
+        const auto quotient = hn::Trunc(hn::Div(x, period));
+        const auto exact = hn::Lt(hn::Abs(quotient), hn::Set(d, most_periods));
+        if (!HWY_NATIVE_FMA || !hn::AllTrue(d, exact)) {
+            std::transform(params, params + vec8_lanes, params,
+                           [this](double param) { return place(param, job_.rule, domain_); });
+            return;
+        }
+        const auto signed_period = hn::CopySign(period, x);
+        auto rest = hn::NegMulAdd(quotient, period, x);
+        rest = hn::IfThenElse(hn::Lt(hn::Mul(rest, signed_period), hn::Zero(d)), hn::Add(rest, signed_period), rest);
+        rest = hn::IfThenElse(hn::Ge(hn::Abs(rest), period), hn::Sub(rest, signed_period), rest);
+        const auto offset = hn::IfThenElse(hn::Lt(rest, hn::Zero(d)), hn::Add(rest, period), rest);
+        const auto placed = hn::Clamp(hn::Add(lower, offset), lower, upper);
+        const auto end = job_.rule.left ? lower : upper, other = job_.rule.left ? upper : lower;
+        const auto inside = hn::And(hn::Lt(lower, t), hn::Lt(t, upper));
+        hn::StoreU(hn::IfThenElse(inside, t, hn::IfThenElse(hn::Eq(placed, end), other, placed)), d, params);
     }
 
     template <int kOrders, int kDegree>

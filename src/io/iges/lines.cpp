@@ -20,7 +20,8 @@ struct FileLine {
 
 // Takes the next line off `rest`, without its line end, which is LF, CR LF or CR.
 FileLine take_line(std::string_view &rest, int64_t number) noexcept {
-    const size_t end = rest.find_first_of("\r\n");
+    const size_t feed = rest.find('\n'); // find_first_of() would look at each character alone
+    const size_t end = std::min(feed, rest.substr(0, feed).find('\r'));
     const bool terminated = end != std::string_view::npos;
     const std::string_view text(rest.data(), std::min(end, rest.size()));
     rest.remove_prefix(terminated ? end : rest.size());

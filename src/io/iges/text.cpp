@@ -110,11 +110,9 @@ bool parse_real(std::string_view text, double &value) {
     if (text.empty() || !(digit(text.front()) || text.front() == '.')) {
         return false;
     }
-    const size_t mark = text.find_first_of("dD");
-    bool valid = false;
-    if (mark == std::string_view::npos) {
-        valid = parse_unsigned_real(text, value);
-    } else {
+    bool valid = parse_unsigned_real(text, value);
+    if (const size_t mark = valid ? std::string_view::npos : text.find_first_of("dD");
+        mark != std::string_view::npos) {
         std::string with_e(text);
         with_e[mark] = 'e';
         valid = parse_unsigned_real(with_e, value);
