@@ -43,17 +43,21 @@ struct Shares {
             const Number ahead = exact_sum(hn::LoadU(d, from + i), hn::Neg(at));
             const Number after = exact_sum(at, hn::Neg(hn::LoadU(d, before + i)));
             const Number slope = inverse(after + ahead);
-            const Number shares[2] = {ahead * slope, after * slope};
-            for (int s = 0; s < 2; ++s) {
-                hn::StoreU(shares[s].high, d, parts[2 * s] + i);
-                hn::StoreU(shares[s].low, d, parts[2 * s + 1] + i);
-            }
+            store(ahead * slope, after, i, 0);
+            store(after * slope, ahead, i, 2);
         }
     }
     [[nodiscard]] HWY_INLINE Number ahead(int i) const { return number(0, i); }
     [[nodiscard]] HWY_INLINE Number after(int i) const { return number(2, i); }
 
 private:
+    // Exactly 1 where the other share is 0.
+    HWY_INLINE void store(const Number &share, const Number &other, int i, int row) {
+        const Four d;
+        const auto whole = hn::Eq(other.high, hn::Zero(d));
+        hn::StoreU(hn::IfThenElse(whole, hn::Set(d, 1.0), share.high), d, parts[row] + i);
+        hn::StoreU(hn::IfThenElse(whole, hn::Zero(d), share.low), d, parts[row + 1] + i);
+    }
     [[nodiscard]] HWY_INLINE Number number(int row, int i) const {
         return {hn::Set(Four(), parts[row][i]), hn::Set(Four(), parts[row + 1][i])};
     }

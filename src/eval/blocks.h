@@ -15,8 +15,9 @@ inline constexpr int64_t block_size = 64;
 class BlockSink {
 public:
     virtual ~BlockSink() = default;
-    // Whether values come as points one after the other in place of such rows, where that is as easy.
+    // Whether values come as points one after the other in place of such rows, up to most_points of them.
     [[nodiscard]] virtual bool wants_points() const noexcept { return false; }
+    static constexpr int64_t most_points = 512;
     virtual void operator()(int64_t first, ConstRecords values) noexcept = 0;
 };
 

@@ -189,13 +189,14 @@ bool is_narrow(const Spline &spline, const std::array<ConstRecords, max_axes> &p
 class GridStrips {
 public:
     GridStrips(const Spline &spline, const AxisRules &rules, int order,
-               const std::array<ConstRecords, max_axes> &params)
-        : last_(params[static_cast<size_t>(spline.axes() - 1)]),
+               const std::array<ConstRecords, max_axes> &params, const BlockSink &sink)
+        : points_(sink.wants_points()), size_(points_ ? BlockSink::most_points : block_size),
+          last_(params[static_cast<size_t>(spline.axes() - 1)]),
           width_(slot_count(spline.axes(), order) * spline.dim()) {
         const auto last = static_cast<size_t>(spline.axes() - 1);
         for (int64_t i = 0; i < count(); ++i) {
             std::array<ConstRecords, max_axes> part = params;
-            part[last].data = last_.record(i * block_size);
+            part[last].data = last_.record(i * size_);
             part[last].count = length(i);
             GridAxes shared = strips_.empty() ? GridAxes() : strips_.front()->tables();
             shared[last] = nullptr;
@@ -203,20 +204,21 @@ public:
         }
     }
 
-    [[nodiscard]] int64_t count() const noexcept { return (last_.count + block_size - 1) / block_size; }
+    [[nodiscard]] int64_t count() const noexcept { return (last_.count + size_ - 1) / size_; }
 
     // Rows of strip `i` for one parameter of axis 0, through memory for a block.
     void write(int64_t i, int64_t row, double *rows, BlockSink &sink) noexcept {
-        const bool points = sink.wants_points();
-        const Records block{rows, length(i), width_, points ? width_ : 1, points ? 1 : block_size};
-        strips_[static_cast<size_t>(i)]->write(block, row, row + 1, &sink, i * block_size, last_.count);
+        const Records block{rows, length(i), width_, points_ ? width_ : 1, points_ ? 1 : size_};
+        strips_[static_cast<size_t>(i)]->write(block, row, row + 1, &sink, i * size_, last_.count);
     }
 
 private:
     [[nodiscard]] int64_t length(int64_t i) const noexcept {
-        return std::min(block_size, last_.count - i * block_size);
+        return std::min(size_, last_.count - i * size_);
     }
 
+    bool points_;
+    int64_t size_; // of a block
     ConstRecords last_;
     int64_t width_;
     std::vector<std::unique_ptr<GridEvaluator>> strips_;
@@ -228,7 +230,7 @@ class PointSink final : public BlockSink {
 public:
     PointSink(const Spline &surface, const AxisRules &rules, const std::array<ConstRecords, max_axes> &params,
               double *rows, BlockSink &sink)
-        : points_(surface, rules, 0, params), columns_(params[1].count), rows_(rows), sink_(sink) {}
+        : points_(surface, rules, 0, params, *this), columns_(params[1].count), rows_(rows), sink_(sink) {}
     virtual ~PointSink() = default;
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
@@ -285,9 +287,9 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
     }
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     const std::unique_ptr<double[]> rows(
-        new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
+        new double[static_cast<size_t>(checked_product(width, BlockSink::most_points, "points"))]);
     // All tables first, so that nothing is written if memory runs out.
-    GridStrips strips(source, rules, order, params);
+    GridStrips strips(source, rules, order, params, sink);
     std::optional<PointSink> points;
     if (&source != &spline) {
         points.emplace(spline, rules, params, rows.get(), sink);

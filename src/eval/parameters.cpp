@@ -43,9 +43,12 @@ double remainder_of(double x, double period) noexcept {
     if (!(std::abs(quotient) < most_periods)) {
         return std::fmod(x, period);
     }
-    const double rest = std::fma(-quotient, period, x); // exact, as is what is added, if it is of the other sign
+    const double rest =
+        std::fma(-quotient, period, x); // exact, as is what is added, if it is of the other sign
     const double signed_period = std::copysign(period, x);
-    return rest * signed_period < 0 ? rest + signed_period : std::abs(rest) >= period ? rest - signed_period : rest;
+    return rest * signed_period < 0   ? rest + signed_period
+           : std::abs(rest) >= period ? rest - signed_period
+                                      : rest;
 }
 
 double wrap(double t, bool left, Interval domain) noexcept {

@@ -208,6 +208,8 @@ void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t u
 // Parts of a list of parameters.
 class ListBlocks {
 public:
+    static constexpr int64_t most_points = BlockSink::most_points;
+
     explicit ListBlocks(const ConstRecords &params) : params_(params) {}
     [[nodiscard]] int64_t count() const noexcept { return params_.count; }
     [[nodiscard]] ConstRecords operator()(int64_t first, int64_t count) const noexcept {
@@ -221,6 +223,8 @@ private:
 // Parts of the list of all combinations of the axes' parameters, last axis fastest.
 class GridBlocks {
 public:
+    static constexpr int64_t most_points = block_size;
+
     GridBlocks(const std::array<ConstRecords, max_axes> &params, int axes) : params_(params), axes_(axes) {}
     [[nodiscard]] int64_t count() const noexcept {
         int64_t product = 1;
@@ -251,12 +255,13 @@ private:
 // Blocks of rows for a sink, one after the other through the same evaluator.
 template <class Evaluator, class Blocks>
 void evaluate_blocks(Evaluator &&evaluate, Blocks &&blocks, int64_t width, BlockSink &sink) {
-    const std::unique_ptr<double[]> rows(
-        new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
     const bool points = sink.wants_points();
-    const int64_t stride = points ? width : 1, component_stride = points ? 1 : block_size;
-    for (int64_t first = 0; first < blocks.count(); first += block_size) {
-        const int64_t count = std::min(block_size, blocks.count() - first);
+    const int64_t size = points ? std::decay_t<Blocks>::most_points : block_size;
+    const std::unique_ptr<double[]> rows(
+        new double[static_cast<size_t>(checked_product(width, size, "points"))]);
+    const int64_t stride = points ? width : 1, component_stride = points ? 1 : size;
+    for (int64_t first = 0; first < blocks.count(); first += size) {
+        const int64_t count = std::min(size, blocks.count() - first);
         evaluate(blocks(first, count), Records{rows.get(), count, width, stride, component_stride});
         sink(first, {rows.get(), count, width, stride, component_stride});
     }

@@ -105,7 +105,8 @@ bool Spline::has_bernstein_span(int64_t span) const noexcept {
     bool allowed = degree >= 1 && dim_ < span_lanes() && length >= shortest && extent <= longest &&
                    weight_range(span - degree, degree + 1).smallest >= 0;
     for (int64_t i = span - degree; i <= span && allowed; ++i) {
-        const double factor = form_ == Form::rational ? std::max(scaled_weight(i), 1.0) : 1;
+        const double weight = form_ == Form::rational ? scaled_weight(i) : 1; // of 0 it has no influence
+        const double factor = weight > 0 ? std::max(weight, 1.0) : 0;
         for (int c = 0; c < stored_width(); ++c) {
             allowed =
                 allowed && factor * std::abs(points_[static_cast<size_t>(i * stored_width() + c)]) < largest;

@@ -195,7 +195,8 @@ private:
         }
         const auto signed_period = hn::CopySign(period, x);
         auto rest = hn::NegMulAdd(quotient, period, x);
-        rest = hn::IfThenElse(hn::Lt(hn::Mul(rest, signed_period), hn::Zero(d)), hn::Add(rest, signed_period), rest);
+        rest = hn::IfThenElse(hn::Lt(hn::Mul(rest, signed_period), hn::Zero(d)), hn::Add(rest, signed_period),
+                              rest);
         rest = hn::IfThenElse(hn::Ge(hn::Abs(rest), period), hn::Sub(rest, signed_period), rest);
         const auto offset = hn::IfThenElse(hn::Lt(rest, hn::Zero(d)), hn::Add(rest, period), rest);
         const auto placed = hn::Clamp(hn::Add(lower, offset), lower, upper);
