@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,10 +193,13 @@ KnotVectorPtr make_knot_vector(int degree, std::vector<double> knots, bool perio
     return std::make_shared<const KnotVector>(degree, std::move(knots), periodic);
 }
 
+constexpr int64_t work_of_a_group = 8; // its memory
+
 std::vector<KnotGroup> distinct_knots(std::span<const double> knots) {
     std::vector<KnotGroup> groups;
     for (const double knot : knots) {
         if (groups.empty() || groups.back().knot != knot) {
+            count_work(work_of_a_group);
             groups.push_back({knot, 0});
         }
         ++groups.back().multiplicity;

@@ -18,6 +18,7 @@ namespace nrb::measure {
 namespace {
 
 constexpr int most_steps = 100;
+constexpr int64_t work_of_a_leaf = 30; // that is moved
 constexpr size_t max_row = max_product_degree + 1;
 
 double value_of(const double *row, const double *basis, int degree) noexcept {
@@ -38,6 +39,7 @@ LengthTable::LengthTable(const Spline &curve) : pieces_(curve, curve.axis(0).dom
     params_.reserve(leaves_.size());
     end_speeds_.reserve(leaves_.size());
     for (const LengthLeaf &leaf : leaves_) {
+        count_work(work_of_a_leaf);
         const Interval part = pieces_.interval(leaf.piece);
         params_.push_back(part.lower + leaf.lower * (part.upper - part.lower));
         starts_.push_back(sum.value());

@@ -2,6 +2,7 @@
 #include "modify/deform/bend_bound.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "fit/span_samples.h"
 #include "numeric/binomial.h"
 #include "numeric/norm.h"
@@ -28,6 +29,7 @@ Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<doubl
         inner *= shape.degrees[k] + 1;
     }
     const auto size = static_cast<int64_t>(values.size());
+    count_work(4 * size * (p + 1));
     Series bounds(static_cast<size_t>(p) + 2, 0.0);
     for (int j = 0; j <= p; ++j) {
         double largest = 0;
@@ -118,6 +120,8 @@ double remainder_along(const CellPieces &cell, size_t axis, double curvature) {
 }
 
 class BendBound {
+    static constexpr int64_t work_of_a_node = 100; // sines and cosines
+
 public:
     BendBound(const Spline &g, const Spline &image, const Bend &bend)
         : g_(g), bend_(bend), dim_(static_cast<size_t>(g.dim())), width_(dim_ + (g.rational() ? 1 : 0)),
@@ -142,6 +146,7 @@ public:
         }
         double bound = 0;
         for (int64_t i = 0; i < net_->pieces() && bound < infinity; ++i) {
+            count_work(work_of_a_node * net_->shape().coefficients());
             const CellBound cell = cell_bound(i);
             bound = std::max(bound, cell.bound);
             if (cell.crosses && cell.bound > tolerance) {

@@ -75,9 +75,12 @@ std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vecto
         std::transform(groups.begin(), groups.end(), std::back_inserter(all),
                        [](const KnotGroup &group) { return group.knot; });
     }
+    count_work(work_of_a_knot / 2 * std::ssize(all));
     std::sort(all.begin(), all.end());
+    count_work(std::ssize(all));
     all.erase(std::unique(all.begin(), all.end()), all.end());
     std::vector<Group> result;
+    result.reserve(all.size());
     std::vector<size_t> next(own.size(), 0);
     for (const double knot : all) {
         count_work(work_of_a_knot);
@@ -106,7 +109,9 @@ void CommonKnots::add_open(const std::vector<const KnotVector *> &members) {
         members_.push_back({member->degree(), {}, 0, 0});
         own.push_back(distinct_knots(member->knots()));
     }
-    for (const Group &group : merged(own)) {
+    const std::vector<Group> all = merged(own);
+    groups_.reserve(all.size());
+    for (const Group &group : all) {
         count_work(work_of_a_knot);
         append(group);
     }

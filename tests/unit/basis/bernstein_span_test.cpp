@@ -91,7 +91,7 @@ TEST_P(Spans, are_exact_but_for_one_rounding) {
         for_each_case(99000 + 100 * static_cast<uint64_t>(degree), degree > 9 ? 1 : 5,
                       [&](Random &random, uint64_t) {
                           const auto axis = random_axis_of(random, degree);
-                          const std::vector<int64_t> &spans = axis->spans().indices();
+                          const std::span<const int64_t> spans = axis->spans().indices();
                           for (size_t e = 0; e < std::min<size_t>(spans.size(), degree > 9 ? 1 : 3); ++e) {
                               compare(*axis, spans[e], random);
                           }
