@@ -65,7 +65,9 @@ std::vector<double> span_errors(const Numerators &numerators, const std::vector<
                                 const Lines &lines, size_t dim) {
     std::vector<double> errors(lines.spans, 0.0);
     for (size_t i = 0; i * dim < projected.size(); ++i) {
-        count_work(work_of_a_comparison);
+        if (i % points_between_counts == 0) {
+            count_work(points_between_counts * work_of_a_comparison);
+        }
         const double gap =
             distance(numerators.values.data() + i * dim, projected.data() + i * dim, static_cast<int>(dim));
         double &error = errors[i / lines.inner / lines.places % lines.spans];
@@ -290,8 +292,8 @@ private:
         std::vector<double> weights(fine_->weights().begin(), fine_->weights().end());
         std::vector<double> points;
         points.reserve(numerators.size() + numerators.size() / dim_);
+        count_work(std::ssize(numerators));
         for (size_t i = 0; i < numerators.size(); ++i) {
-            count_work(1);
             const double weight = fine_->weight(static_cast<int64_t>(i / dim_));
             const bool divided = fine_->form() == Form::rational && weight != 0;
             points.push_back(divided ? numerators[i] / weight : numerators[i]);
@@ -318,7 +320,9 @@ private:
         const size_t width = dim_ + (rational ? 1 : 0);
         double largest = 0;
         for (size_t i = 0; i * dim_ < exact.values.size(); ++i) {
-            count_work(work_of_a_comparison);
+            if (i % points_between_counts == 0) {
+                count_work(points_between_counts * work_of_a_comparison);
+            }
             const double gap = norm_of(static_cast<int>(dim_), [&](int c) {
                 const auto at = static_cast<size_t>(c);
                 return got[i * width + at] - exact.values[i * dim_ + at];

@@ -81,9 +81,13 @@ public:
             nets_->clear();
         }
         total_ = error_ = CompensatedSum();
-        Steps steps(pieces_.size());
-        for (int64_t e = 0; e < pieces_.size(); ++e, steps.next()) {
+        constexpr int64_t pieces_of_a_step = 16;
+        Steps steps(pieces_.size() / pieces_of_a_step + 1);
+        for (int64_t e = 0; e < pieces_.size(); ++e) {
             run_piece(e);
+            if ((e + 1) % pieces_of_a_step == 0) {
+                steps.next();
+            }
         }
         return {total_.value(), error_.value()};
     }

@@ -100,8 +100,11 @@ DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) 
     }
     const size_t dim = bend.along.size();
     const fit::PointMap map = [&bend, dim](const std::vector<double> &points, std::vector<double> &images) {
+        constexpr size_t points_between_counts = 64;
         for (size_t i = 0; i < points.size(); i += dim) {
-            count_work(work_of_a_point);
+            if (i % (points_between_counts * dim) == 0) {
+                count_work(points_between_counts * work_of_a_point);
+            }
             bend_point(bend, points.data() + i, images.data() + i);
         }
     };

@@ -90,8 +90,11 @@ DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume,
     const fit::PointMap map = [&](const std::vector<double> &points, std::vector<double> &images) {
         std::vector<double> params;
         grow_watched(params, points.size());
+        constexpr size_t values_between_counts = 1024;
         for (size_t i = 0; i < points.size(); ++i) {
-            count_work(4);
+            if (i % values_between_counts == 0) {
+                count_work(4 * values_between_counts);
+            }
             params[i] = box.parameter(i % box.dim(), points[i]);
         }
         evaluate_watched(*volume, params, images);
