@@ -15,7 +15,6 @@ class CurvePieces {
 public:
     explicit CurvePieces(const Spline &curve);
 
-    [[nodiscard]] const Spline &curve() const noexcept { return curve_; }
     [[nodiscard]] bool periodic() const noexcept { return curve_.axis(0).periodic(); }
     [[nodiscard]] size_t count() const noexcept { return maker_.breaks(0).size() - 1; }
     [[nodiscard]] double start(size_t e) const noexcept { return maker_.breaks(0)[e]; }

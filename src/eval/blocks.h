@@ -21,7 +21,7 @@ public:
     virtual void operator()(int64_t first, ConstRecords values) noexcept = 0;
 };
 
-// The same as evaluate_points() and evaluate_grid(), at most block_size points at a time, in any order. May
+// The same as evaluate_points() and evaluate_grid(), at most block_size points (or most_points) at a time, in any order. May
 // throw only std::bad_alloc, before the sink is called.
 void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
                      BlockSink &sink);

@@ -50,15 +50,21 @@ bool Spline::has_power_span(int64_t span) const noexcept {
 // True of every window if moderate() is true of the whole curve: a span is evaluated the same way whether
 // that is known or not.
 bool Spline::moderate_window(int64_t span) const noexcept {
-    bool moderate = true;
+    return window_below(span, moderate_limit, moderate_product);
+}
+
+// Whether the points of a window, and their products with the weights, are below limits. Those of weight 0 have no
+// influence.
+bool Spline::window_below(int64_t span, double points, double products) const noexcept {
+    bool below = true;
     for (int64_t i = span - axis(0).degree(); i <= span; ++i) {
-        const double factor = form_ == Form::rational ? scaled_weight(i) : 1;
-        for (int c = 0; c < stored_width(); ++c) {
+        const double weight = form_ == Form::rational ? scaled_weight(i) : 1;
+        for (int c = 0; c < stored_width() && weight != 0; ++c) {
             const double value = std::abs(points_[static_cast<size_t>(i * stored_width() + c)]);
-            moderate = moderate && value < moderate_limit && factor * value < moderate_product;
+            below = below && value < points && weight * value < products;
         }
     }
-    return moderate;
+    return below;
 }
 
 // The points of a span with the weights that they are to be multiplied by: [degree + 1][lanes].
@@ -102,17 +108,8 @@ bool Spline::has_bernstein_span(int64_t span) const noexcept {
     const int degree = knots.degree();
     const double length = knots[span + 1] - knots[span];
     const double extent = knots[span + degree] - knots[span + 1 - degree];
-    bool allowed = degree >= 1 && dim_ < span_lanes() && length >= shortest && extent <= longest &&
-                   weight_range(span - degree, degree + 1).smallest >= 0;
-    for (int64_t i = span - degree; i <= span && allowed; ++i) {
-        const double weight = form_ == Form::rational ? scaled_weight(i) : 1; // of 0 it has no influence
-        const double factor = weight > 0 ? std::max(weight, 1.0) : 0;
-        for (int c = 0; c < stored_width(); ++c) {
-            allowed =
-                allowed && factor * std::abs(points_[static_cast<size_t>(i * stored_width() + c)]) < largest;
-        }
-    }
-    return allowed;
+    return degree >= 1 && dim_ < span_lanes() && length >= shortest && extent <= longest &&
+           weight_range(span - degree, degree + 1).smallest >= 0 && window_below(span, largest, largest);
 }
 
 void Spline::curve_bernstein_span(int64_t span, double *points, double *bernstein_span) const noexcept {
@@ -123,7 +120,6 @@ void Spline::curve_bernstein_span(int64_t span, double *points, double *bernstei
                         bernstein_span);
 }
 
-// The power spans that there are, and NaN bounds.
 void Spline::fill_power_spans(PowerSpans &power_spans, std::vector<double> &points) const {
     static_cast<void>(moderate()); // which makes it unnecessary to look at every window
     const SpanTable &spans = axis(0).spans();
@@ -144,8 +140,6 @@ void Spline::fill_power_spans(PowerSpans &power_spans, std::vector<double> &poin
         for (int l = 0; l < count; ++l) {
             if (has_power_span(indices[l])) {
                 combine(indices[l], basis[l], rests[l], points.data(), power_spans[first + l]);
-            } else {
-                std::fill_n(power_spans[first + l], static_cast<int>(PowerSpan::head_size), nan_value);
             }
         }
     }
@@ -156,19 +150,17 @@ PowerSpans Spline::curve_power_spans() const {
     const int degree = axis(0).degree();
     PowerSpans power_spans(spans.size(), PowerSpan::head_size + int64_t{degree + 1} * span_lanes());
     std::vector<double> points(static_cast<size_t>((degree + 1) * span_lanes()));
-    const bool high = !power_span_degree(degree);
-    if (!high) {
+    for (int64_t e = 0; e < spans.size(); ++e) {
+        std::fill_n(power_spans[e], static_cast<int>(PowerSpan::head_size), nan_value);
+    }
+    if (power_span_degree(degree)) {
         fill_power_spans(power_spans, points);
     }
     for (int64_t e = 0; e < spans.size(); ++e) {
-        double *const place = power_spans[e];
         const int64_t span = spans.indices()[static_cast<size_t>(e)];
-        if (high || std::isnan(place[PowerSpan::lower])) {
-            std::fill_n(place, static_cast<int>(PowerSpan::head_size), nan_value);
-            if (has_bernstein_span(span)) {
-                count_work(work_of_a_lerp * (degree + 1) * (degree + 1) * span_lanes());
-                curve_bernstein_span(span, points.data(), place);
-            }
+        if (std::isnan(power_spans[e][PowerSpan::lower]) && has_bernstein_span(span)) {
+            count_work(work_of_a_lerp * (degree + 1) * (degree + 1) * span_lanes());
+            curve_bernstein_span(span, points.data(), power_spans[e]);
         }
     }
     return power_spans;

@@ -145,6 +145,7 @@ private:
     [[nodiscard]] WeightRange weight_range(int64_t first, int64_t count) const noexcept;
     [[nodiscard]] WeightRange active_weight_range() const noexcept;
     [[nodiscard]] bool moderate_window(int64_t span) const noexcept;
+    [[nodiscard]] bool window_below(int64_t span, double points, double products) const noexcept;
     [[nodiscard]] SplinePtr without_inert_points() const;
     [[nodiscard]] PowerSpans curve_power_spans() const;
     void fill_power_spans(PowerSpans &power_spans, std::vector<double> &points) const;

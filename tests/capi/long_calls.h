@@ -289,7 +289,11 @@ static inline nurbs_status long_read(const LongShapes *s, int plain, const nurbs
     return plain ? nurbs_read(s->file, s->file_size, NULL, &r->list)
                  : nurbs_read_with(s->file, s->file_size, NULL, call, &r->list);
 }
-static const char *const long_path = "long_calls_test.igs";
+/* Of each program its own: tests run side by side. */
+#ifndef LONG_PATH
+#define LONG_PATH "long_calls_test.igs"
+#endif
+static const char *const long_path = LONG_PATH;
 static inline nurbs_status long_read_file(const LongShapes *s, int plain, const nurbs_call_options *call,
                                           LongResult *r) {
     (void)s;

@@ -7,8 +7,8 @@
 
 #include "basis/bspline.h"
 #include "eval/kernels/bernstein-inl.h"
-#include "eval/kernels/contract-inl.h"
 #include "eval/kernels/curve_kernel.h"
+#include "eval/kernels/curve_recurrence-inl.h"
 #include "eval/kernels/finish-inl.h"
 #include "eval/kernels/horner-inl.h"
 #include "eval/kernels/rows-inl.h"
@@ -84,7 +84,8 @@ class CurveKernel {
 public:
     CurveKernel(const CurveJob &job, const ConstRecords &params, const Records &out)
         : job_(job), params_(params), out_(out), axis_(job.spline.axis(0)), domain_(axis_.domain()),
-          write_records_(job.shape, job.quotient, job.weights, out), write_rows_(job.shape, out) {}
+          recurrence_(job), write_records_(job.shape, job.quotient, job.weights, out),
+          write_rows_(job.shape, out) {}
 
     void run() {
         switch (job_.power_spans == nullptr ? -1 : job_.shape.order) {
@@ -367,18 +368,16 @@ private:
         }
     }
 
-    // The active records, one after the other with a stride.
-    struct ActiveRows {
-        const double *data;
-        int64_t stride;
-    };
-
     // The point from a Bernstein span, if there is one, and everything else by recurrences.
     void write_without_power_span(int64_t span, double t, int64_t i) {
         const double *const found =
             t > axis_[span] && t < axis_[span + 1] ? bernstein_span_of(span, t) : nullptr;
         if (found == nullptr || job_.shape.order > 0) {
-            write_by_recurrence(span, t, i);
+            const bool moved = recurrence_.run(span, t);
+            write_records_(i, 1, job_.records);
+            if (moved) {
+                write_point(i);
+            }
         }
         if (found != nullptr) {
             bernstein_point(found, degree(), job_.shape.dim, job_.spline.span_lanes(), t, job_.point);
@@ -406,106 +405,6 @@ private:
         return job_.power_span;
     }
 
-    // The functions of degrees p, p - 1, ... with the control points of the curve and of its derivatives.
-    // With derivatives of the functions instead, whose sum is 0, the rounding of the part that all points
-    // have in common would remain. For the same reason the quotient rule is applied to the curve relative to
-    // its own point at t, which is written afterwards.
-    void write_by_recurrence(int64_t span, double t, int64_t i) {
-        const int order = job_.shape.order;
-        basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
-        const ActiveRows rows = active_rows(span);
-        contract(0, rows);
-        if (order == 0 || job_.quotient == nullptr) {
-            contract_derivatives(span, rows);
-            return write_records_(i, 1, job_.records);
-        }
-        std::copy_n(job_.records, job_.shape.lanes, job_.point);
-        divide_record<1, 0>(job_.shape, job_.point);
-        const ActiveRows moved = rows_from(job_.point, span, rows);
-        contract(0, moved);
-        contract_derivatives(span, moved);
-        write_records_(i, 1, job_.records);
-        write_point(i);
-    }
-
-    // From the table, or made by the same code.
-    ActiveRows active_rows(int64_t span) {
-        const int width = job_.shape.width;
-        const int64_t first = span - degree();
-        if (job_.net != nullptr) {
-            return {job_.net + first * width, width};
-        }
-        const int lanes = job_.shape.lanes;
-        for (int j = 0; j <= degree(); ++j) {
-            double *record = job_.window + static_cast<int64_t>(j) * lanes;
-            job_.spline.record_part(first + j, 0, width, record);
-            std::fill(record + width, record + lanes, 0.0);
-        }
-        return {job_.window, lanes};
-    }
-
-    // The rows relative to a point. From stored points the difference is rounded once; homogeneous records
-    // have a product and a difference that are rounded once.
-    ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
-        const Vec4 d;
-        const Spline &spline = job_.spline;
-        const int lanes = job_.shape.lanes;
-        const int dim = job_.shape.dim;
-        const double *stored = spline.points().data() + (span - degree()) * spline.stored_width();
-        double *record = job_.window;
-        for (int j = 0; j <= degree(); ++j, record += lanes, stored += spline.stored_width()) {
-            const double weight = rows.data[j * rows.stride + dim];
-            for (int c = 0; spline.form() == Form::homogeneous && c < dim; ++c) {
-                record[c] = std::fma(-point[c], weight, stored[c]);
-            }
-            for (int l = 0; spline.form() == Form::rational && l < dim; l += vec4_lanes) {
-                const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
-                const auto product = hn::Mul(hn::Set(d, weight), step);
-                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d,
-                           record + l); // however far away the point is
-            }
-            record[dim] = weight;
-        }
-        return {job_.window, lanes};
-    }
-
-    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes after a record
-    // may hold anything.
-    void contract(int k, const ActiveRows &rows) {
-        contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, rows.data,
-                      rows.stride, job_.shape.lanes,
-                      job_.records + static_cast<int64_t>(k) * job_.shape.lanes);
-    }
-
-    void contract_derivatives(int64_t span, ActiveRows rows) {
-        const int highest = std::min(job_.shape.order, degree());
-        for (int k = 1; k <= highest; ++k) {
-            rows = differences(span, k, rows);
-            contract(k, rows);
-        }
-        std::fill(job_.records + static_cast<int64_t>(highest + 1) * job_.shape.lanes,
-                  job_.records + job_.shape.size(), 0.0);
-    }
-
-    // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
-    ActiveRows differences(int64_t span, int k, const ActiveRows &rows) {
-        const Vec4 d;
-        const int lanes = job_.shape.lanes;
-        const double *left = axis_.knots().data() + span - degree() + k;
-        const double *right = axis_.knots().data() + span + 1;
-        const auto factor = hn::Set(d, degree() - k + 1);
-        for (int j = 0; j <= degree() - k; ++j) {
-            const auto length = hn::Set(d, right[j] - left[j]);
-            const double *row = rows.data + j * rows.stride;
-            double *record = job_.window + static_cast<int64_t>(j) * lanes;
-            for (int l = 0; l < lanes; l += vec4_lanes) {
-                const auto step = hn::Sub(hn::LoadU(d, row + rows.stride + l), hn::LoadU(d, row + l));
-                hn::StoreU(hn::Mul(factor, hn::Div(step, length)), d, record + l);
-            }
-        }
-        return {job_.window, lanes};
-    }
-
     // From the table, or made by the same code.
     const double *piece_of(int64_t span, double t) {
         if (job_.power_spans != nullptr) {
@@ -524,6 +423,7 @@ private:
     const Records &out_;
     const KnotVector &axis_;
     Interval domain_;
+    CurveRecurrence recurrence_;
     RecordWriter write_records_;
     RowWriter write_rows_;
     int64_t made_ = -1; // the span in job_.power_span, while there is no table
