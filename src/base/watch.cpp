@@ -22,7 +22,9 @@ constexpr std::chrono::milliseconds pause{10}; // between two calls of the callb
 
 Watch::Watch(const Wishes &wishes) noexcept
     : wishes_(wishes), limit_(wishes.work > 0 ? wishes.work : std::numeric_limits<int64_t>::max()),
-      last_(Clock::now()), outer_(std::exchange(watch_of_thread, this)) {}
+      last_(Clock::now()), outer_(std::exchange(watch_of_thread, this)) {
+    grant();
+}
 
 Watch::~Watch() {
     watch_of_thread = outer_;
@@ -42,8 +44,33 @@ void Watch::end() {
     ended_ = true;
 }
 
+// Enters what was taken of the work that was granted.
+void Watch::settle() noexcept {
+    const int64_t taken = granted_ - left_;
+    unseen_ += taken;
+    counted_ += uncounted_ > 0 ? 0 : taken;
+    granted_ = left_ = 0;
+}
+
+// What may be done before the clock is looked at, or the limit is passed.
+void Watch::grant() noexcept {
+    const bool limited = uncounted_ == 0 && !ended_;
+    granted_ = left_ = std::min(often - 1 - unseen_, limited ? limit_ - counted_ : often);
+}
+
 void Watch::look() {
-    unseen_ = 0;
+    settle();
+    if (counted_ > limit_ && !ended_) {
+        end();
+    }
+    if (unseen_ >= often) {
+        unseen_ = 0;
+        look_at_clock();
+    }
+    grant();
+}
+
+void Watch::look_at_clock() {
     if (wishes_.progress == nullptr) {
         return;
     }
@@ -81,10 +108,11 @@ int32_t Watch::ask() {
     return answer;
 }
 
-Steps::Steps(int64_t count) noexcept : watch_(Watch::current()), count_(count) {
+Steps::Steps(int64_t count) noexcept : watch_(Watch::current()) {
     if (watch_ != nullptr) {
         from_ = watch_->from_;
         to_ = watch_->to_;
+        length_ = (to_ - from_) / static_cast<double>(std::max<int64_t>(count, 1));
         set_step();
     }
 }
@@ -93,18 +121,6 @@ Steps::~Steps() {
     if (watch_ != nullptr) {
         watch_->from_ = watch_->to_ = to_;
     }
-}
-
-void Steps::set_step() noexcept {
-    const double length = (to_ - from_) / static_cast<double>(std::max<int64_t>(count_, 1));
-    watch_->from_ = std::min(from_ + static_cast<double>(step_) * length, to_);
-    watch_->to_ = std::min(watch_->from_ + length, to_);
-}
-
-void Steps::advance(int64_t work) {
-    ++step_;
-    set_step();
-    watch_->count(work);
 }
 
 Phase::Phase(double share) noexcept : watch_(Watch::current()) {
@@ -160,13 +176,17 @@ bool work_ended() noexcept {
 
 NotCounted::NotCounted() noexcept : watch_(Watch::current()) {
     if (watch_ != nullptr) {
+        watch_->settle();
         ++watch_->uncounted_;
+        watch_->grant();
     }
 }
 
 NotCounted::~NotCounted() {
     if (watch_ != nullptr) {
+        watch_->settle();
         --watch_->uncounted_;
+        watch_->grant();
     }
 }
 

@@ -35,12 +35,8 @@ public:
     // Throws CallEnded if the callback asks for it, and at the limit of work, unless a search is
     // under way that ends by itself.
     void count(int64_t work) {
-        counted_ += uncounted_ > 0 ? 0 : work;
-        unseen_ += work;
-        if (counted_ > limit_ && !ended_) {
-            end();
-        }
-        if (unseen_ >= often) {
+        left_ -= work;
+        if (left_ < 0) {
             look();
         }
     }
@@ -58,14 +54,18 @@ private:
     // Multiply-adds between two looks at the clock, which takes as long as about 100 of them.
     static constexpr int64_t often = 1 << 14;
 
-    void end();
+    void settle() noexcept;
+    void grant() noexcept;
     void look();
+    void end();
+    void look_at_clock();
     void report();
     int32_t ask();
 
     Wishes wishes_;
     int64_t limit_;
-    int64_t counted_ = 0, unseen_ = 0;
+    int64_t counted_ = 0, unseen_ = 0; // for the limit, and since the clock was looked at; without what is taken
+    int64_t granted_ = 0, left_ = 0;   // work that may be done before anything can happen, and what is left of it
     int uncounted_ = 0, searches_ = 0;
     bool ended_ = false;
     double from_ = 0, to_ = 1; // the part of the whole that the present loop makes up
@@ -118,17 +118,21 @@ public:
     // A step is done, which took so much work beyond what was counted in it. Throws as Watch::count() does.
     void next(int64_t work = 0) {
         if (watch_ != nullptr) {
-            advance(work);
+            ++step_;
+            set_step();
+            watch_->count(work);
         }
     }
 
 private:
-    void advance(int64_t work);
-    void set_step() noexcept;
+    void set_step() noexcept {
+        watch_->from_ = std::min(from_ + step_ * length_, to_);
+        watch_->to_ = std::min(watch_->from_ + length_, to_);
+    }
 
     Watch *watch_;
-    int64_t count_, step_ = 0;
-    double from_ = 0, to_ = 1; // of all steps
+    double step_ = 0, length_ = 0; // of a step
+    double from_ = 0, to_ = 1;     // of all steps
 };
 
 // A part of a call that others follow, whose share of it is a guess: what is left at its end is theirs. In a loop of
