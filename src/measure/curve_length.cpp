@@ -79,6 +79,9 @@ public:
         if (leaves_ != nullptr) {
             leaves_->clear();
             nets_->clear();
+            // Most pieces are one leaf: growing would copy them all at once.
+            leaves_->reserve(static_cast<size_t>(pieces_.size()));
+            nets_->reserve(static_cast<size_t>(pieces_.size() * pieces_.form().size()));
         }
         total_ = error_ = CompensatedSum();
         constexpr int64_t pieces_of_a_step = 16;
@@ -186,9 +189,15 @@ private:
 };
 
 // By 7 nodes a piece.
-double rough_length(const SpeedPieces &pieces) noexcept {
-    return pieces.size() == 0 ? 0
-                              : sum_of_speeds(pieces.form(), pieces.net(0), pieces.size(), rule_weights(1));
+double rough_length(const SpeedPieces &pieces) {
+    constexpr int64_t most = 4096; // pieces at once
+    double length = 0;
+    for (int64_t first = 0; first < pieces.size(); first += most) {
+        const int64_t count = std::min(most, pieces.size() - first);
+        length += sum_of_speeds(pieces.form(), pieces.net(first), count, rule_weights(1));
+        count_work(work_of_a_value * pieces.form().size() * count);
+    }
+    return length;
 }
 
 // How much larger the largest weight is than the smallest.
