@@ -227,7 +227,11 @@ private:
     // Adds the values of G for all ways to distribute the remaining knots, from axis k on.
     void next_axis(int k, const Window &left, const double *points, double times) {
         if (k < g_.axes()) {
-            next_argument(k, 0, left, nullptr, 0, points, times);
+            if (f_.axis(0).degree() == 1) {
+                all_arguments(k, left, points, times);
+            } else {
+                next_argument(k, 0, left, nullptr, 0, points, times);
+            }
             return;
         }
         count_work(work_of_a_term * std::ssize(sums_));
@@ -274,6 +278,25 @@ private:
             double *argument = arguments_[at].data() + number;
             *argument = order == 0 ? repeated(at, number) : argument_of(k, number, left.size, chosen);
             next_argument(k, number + 1, without(left, chosen), chosen, again, points, times * ways / again);
+        });
+    }
+
+    // All arguments of an axis at once, where each is a value of f at one knot: the orders of a choice are
+    // alike, and as many for every choice.
+    void all_arguments(int k, const Window &left, const double *points, double times) {
+        const auto at = static_cast<size_t>(k);
+        for_each_choice(left, g_.axis(k).degree(), [&](const int *chosen, double ways) {
+            int number = 0;
+            for (int i = 0; i < left.size; ++i) {
+                std::array<int, max_basis> one{};
+                one[static_cast<size_t>(i)] = 1;
+                for (int copy = 0; copy < chosen[i]; ++copy, ++number) {
+                    arguments_[at][static_cast<size_t>(number)] =
+                        copy > 0 ? repeated(at, number) : argument_of(k, number, left.size, one.data());
+                }
+            }
+            contract_axis(k, points);
+            next_axis(k + 1, without(left, chosen), parts_[at].data(), times * ways);
         });
     }
 

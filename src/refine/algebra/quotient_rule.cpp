@@ -46,9 +46,10 @@ SplinePtr scaled(const Spline &spline, const Spline &factor, int axis, int extra
     copies[static_cast<size_t>(axis)] = extra;
     const std::vector<CommonKnots> joint = product_axes(spline.knot_vectors(), factor.knot_vectors(), copies);
     const int dim = spline.dim();
-    const Bilinear form = [dim](const double *a, const double *b, double *out) {
-        std::transform(a, a + dim, out, [b](double x) { return x * *b; });
-    };
+    Bilinear form;
+    for (int c = 0; c < dim; ++c) {
+        form.push_back({c, c, 0});
+    }
     return polynomial(axes_of(joint), dim,
                       product_records({spline.knot_vectors(), spline.points(), dim},
                                       {factor.knot_vectors(), factor.points(), 1}, joint, dim, form));

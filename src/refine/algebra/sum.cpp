@@ -59,14 +59,12 @@ SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) 
 SplinePtr over_product(const Spline &a, double alpha, const Spline &b, double beta) {
     const std::vector<CommonKnots> joint = product_axes(a.knot_vectors(), b.knot_vectors());
     const int dim = a.dim();
-    const bool of_a = a.rational(), of_b = b.rational();
-    const Bilinear form = [=](const double *x, const double *y, double *out) {
-        const double w = of_a ? x[dim] : 1, v = of_b ? y[dim] : 1;
-        for (int c = 0; c < dim; ++c) {
-            out[c] = alpha * x[c] * v + beta * y[c] * w;
-        }
-        out[dim] = w * v;
-    };
+    Bilinear form; // the component after the last one of a polynomial spline is 1
+    for (int c = 0; c < dim; ++c) {
+        form.push_back({c, c, dim, alpha});
+        form.push_back({c, dim, c, beta});
+    }
+    form.push_back({dim, dim, dim});
     return from_records(axes_of(joint), dim, std::max(a.form(), b.form()),
                         product_records({a.knot_vectors(), a.records(), a.width()},
                                         {b.knot_vectors(), b.records(), b.width()}, joint, dim + 1, form));
