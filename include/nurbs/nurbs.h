@@ -4324,7 +4324,8 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * gives e = (T - S) / R_i, over a range e_i = R_i / (sum R_j^2) (T - S). Otherwise by sequential quadratic
  * programming, to a local minimum with an optimality of at most 1e-6. Equations that follow from others count
  * once (rank). On a periodic axis the copies of a layer are one control point, with the costs of the first
- * one. Only control points that act on a constraint change. Cost: with m equations of n coordinates n m^2.
+ * one. Only control points that act on a constraint change. Cost: linear in the number of constraints on a
+ * curve; on surfaces and volumes each meets others with control points in the same layers.
  * \param[in] g a spline.
  * \param[in] count number of constraints, > 0.
  * \param[in] kinds [count] or NULL for all VALUE: NURBS_CONSTRAIN_ constants.

@@ -16,9 +16,8 @@ struct Constrained {
 
 // See nurbs_constrain(). In the scaled unknowns x = sqrt(cost) e the change is the vector that is shortest.
 //
-// With the weights fixed each equation is a row of basis functions at one parameter times a vector: the
-// shortest e is in the space that the rows span, for each coordinate, so that few unknowns are left
-// (RowSpace); where all are values the rows are shared by the coordinates. Residuals are refined twice.
+// With the weights fixed the equations are linear and sparse (MinimumNorm); where all are values the rows are
+// shared by the coordinates. Residuals are refined twice.
 //
 // Otherwise x_(k+1) is the shortest x with g(x_k) + J (x - x_k) = 0, plus what the second derivatives of the
 // Lagrangian add in the kernel of J where they are positive there, by sequential quadratic programming with a
@@ -28,7 +27,8 @@ struct Constrained {
 // in it.
 //
 // Throws Status::influence, contradiction, weight_sign, not_converged, point_not_finite,
-// not_representable, overflow. Cost: with m equations of n unknowns n m^2, in each step.
+// not_representable, overflow. Cost: in each step linear in the number of equations of a curve; of a surface
+// each meets those in the rows of control points that it acts on.
 Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
                       double tolerance);
 

@@ -2,6 +2,7 @@
 #include "modify/constrain/equations.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -43,6 +44,9 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
     const int dim = state.start().dim();
     LocalEquations local;
     local.points = basis.points();
+    constexpr int64_t work_of_a_condition = 800, work_of_a_value = 40;
+    count_work(work_of_a_condition +
+               work_of_a_value * std::ssize(local.points) * dim * std::ssize(condition.derivatives()));
     std::vector<double> values, sizes;
     for (const eval::Orders &a : condition.derivatives()) {
         const std::vector<double> &functions = local.functions.emplace_back(basis.functions(a));

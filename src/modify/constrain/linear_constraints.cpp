@@ -1,130 +1,102 @@
 // SPDX-License-Identifier: MIT
 #include "modify/constrain/linear_constraints.h"
 
-#include "base/checked.h"
-#include "base/watch.h"
 #include "modify/constrain/scaling.h"
-#include "numeric/norm.h"
-#include "numeric/solvers/minimum_norm.h"
+#include "numeric/solvers/sparse/minimum_norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
 namespace nrb::modify {
 
 namespace {
 
-// Equations with fixed weights: row[row_of[k]] . x = right_k along a vector.
+// Equations with fixed weights, over the scaled moves. Where all conditions are values, the rows are functions and are
+// shared by the coordinates; else each equation has a row over all coordinates.
 class LinearSystem {
 public:
     LinearSystem(const NetState &state, const std::vector<LocalEquations> &all)
-        : dim_(state.start().dim()), columns_(state.columns()), unknowns_(std::ssize(columns_.point_costs)) {
-        static_cast<void>(checked_product(std::ssize(all) * max_axes, unknowns_, "equations"));
-        size_t rows = 0;
+        : dim_(state.start().dim()), columns_(state.columns()) {
+        const auto is_value = [this](const LocalEquations &local) {
+            return local.functions.size() == 1 && std::ssize(local.residual) == dim_;
+        };
+        width_ = std::all_of(all.begin(), all.end(), is_value) ? dim_ : 1;
+        SparseRows rows;
         for (const LocalEquations &local : all) {
-            rows += local.functions.size();
+            if (width_ == dim_) {
+                add_row(local, nullptr, rows);
+            } else {
+                add_rows(local, rows);
+            }
         }
-        rows_.reserve(rows * static_cast<size_t>(unknowns_));
-        for (const LocalEquations &local : all) {
-            add_rows(local);
-        }
-        const double threshold = pivot_threshold(state.start(), row_of_.size(), unknowns_);
-        if (values_only_) {
-            solver_ = std::make_unique<MinimumNorm>(rows_, unknowns_, threshold);
-            return;
-        }
-        space_ = std::make_unique<RowSpace>(rows_, unknowns_);
-        solver_ = std::make_unique<MinimumNorm>(reduced_rows(), space_->size() * dim_, threshold);
+        const int64_t points = std::ssize(columns_.point_costs), unknowns = points * dim_ / width_;
+        solver_ = std::make_unique<MinimumNorm>(rows, unknowns,
+                                                pivot_threshold(state.start(), lengths_.size(), points));
     }
 
-    [[nodiscard]] int64_t rank() const noexcept { return solver_->rank() * (values_only_ ? dim_ : 1); }
-    // The shortest solution that cancels the residuals, in coordinates of the space of the rows unless all
-    // conditions are values.
+    [[nodiscard]] int64_t rank() const noexcept { return solver_->rank() * width_; }
+    // The shortest scaled moves [columns][dim] that cancel the residuals.
     [[nodiscard]] std::vector<double> solve(const std::vector<LocalEquations> &all) const {
         std::vector<double> right;
         for (const LocalEquations &local : all) {
             for (const double residual : local.residual) {
-                right.push_back(-residual / size_of_[row_of_[right.size()]]);
+                right.push_back(-residual / lengths_[right.size() / static_cast<size_t>(width_)]);
             }
         }
-        return solver_->solve(right, values_only_ ? dim_ : 1);
+        return solver_->solve(right, width_);
     }
-    // The scaled moves [columns][dim] of a solution.
-    [[nodiscard]] std::vector<double> moves(const std::vector<double> &solution) const {
-        return values_only_ ? solution : space_->expand(solution, dim_);
-    }
-    // What multipliers leave of a solution, as a part of it.
-    [[nodiscard]] double optimality(const std::vector<double> &solution) const {
-        const size_t width = values_only_ ? static_cast<size_t>(dim_) : 1;
+    // What multipliers leave of moves, as a part of them.
+    [[nodiscard]] double optimality(const std::vector<double> &moves) const {
+        const auto width = static_cast<size_t>(width_);
         double rest = 0;
-        std::vector<double> component(solution.size() / width);
+        std::vector<double> component(moves.size() / width);
         for (size_t c = 0; c < width; ++c) {
             for (size_t i = 0; i < component.size(); ++i) {
-                component[i] = solution[i * width + c];
+                component[i] = moves[i * width + c];
             }
             rest = std::hypot(rest, solver_->multipliers(component).rest);
         }
-        return rest == 0 ? 0 : rest / length_of(solution);
+        return rest == 0 ? 0 : rest / length_of(moves);
     }
 
 private:
-    void add_rows(const LocalEquations &local) {
-        const size_t first = size_of_.size(),
-                     width = local.jacobian.size() / std::max<size_t>(1, local.residual.size());
-        for (const std::vector<double> &functions : local.functions) {
-            add_row(local.points, functions);
-        }
-        const auto dim = static_cast<size_t>(dim_);
+    // An equation is linear in one derivative.
+    void add_rows(const LocalEquations &local, SparseRows &rows) {
+        const size_t width = local.functions.size() * static_cast<size_t>(dim_);
         for (size_t k = 0; k < local.residual.size(); ++k) {
-            const double *const row = local.jacobian.data() + k * width;
-            const auto at =
-                static_cast<size_t>(std::find_if(row, row + width, [](double x) { return x != 0; }) - row);
-            row_of_.push_back(first + at / dim);
-            along_.insert(along_.end(), row + at / dim * dim, row + at / dim * dim + dim);
+            add_row(local, local.jacobian.data() + k * width, rows);
         }
-        values_only_ = values_only_ && local.functions.size() == 1 && local.residual.size() == dim;
     }
 
-    // Scaled to length 1.
-    void add_row(const std::vector<int64_t> &points, const std::vector<double> &functions) {
-        count_work(4 * unknowns_);
-        rows_.resize(rows_.size() + static_cast<size_t>(unknowns_), 0.0);
-        double *const row = rows_.data() + (rows_.size() - static_cast<size_t>(unknowns_));
-        for (size_t i = 0; i < points.size(); ++i) {
-            if (const int64_t column = columns_.points[static_cast<size_t>(points[i])]; column >= 0) {
-                row[column] += functions[i] / std::sqrt(columns_.point_costs[static_cast<size_t>(column)]);
-            }
-        }
-        const double size = norm(row, static_cast<int>(unknowns_));
-        size_of_.push_back(size > 0 ? size : 1);
-        std::transform(row, row + unknowns_, row, [&](double x) { return x / size_of_.back(); });
-    }
-
-    [[nodiscard]] std::vector<double> reduced_rows() const {
-        std::vector<double> rows;
-        rows.reserve(row_of_.size() * static_cast<size_t>(space_->size() * dim_));
-        for (size_t k = 0; k < row_of_.size(); ++k) {
-            count_work(4 * space_->size() * dim_);
-            for (int64_t j = 0; j < space_->size(); ++j) {
-                const double value = space_->coordinate(static_cast<int64_t>(row_of_[k]), j);
-                for (int c = 0; c < dim_; ++c) {
-                    rows.push_back(value * along_[k * static_cast<size_t>(dim_) + static_cast<size_t>(c)]);
+    // `jacobian`: [derivatives][dim] of the equation, null for the functions themselves.
+    void add_row(const LocalEquations &local, const double *jacobian, SparseRows &rows) {
+        for (const std::vector<double> &functions : local.functions) {
+            for (size_t i = 0; i < local.points.size(); ++i) {
+                const int64_t column = columns_.points[static_cast<size_t>(local.points[i])];
+                if (column < 0) {
+                    continue;
+                }
+                const double value =
+                    functions[i] / std::sqrt(columns_.point_costs[static_cast<size_t>(column)]);
+                for (int c = 0; jacobian != nullptr && c < dim_; ++c) {
+                    rows.add(column * dim_ + c, value * jacobian[c]);
+                }
+                if (jacobian == nullptr) {
+                    rows.add(column, value);
                 }
             }
+            jacobian = jacobian == nullptr ? nullptr : jacobian + dim_;
         }
-        return rows;
+        const double length = rows.end_row();
+        lengths_.push_back(length > 0 ? length : 1);
     }
 
     int dim_;
     const Columns &columns_;
-    int64_t unknowns_;
-    bool values_only_ = true; // equation dim * j + c is coordinate c of row j
-    std::vector<double> rows_;
-    std::vector<double> size_of_;
-    std::vector<size_t> row_of_; // by equations
-    std::vector<double> along_;  // [equations][dim]
-    std::unique_ptr<RowSpace> space_;
+    int width_ = 1;               // coordinates that share a row
+    std::vector<double> lengths_; // of the rows
     std::unique_ptr<MinimumNorm> solver_;
 };
 
@@ -136,12 +108,12 @@ Constrained solve_linear(NetState &state, const std::vector<Condition> &conditio
     std::vector<LocalEquations> all = all_equations(state, conditions, tolerance);
     check_influence(state, all);
     const LinearSystem system(state, all);
-    std::vector<double> solution, moves;
+    std::vector<double> scaled, moves;
     for (int round = 0; round < rounds; ++round) {
         const std::vector<double> more = system.solve(all);
-        solution.resize(more.size(), 0.0);
-        std::transform(solution.begin(), solution.end(), more.begin(), solution.begin(), std::plus<>());
-        moves = system.moves(solution);
+        scaled.resize(more.size(), 0.0);
+        std::transform(scaled.begin(), scaled.end(), more.begin(), scaled.begin(), std::plus<>());
+        moves = scaled;
         divide_by_root(moves, state.columns().point_costs, static_cast<size_t>(dim));
         state.set(moves, {});
         all = all_equations(state, conditions, tolerance);
@@ -149,8 +121,7 @@ Constrained solve_linear(NetState &state, const std::vector<Condition> &conditio
     if (worst_missed(all) >= 0) {
         fail_missed(Status::contradiction, all);
     }
-    return {state.spline(), lengths(all), system.rank(), largest_move(moves, dim),
-            system.optimality(solution)};
+    return {state.spline(), lengths(all), system.rank(), largest_move(moves, dim), system.optimality(scaled)};
 }
 
 } // namespace nrb::modify

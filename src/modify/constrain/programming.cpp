@@ -7,7 +7,7 @@
 #include "modify/constrain/scaling.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/conjugate_gradients.h"
-#include "numeric/solvers/minimum_norm.h"
+#include "numeric/solvers/sparse/minimum_norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 // All equations linearised: rows over the scaled moves and relative changes of weights, each row of length 1.
 struct Linearised {
-    std::vector<double> rows;
+    SparseRows rows;
     std::vector<double> scale; // the factor of each equation that makes it so
     std::vector<double> residual;
 };
@@ -34,7 +34,6 @@ public:
     Constrained run() {
         all_ = all_equations(state_, conditions_, tolerance_);
         check_influence(state_, all_);
-        static_cast<void>(checked_product(static_cast<int64_t>(unknowns_), equation_count(), "equations"));
         for (int step = 0; step < max_steps; ++step) {
             if (advance()) {
                 break;
@@ -62,12 +61,10 @@ private:
         Linearised system;
         for (const LocalEquations &local : all_) {
             for (size_t k = 0; k < local.residual.size(); ++k) {
-                count_work(4 * static_cast<int64_t>(unknowns_));
-                system.rows.resize(system.rows.size() + unknowns_, 0.0);
-                double *const row = system.rows.data() + (system.rows.size() - unknowns_);
-                fill_row(local, k, row);
-                const double size = norm(row, static_cast<int>(unknowns_)), scale = size > 0 ? 1 / size : 1;
-                std::transform(row, row + unknowns_, row, [scale](double x) { return x * scale; });
+                for_each_element(local, k, [&](size_t column, double value) {
+                    system.rows.add(static_cast<int64_t>(column), value);
+                });
+                const double size = system.rows.end_row(), scale = size > 0 ? 1 / size : 1;
                 system.scale.push_back(scale);
                 system.residual.push_back(local.residual[k] * scale);
             }
@@ -75,7 +72,9 @@ private:
         return system;
     }
 
-    void fill_row(const LocalEquations &local, size_t k, double *row) const noexcept {
+    // Calls visit(unknown, value) for the elements of an equation.
+    template <class Visit>
+    void for_each_element(const LocalEquations &local, size_t k, Visit &&visit) const {
         const size_t derivatives = local.functions.size();
         for (size_t d = 0; d < derivatives; ++d) {
             const double *const along = local.jacobian.data() + (k * derivatives + d) * dim_;
@@ -85,14 +84,14 @@ private:
                     const auto at = static_cast<size_t>(column);
                     const double scale = local.functions[d][i] / std::sqrt(columns_.point_costs[at]);
                     for (size_t c = 0; c < dim_; ++c) {
-                        row[at * dim_ + c] += along[c] * scale;
+                        visit(at * dim_ + c, along[c] * scale);
                     }
                 }
                 if (const int64_t column = columns_.weights[point]; column >= 0) {
                     const auto at = static_cast<size_t>(column);
                     for (size_t c = 0; c < dim_; ++c) {
-                        row[moves_ + at] +=
-                            along[c] * local.slopes[d][i * dim_ + c] / std::sqrt(columns_.weight_costs[at]);
+                        visit(moves_ + at, along[c] * local.slopes[d][i * dim_ + c] /
+                                               std::sqrt(columns_.weight_costs[at]));
                     }
                 }
             }
@@ -168,18 +167,15 @@ private:
     // The sum of the multipliers times the gradients of the equations, scaled as in a system, at x.
     std::vector<double> weighted_gradient(const std::vector<double> &x, const Linearised &system,
                                           const std::vector<double> &multipliers) {
-        std::vector<double> moves, changes, sum(unknowns_, 0.0), row(unknowns_);
+        std::vector<double> moves, changes, sum(unknowns_, 0.0);
         split(x, moves, changes);
         state_.set(moves, changes);
         size_t k = 0;
         for (const LocalEquations &local : all_equations(state_, conditions_, tolerance_)) {
             for (size_t i = 0; i < local.residual.size(); ++i, ++k) {
-                count_work(3 * static_cast<int64_t>(unknowns_));
-                std::fill(row.begin(), row.end(), 0.0);
-                fill_row(local, i, row.data());
                 const double factor = multipliers[k] * system.scale[k];
-                std::transform(sum.begin(), sum.end(), row.begin(), sum.begin(),
-                               [factor](double a, double b) { return a + factor * b; });
+                for_each_element(local, i,
+                                 [&](size_t column, double value) { sum[column] += factor * value; });
             }
         }
         return sum;
@@ -221,10 +217,11 @@ private:
     [[nodiscard]] std::vector<double> right_side(const Linearised &system) const {
         std::vector<double> right;
         for (size_t k = 0; k < system.residual.size(); ++k) {
-            count_work(static_cast<int64_t>(unknowns_));
             double sum = -system.residual[k];
-            for (size_t i = 0; i < unknowns_; ++i) {
-                sum += system.rows[k * unknowns_ + i] * x_[i];
+            const std::span<const int64_t> columns = system.rows.columns(static_cast<int64_t>(k));
+            const std::span<const double> values = system.rows.values(static_cast<int64_t>(k));
+            for (size_t i = 0; i < columns.size(); ++i) {
+                sum += values[i] * x_[static_cast<size_t>(columns[i])];
             }
             right.push_back(sum);
         }
