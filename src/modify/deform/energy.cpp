@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace nrb::modify {
 
@@ -28,8 +29,15 @@ struct AxisMatrix {
     }
 };
 
-double product_integral(int m, int i, int j) noexcept {
-    return binomial(m, i) * binomial(m, j) / (binomial(2 * m, i + j) * (2 * m + 1));
+// The integrals of B_i B_j of degree m over an interval of length 1: [m + 1][m + 1].
+std::vector<double> product_integrals(int m) {
+    std::vector<double> integrals;
+    for (int i = 0; i <= m; ++i) {
+        for (int j = 0; j <= m; ++j) {
+            integrals.push_back(binomial(m, i) * binomial(m, j) / (binomial(2 * m, i + j) * (2 * m + 1)));
+        }
+    }
+    return integrals;
 }
 
 // Bernstein coefficients of the derivative of a function of a span, in place.
@@ -41,6 +49,40 @@ void differentiate(double *coefficients, int degree, int order, double length) n
     }
 }
 
+// Integrals of products of the functions of a span, whose coefficients are `functions`, [degree + 1][degree + 1] of
+// which the first m + 1 of a row count.
+class SpanProducts {
+public:
+    explicit SpanProducts(int degree, int m)
+        : width_(degree + 1), size_(m + 1), integrals_(product_integrals(m)),
+          rows_(static_cast<size_t>(width_ * size_)) {}
+
+    // The functions times the integrals.
+    void set(const double *functions) {
+        functions_ = functions;
+        for (int j = 0; j < width_; ++j) {
+            for (int k = 0; k < size_; ++k) {
+                rows_[static_cast<size_t>(j * size_ + k)] =
+                    dot(functions + int64_t{j} * width_, integrals_.data() + int64_t{k} * size_);
+            }
+        }
+    }
+    [[nodiscard]] double operator()(int i, int j) const noexcept {
+        return dot(functions_ + int64_t{i} * width_, rows_.data() + int64_t{j} * size_);
+    }
+
+private:
+    double dot(const double *a, const double *b) const noexcept {
+        return std::inner_product(a, a + size_, b, 0.0);
+    }
+
+    int width_;
+    int size_;
+    std::vector<double> integrals_;
+    std::vector<double> rows_;
+    const double *functions_ = nullptr;
+};
+
 // Integrals of products of derivatives of the functions of one axis.
 AxisMatrix axis_matrix(const KnotVector &axis, int order) {
     AxisMatrix matrix(axis);
@@ -49,23 +91,18 @@ AxisMatrix axis_matrix(const KnotVector &axis, int order) {
         return matrix;
     }
     std::vector<double> functions(static_cast<size_t>(width * width));
+    SpanProducts products(p, p - order);
     for (const int64_t span : axis.spans().indices()) {
         const double length = axis[span + 1] - axis[span];
+        count_work(int64_t{3} * width * width * width);
         refine::bezier_extraction(axis.knots().data(), p, span, functions.data());
         for (int i = 0; i <= p; ++i) {
             differentiate(functions.data() + int64_t{i} * width, p, order, length);
         }
+        products.set(functions.data());
         for (int i = 0; i <= p; ++i) {
             for (int j = 0; j <= p; ++j) {
-                double sum = 0;
-                for (int k = 0; k <= p - order; ++k) {
-                    for (int l = 0; l <= p - order; ++l) {
-                        sum += functions[static_cast<size_t>(i * width + k)] *
-                               functions[static_cast<size_t>(j * width + l)] *
-                               product_integral(p - order, k, l);
-                    }
-                }
-                matrix.at(span - p + i, span - p + j) += length * sum;
+                matrix.at(span - p + i, span - p + j) += length * products(i, j);
             }
         }
     }

@@ -96,8 +96,10 @@ public:
 
 private:
     static constexpr double least = -12, most = 12; // decimal logarithm of rho, in units of the matrix
-    static constexpr int halvings = 24;
-    static constexpr int64_t work_of_an_entry = 8; // which is moved
+    static constexpr int most_places = 40;          // of rho that are tried
+    static constexpr double enough = 4e-5;          // decimal logarithm of the tolerance over the distance
+    static constexpr double narrowest = 1.5e-6;     // interval of the logarithm of rho
+    static constexpr int64_t work_of_an_entry = 8;  // which is moved
 
     // The part of the matrix that belongs to unknowns.
     [[nodiscard]] std::vector<Entry> reduced() const {
@@ -151,38 +153,91 @@ private:
         std::optional<Phase> order(0.1);
         SparseSystem system(entries, diagonal, elimination_order());
         order.reset();
-        const auto accepted = [&](double at) { return accept(system, std::pow(10.0, at) * (trace / sum)); };
-        if (accepted(least)) {
-            return;
+        const auto distance_at = [&](double at) {
+            return distance_of(system, std::pow(10.0, at) * (trace / sum));
+        };
+        find_root(start(diagonal, trace / sum), distance_at);
+        take_part();
+    }
+
+    // For large rho the solution is -D^-1 K X_0 / rho: where it would be as far away as is allowed.
+    double start(const std::vector<double> &diagonal, double unit) {
+        std::vector<double> step = right_;
+        for (size_t i = 0; i < step.size(); ++i) {
+            step[i] /= diagonal[i / dim_] * unit;
         }
-        double low = least, high = most;
-        Steps steps(halvings);
-        for (int i = 0; i < halvings; ++i, steps.next()) {
-            const double middle = low + (high - low) / 2;
-            (accepted(middle) ? high : low) = middle;
+        const SplinePtr moved = moved_by(step, 1);
+        const double bound = moved == nullptr ? HUGE_VAL : bounds::deviation(*spline_, *moved).upper;
+        return std::clamp(std::log10(bound / tolerance_), least, most);
+    }
+
+    // The distance falls with rho, at most in proportion to 1 / rho. In logarithms, from a first place on: steps that
+    // end on the same side until they do not, then the secant between both sides, with the rule that halves the value of
+    // a side that stays (Dowell & Jarratt, BIT 11 (1971)).
+    template <class Distance>
+    void find_root(double first, const Distance &distance_at) {
+        struct Side {
+            double at, value; // log10 of rho and of the distance over the tolerance
+        };
+        std::optional<Side> near, far; // within the tolerance and beyond it
+        const std::optional<Side> *stayed = nullptr;
+        double at = first, slope = 1;
+        Steps steps(most_places);
+        for (int i = 0; i < most_places; ++i, steps.next()) {
+            const Side side{at, std::clamp(std::log10(distance_at(at) / tolerance_), -300.0, 300.0)};
+            std::optional<Side> &own = side.value <= 0 ? near : far, &other = side.value <= 0 ? far : near;
+            if (side.value <= 0 && (side.value > -enough || at <= least)) {
+                return;
+            }
+            if (own && other && stayed == &other) {
+                other->value /= 2;
+            } else if (own && !other) {
+                slope = std::clamp((own->value - side.value) / (at - own->at), 1e-3, 1.0);
+            }
+            own = side;
+            stayed = &other;
+            if (other) {
+                at = near->at + (far->at - near->at) * (near->value / (near->value - far->value));
+                if (near->at - far->at < narrowest) {
+                    return;
+                }
+            } else {
+                at = std::clamp(at + (side.value + (side.value > 0 ? enough : 0)) / slope, least, most);
+                if (at == side.at) {
+                    return;
+                }
+            }
         }
     }
 
-    // Takes the solution for one rho if it is within the tolerance; returns whether it is.
-    bool accept(SparseSystem &system, double rho) {
+    // How far the solution for a rho is; it is taken if that is within the tolerance.
+    double distance_of(SparseSystem &system, double rho) {
         const Phase phase(0.1);
         std::vector<double> step;
         if (!system.solve(rho, right_, spline_->dim(), step)) {
-            return false;
+            return HUGE_VAL;
         }
         const SplinePtr moved = moved_by(step, 1);
         const double bound = moved == nullptr ? HUGE_VAL : bounds::deviation(*spline_, *moved).upper;
         if (bound <= tolerance_) {
             take(moved, bound);
-            return true;
+        } else if (std::isfinite(bound)) {
+            far_step_ = std::move(step);
+            far_bound_ = bound;
         }
-        if (const SplinePtr part = moved_by(step, 0.99 * tolerance_ / bound);
-            part != nullptr && std::isfinite(bound)) {
-            if (const double less = bounds::deviation(*spline_, *part).upper; less <= tolerance_) {
-                take(part, less);
+        return bound;
+    }
+
+    // Of the last solution that is too far, as much as the tolerance allows.
+    void take_part() {
+        if (far_step_.empty()) {
+            return;
+        }
+        if (const SplinePtr part = moved_by(far_step_, 0.99 * tolerance_ / far_bound_); part != nullptr) {
+            if (const double bound = bounds::deviation(*spline_, *part).upper; bound <= tolerance_) {
+                take(part, bound);
             }
         }
-        return false;
     }
 
     // Keeps what has the least energy.
@@ -220,6 +275,8 @@ private:
     SplinePtr best_;
     double best_energy_ = 0;
     double bound_ = 0;
+    std::vector<double> far_step_; // the last solution beyond the tolerance
+    double far_bound_ = 0;
 };
 
 // At least x 2^exponent.

@@ -15,11 +15,11 @@ struct Faired {
 
 // See nurbs_fair(). With X = w (P - centre) the energy is X^T K X (energy.h), and (K + rho D) (X - X_0) = -K
 // X_0 has the least energy among the splines whose control points are as near, measured by sum |P_i -
-// P_i0|^2. rho is found by halving its logarithm; the bound of deviation() decides. From a solution that is
+// P_i0|^2. rho is found by secants in logarithms; the bound of deviation() decides. From the last solution that is
 // too far, as large a part is taken as the tolerance allows; this lowers the energy as well, because it is
 // convex. Layers that act on derivatives that stay, stay. Throws Status::degree, not_representable, overflow.
-// keep: [axes][2] or null. Cost: some 30 factorisations of a sparse matrix of the size of the net, and as
-// many deviations.
+// keep: [axes][2] or null. Cost: some 8 solutions of a sparse system of the size of the net, and as many
+// deviations.
 Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tolerance);
 
 } // namespace nrb::modify

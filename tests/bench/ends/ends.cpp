@@ -143,6 +143,18 @@ void shaping() {
             });
         });
     }
+    for (const double tolerance : {1e-4, 1e-3, 1e-2}) {
+        row("fair/hill of 200^2 with noise/tolerance=" + std::to_string(tolerance), 2, [=] {
+            const Shape hill = make(2, 3, 200, 3, false, [](const double *at, double *point, double *) {
+                point[0] = at[0];
+                point[1] = at[1];
+                point[2] = 0.2 * std::sin(9 * at[0]) * std::sin(7 * at[1]) + 1e-3 * random_number();
+            });
+            return made([&](nurbs **out) {
+                return nurbs_fair(hill.get(), 2, nullptr, tolerance, nullptr, nullptr, out);
+            });
+        });
+    }
     row("fair/line of degree 31, 1000 points", 2, [] {
         const Shape line = make(1, 31, 1000, 3, false,
                                 [](const double *at, double *x, double *) { x[0] = x[1] = x[2] = at[0]; });

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 namespace nrb::inline numeric {
@@ -24,9 +25,10 @@ std::vector<int64_t> order_of(const SparseRows &rows) {
     std::iota(order.begin(), order.end(), 0);
     const auto ends = [&rows](int64_t row) {
         const std::span<const int64_t> columns = rows.columns(row);
-        return columns.empty() ? std::pair(none, none) : std::pair(columns.back(), columns.front());
+        return columns.empty() ? std::tuple(none, none, row)
+                               : std::tuple(columns.back(), columns.front(), row);
     };
-    std::stable_sort(order.begin(), order.end(), [&](int64_t a, int64_t b) { return ends(a) < ends(b); });
+    std::sort(order.begin(), order.end(), [&](int64_t a, int64_t b) { return ends(a) < ends(b); });
     return order;
 }
 

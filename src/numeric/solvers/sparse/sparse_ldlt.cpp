@@ -46,8 +46,15 @@ SparseLdlt::SparseLdlt(const SparseColumns &pattern)
     for (size_t k = 1; k < starts_.size(); ++k) {
         starts_[k] += starts_[k - 1];
     }
-    grow_watched(rows_, at(starts_.back()));
-    grow_watched(values_, at(starts_.back()));
+}
+
+double SparseLdlt::cost() const noexcept {
+    double sum = 0;
+    for (size_t k = 1; k < starts_.size(); ++k) {
+        const auto elements = static_cast<double>(starts_[k] - starts_[k - 1]);
+        sum += elements * (elements + 1) / 2;
+    }
+    return sum;
 }
 
 // The elements of row k in an order in which each comes after those that change it; values of the matrix to work_.
@@ -72,6 +79,8 @@ int64_t SparseLdlt::gather_row(const SparseColumns &matrix, int32_t k) {
 
 bool SparseLdlt::factorise(const SparseColumns &matrix) {
     const auto n = static_cast<int32_t>(matrix.size());
+    grow_watched(rows_, at(starts_.back())); // many systems need no factors
+    grow_watched(values_, at(starts_.back()));
     std::copy_n(starts_.begin(), n, filled_.begin());
     std::fill(flags_.begin(), flags_.end(), -1);
     std::fill(work_.begin(), work_.end(), 0.0);

@@ -25,6 +25,8 @@ public:
     // Finds the tree, and how many elements the columns of L have.
     explicit SparseLdlt(const SparseColumns &pattern);
 
+    // Multiply-adds of a factorisation.
+    [[nodiscard]] double cost() const noexcept;
     // False if D is not positive. The matrix has the pattern that was given first.
     bool factorise(const SparseColumns &matrix);
     // Solves for `width` right sides side by side, in place: x[size][width].

@@ -4,12 +4,14 @@
 #include "numeric/norm.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nrb::inline numeric {
 
 double SparseRows::end_row() {
-    std::stable_sort(row_.begin(), row_.end(),
-                     [](const Element &a, const Element &b) { return a.column < b.column; });
+    std::sort(row_.begin(), row_.end(), [](const Element &a, const Element &b) {
+        return std::pair(a.column, a.number) < std::pair(b.column, b.number);
+    });
     const size_t begin = starts_.back();
     for (const Element &element : row_) {
         if (columns_.size() > begin && columns_.back() == element.column) {

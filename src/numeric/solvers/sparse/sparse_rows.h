@@ -11,7 +11,7 @@ namespace nrb::inline numeric {
 class SparseRows {
 public:
     // Elements of the last row, in any order; several of one column are added.
-    void add(int64_t column, double value) { row_.push_back({column, value}); }
+    void add(int64_t column, double value) { row_.push_back({column, value, row_.size()}); }
     // Ends the row, scaled to length 1 unless it is 0; returns the length it had.
     double end_row();
 
@@ -31,6 +31,7 @@ private:
     struct Element {
         int64_t column;
         double value;
+        size_t number; // in the order in which they came, so that sums do not depend on the sorting
     };
     std::vector<Element> row_;
     std::vector<size_t> starts_{0};

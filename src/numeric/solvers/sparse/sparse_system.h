@@ -20,7 +20,9 @@ struct Entry {
 // K x for x[unknowns][width].
 std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width);
 
-// K + rho D for many rho: what the factors look like is found once.
+// K + rho D for many rho. Where factors cost more than many products with K, systems are solved by conjugate gradients
+// (M. Hestenes, E. Stiefel 1952), preconditioned by the diagonal; if these do not converge in some steps, as with a
+// small rho, by the factors for this rho, which then precondition the systems for others.
 class SparseSystem {
 public:
     // Entries between unknowns 0 to n - 1, a diagonal, and the order in which the unknowns are eliminated. Precondition:
@@ -32,10 +34,15 @@ public:
                              std::vector<double> &x);
 
 private:
-    std::vector<double> diagonal_;
+    class Iteration;
+    [[nodiscard]] SparseColumns shifted(double rho) const;
+    [[nodiscard]] bool solve_ordered(double rho, std::vector<double> &x, int64_t width);
+
+    std::vector<double> diagonal_; // in the order of elimination, as what follows
     std::vector<int64_t> order_;
-    SparseColumns entries_; // K in that order
+    SparseColumns entries_;
     std::optional<SparseLdlt> factors_;
+    bool factorised_ = false; // for some rho
 };
 
 } // namespace nrb::inline numeric
