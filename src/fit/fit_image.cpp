@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/fit_image.h"
 
+#include "base/finite.h"
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "base/watch.h"
 #include "fit/span_samples.h"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace nrb::fit {
 
@@ -26,18 +29,20 @@ struct Numerators {
     std::vector<double> weights; // empty: 1
 };
 
-Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational, const PointMap &map) {
+Numerators mapped(const Spline &sampled, size_t dim, bool rational, const PointMap &map) {
+    const std::span<const double> samples = sampled.points();
     const size_t width = dim + (rational ? 1 : 0), count = samples.size() / width;
     Numerators result;
     std::vector<double> points;
-    points.reserve(count * dim);
+    grow_watched(points, count * dim);
     for (size_t i = 0; i < count; ++i) {
         if (i % points_between_counts == 0) {
             count_work(points_between_counts * work_of_a_point);
         }
         const double *const record = samples.data() + i * width;
         const double w = rational ? record[dim] : 1;
-        std::transform(record, record + dim, std::back_inserter(points), [w](double x) { return x / w; });
+        std::transform(record, record + dim, points.begin() + static_cast<int64_t>(i * dim),
+                       [w](double x) { return x / w; });
         if (rational) {
             result.weights.push_back(w);
         }
@@ -61,7 +66,7 @@ struct Lines {
 };
 
 // The largest error of each span of an axis.
-std::vector<double> span_errors(const Numerators &numerators, const std::vector<double> &projected,
+std::vector<double> span_errors(const Numerators &numerators, std::span<const double> projected,
                                 const Lines &lines, size_t dim) {
     std::vector<double> errors(lines.spans, 0.0);
     for (size_t i = 0; i * dim < projected.size(); ++i) {
@@ -112,6 +117,7 @@ private:
     static constexpr int max_rounds = 120;
     static constexpr int max_stalled = 3;
     static constexpr int sufficient_degree = 3;
+    static constexpr double rounding = 8 * eps; // of the numerators: errors that more knots make no smaller
     static constexpr int64_t max_points = int64_t{1} << 18;
 
     // A bound may be far above the value it bounds, and so cost many control points.
@@ -124,11 +130,9 @@ private:
         return !image.proven;
     }
 
-    // If more control points bring the image no nearer, what is left is rounding.
+    // If smaller errors of the axes bring the image no nearer, what is left is rounding.
     void note_progress(const FittedImage &image) {
-        const int64_t points = image.spline->point_count();
-        stalled_ += points > last_points_ && image.deviation > 0.75 * last_deviation_ ? 1 : 0;
-        last_points_ = points;
+        stalled_ += image.deviation > 0.75 * last_deviation_ ? 1 : 0;
         last_deviation_ = image.deviation;
     }
 
@@ -165,13 +169,15 @@ private:
                 places[j] = j == k ? nodes_[j].with_checks() : nodes_[j].nodes();
             }
             const Numerators numerators =
-                mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
-            const std::vector<double> projected = projected_along(
+                mapped(*sampled(*homogeneous, places), dim_, fine_->rational(), map_);
+            const double wanted = std::max(target, rounding * largest_magnitude(numerators.values));
+            const SplinePtr projected = projected_along(
                 *fine_, static_cast<int>(k), nodes_, copied_watched<double>(numerators.values), fine_->dim());
-            const std::vector<double> errors = span_errors(numerators, projected, lines_of(k), dim_);
-            raised[k] = cheaper_raised(fine_->axis(static_cast<int>(k)), errors, target) ? 1 : 0;
+            const std::vector<double> errors =
+                span_errors(numerators, projected->points(), lines_of(k), dim_);
+            raised[k] = cheaper_raised(fine_->axis(static_cast<int>(k)), errors, wanted) ? 1 : 0;
             if (raised[k] == 0) {
-                more[k] = new_knots(static_cast<int>(k), errors, target);
+                more[k] = new_knots(static_cast<int>(k), errors, wanted);
             }
             cut = cut || raised[k] != 0 || !more[k].empty();
         }
@@ -280,19 +286,19 @@ private:
             places[j] = nodes_[j].nodes();
         }
         const SplinePtr homogeneous = records();
-        Numerators numerators = mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
-        SplinePtr image =
-            with_numerators(control_points(*fine_, nodes_, std::move(numerators.values), fine_->dim()));
+        Numerators numerators = mapped(*sampled(*homogeneous, places), dim_, fine_->rational(), map_);
+        SplinePtr image = with_numerators(
+            control_points(*fine_, nodes_, std::move(numerators.values), fine_->dim())->points());
         const double deviation =
             judge_ ? judge_(fine_, image, cuts) : sampled_deviation(*homogeneous, *image);
         return {std::move(image), deviation, judge_ != nullptr};
     }
 
-    [[nodiscard]] SplinePtr with_numerators(std::vector<double> numerators) const {
+    [[nodiscard]] SplinePtr with_numerators(std::span<const double> numerators) const {
         std::vector<double> weights(fine_->weights().begin(), fine_->weights().end());
         std::vector<double> points;
         points.reserve(numerators.size() + numerators.size() / dim_);
-        count_work(std::ssize(numerators));
+        count_work(static_cast<int64_t>(numerators.size()));
         for (size_t i = 0; i < numerators.size(); ++i) {
             const double weight = fine_->weight(static_cast<int64_t>(i / dim_));
             const bool divided = fine_->form() == Form::rational && weight != 0;
@@ -315,8 +321,9 @@ private:
             }
         }
         const bool rational = fine_->rational();
-        const Numerators exact = mapped(sampled(before, places), dim_, rational, map_);
-        const std::vector<double> got = sampled(rational ? *refine::to_homogeneous(image) : image, places);
+        const Numerators exact = mapped(*sampled(before, places), dim_, rational, map_);
+        const SplinePtr other = sampled(rational ? *refine::to_homogeneous(image) : image, places);
+        const std::span<const double> got = other->points();
         const size_t width = dim_ + (rational ? 1 : 0);
         double largest = 0;
         for (size_t i = 0; i * dim_ < exact.values.size(); ++i) {
@@ -340,7 +347,6 @@ private:
     std::vector<LocalNodes> nodes_;
     int patience_ = 3; // rounds without a proof
     int stalled_ = 0;
-    int64_t last_points_ = 0;
     double last_deviation_ = HUGE_VAL;
 };
 

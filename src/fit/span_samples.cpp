@@ -7,6 +7,7 @@
 #include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
 #include "refine/algebra/polynomial.h"
+#include "spline/axis_view.h"
 #include "spline/layer_table.h"
 
 #include <algorithm>
@@ -73,12 +74,12 @@ SplinePtr applied(const Spline &spline, int k, const LayerTable &table) {
 
 } // namespace
 
-std::vector<double> sampled(const Spline &spline, const Places &places) {
+SplinePtr sampled(const Spline &spline, const Places &places) {
     SplinePtr values = applied(spline, 0, sampling_table(spline.axis(0), places[0]));
     for (int k = 1; k < spline.axes(); ++k) {
         values = applied(*values, k, sampling_table(spline.axis(k), places[static_cast<size_t>(k)]));
     }
-    return copied_watched(values->points());
+    return values;
 }
 
 namespace {
@@ -86,22 +87,24 @@ namespace {
 // The control points of an axis from samples of it, by least squares.
 class AxisFit {
 public:
-    // Samples of `length` values each, `places` on a span; node j is number stride * j.
-    AxisFit(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride, int64_t length)
-        : axis_(axis), nodes_(std::ssize(nodes.nodes())), places_(static_cast<int64_t>(places)),
-          stride_(static_cast<int64_t>(stride)), length_(length), columns_(axis.distinct_layers()),
-          table_(sampling_table(axis, nodes.nodes())),
+    // Layers of samples along axis k, `places` on a span; node j is number stride * j.
+    AxisFit(const Spline &samples, int k, const KnotVector &axis, const LocalNodes &nodes, size_t places,
+            size_t stride)
+        : samples_(samples), view_(axis_view(samples, k, samples.dim())), axis_(axis),
+          nodes_(std::ssize(nodes.nodes())), places_(static_cast<int64_t>(places)),
+          stride_(static_cast<int64_t>(stride)), length_(view_.outer * view_.inner),
+          columns_(axis.distinct_layers()), table_(sampling_table(axis, nodes.nodes())),
           system_(columns_, axis.degree() + 1,
                   axis.periodic() ? static_cast<int>(std::min<int64_t>(columns_, axis.degree() + 1)) : 0,
-                  length) {}
+                  length_),
+          right_(static_cast<size_t>(length_)) {}
 
-    // [distinct_layers()][length].
-    std::vector<double> run(const std::vector<double> &samples) {
+    // [distinct_layers()][length of a layer].
+    std::vector<double> run() {
         int64_t anchored = 0;
         for (int64_t r = 0; r < table_.rows(); ++r) {
             const LayerTable::Row &row = table_.row(r);
-            const double *const sample =
-                samples.data() + (r / nodes_ * places_ + r % nodes_ * stride_) * length_;
+            const int64_t sample = r / nodes_ * places_ + r % nodes_ * stride_;
             for (const int64_t end = reached(r); anchored < end; ++anchored) {
                 add(anchor, {anchored, 0, 0}, sample);
             }
@@ -125,18 +128,24 @@ private:
         return r + 1 == table_.rows() ? columns_ : std::min(span + 1, columns_);
     }
 
-    void add(double factor, const LayerTable::Row &row, const double *sample) {
+    void add(double factor, const LayerTable::Row &row, int64_t sample) {
         count_work(2 * length_);
         static constexpr double copied = 1;
         const double *const entries = row.size == 0 ? &copied : table_.coefficients(row);
         for (int i = 0; i < std::max(row.size, 1); ++i) {
             system_.enter((row.first + i) % columns_, factor * entries[i]);
         }
-        right_.assign(sample, sample + length_);
-        std::for_each(right_.begin(), right_.end(), [factor](double &x) { x *= factor; });
+        double *right = right_.data();
+        for (int64_t o = 0; o < view_.outer; ++o) {
+            const double *from = samples_.points().data() + (o * view_.count + sample) * view_.inner;
+            right =
+                std::transform(from, from + view_.inner, right, [factor](double x) { return factor * x; });
+        }
         system_.add_entered(right_.data());
     }
 
+    const Spline &samples_;
+    AxisView view_;
     const KnotVector &axis_;
     int64_t nodes_;
     int64_t places_;
@@ -153,8 +162,7 @@ private:
 SplinePtr fitted(const Spline &samples, int k, const KnotVector &axis, const LocalNodes &nodes, size_t places,
                  size_t stride) {
     const int64_t length = reduce::layer_length(samples, k);
-    const std::vector<double> layers =
-        AxisFit(axis, nodes, places, stride, length).run(reduce::layer_records(samples, k));
+    const std::vector<double> layers = AxisFit(samples, k, axis, nodes, places, stride).run();
     std::vector<reduce::LayerSource> sources;
     for (int64_t i = 0; i < axis.count(); ++i) {
         sources.push_back({-1, layers.data() + i % axis.distinct_layers() * length});
@@ -183,26 +191,25 @@ std::array<size_t, max_axes> node_counts(const std::vector<LocalNodes> &nodes) n
 
 } // namespace
 
-std::vector<double> control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
-                                   std::vector<double> samples, int width) {
+SplinePtr control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
+                         std::vector<double> samples, int width) {
     SplinePtr values = as_spline(spline, node_counts(nodes), std::move(samples), width);
     for (int k = 0; k < spline.axes(); ++k) {
         const LocalNodes &own = nodes[static_cast<size_t>(k)];
         values = fitted(*values, k, spline.axis(k), own, own.nodes().size(), 1);
     }
-    return copied_watched(values->points());
+    return values;
 }
 
-std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
-                                    std::vector<double> samples, int width) {
+SplinePtr projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
+                          std::vector<double> samples, int width) {
     const auto at = static_cast<size_t>(k);
     const std::vector<double> &all = nodes[at].with_checks();
     std::array<size_t, max_axes> counts = node_counts(nodes);
     counts[at] = all.size();
     SplinePtr values = as_spline(spline, counts, std::move(samples), width);
     values = fitted(*values, k, spline.axis(k), nodes[at], all.size(), 2);
-    values = applied(*values, k, sampling_table(spline.axis(k), all));
-    return copied_watched(values->points());
+    return applied(*values, k, sampling_table(spline.axis(k), all));
 }
 
 } // namespace nrb::fit

@@ -25,11 +25,11 @@ private:
     std::vector<double> all_;
 };
 
-// Values at places of each non-empty span of the domain, places[k] on axis k: [..][width()], last axis
+// The values, as control points, at places of each non-empty span of the domain, places[k] on axis k: [..][width()], last axis
 // fastest, each from the polynomial piece of its span. Throws Status::not_representable, overflow.
 // Precondition: polynomial.
 using Places = std::array<std::vector<double>, max_axes>;
-std::vector<double> sampled(const Spline &spline, const Places &places);
+SplinePtr sampled(const Spline &spline, const Places &places);
 
 // The control points [..][width] over the axes of the spline from values at nodes[k] of each span on axis k.
 // They are found by least squares along one axis after the other, by orthogonal rotations, so that a spline
@@ -42,12 +42,12 @@ std::vector<double> sampled(const Spline &spline, const Places &places);
 // may have a corner or an end, are met. Control points that act too little in the domain to be found, as at
 // ends that are not clamped, are drawn to a value nearby. Cost: of the order of (degree + 1)^2 (degree + 1 +
 // values along the other axes) for each span.
-std::vector<double> control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
-                                   std::vector<double> samples, int width);
+SplinePtr control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
+                         std::vector<double> samples, int width);
 
 // The same along axis k alone, from values [..][width] at the places of with_checks() on that axis and at the
 // nodes of the others: the values of the projected spline there.
-std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
-                                    std::vector<double> samples, int width);
+SplinePtr projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
+                          std::vector<double> samples, int width);
 
 } // namespace nrb::fit

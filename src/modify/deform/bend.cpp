@@ -26,11 +26,6 @@ void normalise(std::vector<double> &x) noexcept {
     }
 }
 
-// sin(x) / x.
-double sinc(double x) noexcept {
-    return x == 0 ? 1 : std::sin(x) / x;
-}
-
 } // namespace
 
 Bend make_bend(int dim, const double *origin, const double *along, const double *across, double curvature,
@@ -64,25 +59,30 @@ double along_of(const Bend &bend, const double *point) noexcept {
     return a;
 }
 
-} // namespace
-
 // With h = k u / 2, where u is a in the bent part and its end beyond it: (1/k + b) sin(k u) = u sinc(2 h) + b
 // sin(2 h), and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any
 // curvature.
-void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept {
-    const double a = along_of(bend, point);
+void bend_point(const Bend &bend, BendPart part, double a, const double *point, double *image) noexcept {
     double b = 0;
     for (size_t c = 0; c < bend.across.size(); ++c) {
         b += (point[c] - bend.origin[c]) * bend.across[c];
     }
     const double u = part == BendPart::bent ? a : part == BendPart::before ? bend.lower : bend.upper;
-    const double beyond = a - u, angle = bend.curvature * u;
-    const double sine = std::sin(angle), cosine = std::cos(angle);
-    const double to_a = u * sinc(angle) + b * sine + beyond * cosine;
-    const double to_b = b * cosine - u * sinc(angle / 2) * std::sin(angle / 2) - beyond * sine;
+    const double beyond = a - u, angle = bend.curvature * u, half = angle / 2;
+    const double sine = std::sin(angle), cosine = std::cos(angle), sine_of_half = std::sin(half);
+    const double straight = angle == 0 ? u : u * (sine / angle);
+    const double sagging = half == 0 ? 0 : u * (sine_of_half / half) * sine_of_half;
+    const double to_a = straight + b * sine + beyond * cosine;
+    const double to_b = b * cosine - sagging - beyond * sine;
     for (size_t c = 0; c < bend.along.size(); ++c) {
         image[c] = point[c] + ((to_a - a) * bend.along[c] + (to_b - b) * bend.across[c]);
     }
+}
+
+} // namespace
+
+void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept {
+    bend_point(bend, part, along_of(bend, point), point, image);
 }
 
 void bend_point(const Bend &bend, const double *point, double *image) noexcept {
@@ -91,7 +91,7 @@ void bend_point(const Bend &bend, const double *point, double *image) noexcept {
                a < bend.lower   ? BendPart::before
                : a > bend.upper ? BendPart::after
                                 : BendPart::bent,
-               point, image);
+               a, point, image);
 }
 
 DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) {

@@ -153,7 +153,13 @@ public:
                 mark(i, cuts);
             }
         }
-        return bound + 4096 * eps * largest_;
+        const double rounding = 4096 * eps * largest_;
+        if (rounding > tolerance) { // cuts would bring no proof
+            for (std::vector<char> &spans : cuts) {
+                std::fill(spans.begin(), spans.end(), 0);
+            }
+        }
+        return bound + rounding;
     }
 
 private:
@@ -161,6 +167,8 @@ private:
         const BernsteinShape &shape = net_->shape();
         const auto count = static_cast<size_t>(shape.coefficients());
         CellPieces cell{shape, {}, {}, std::vector<double>(count, 1.0)};
+        cell.along.reserve(count);
+        cell.across.reserve(count);
         std::vector<double> coordinates(count * dim_);
         net_->copy(piece, coordinates.data(), cell.weights.data());
         for (size_t i = 0; i < count; ++i) {
@@ -238,7 +246,7 @@ private:
     }
 
     // Lambda max |w F(A / w) - B| over the nodes of a cell.
-    [[nodiscard]] double node_error(int64_t piece, BendPart part) const {
+    [[nodiscard]] double node_error(int64_t piece, BendPart part) {
         std::array<int64_t, max_axes> cells{}, sizes{1, 1, 1}, rows{1, 1, 1};
         double factor = 1;
         for (int k = g_.axes(); k-- > 0;) {
@@ -262,17 +270,15 @@ private:
         return factor * largest;
     }
 
-    [[nodiscard]] double error_at(size_t sample, BendPart part) const {
-        const double *const record = before_.data() + sample * width_, *const got =
-                                                                           after_.data() + sample * width_;
+    [[nodiscard]] double error_at(size_t sample, BendPart part) {
+        const double *const record = before_->points().data() + sample * width_, *const got =
+                                                                                     after_->points().data() +
+                                                                                     sample * width_;
         const double w = width_ > dim_ ? record[dim_] : 1;
-        std::vector<double> point(record, record + dim_), image(dim_);
-        for (double &x : point) {
-            x /= w;
-        }
-        bend_point(bend_, part, point.data(), image.data());
+        std::transform(record, record + dim_, point_.begin(), [w](double x) { return x / w; });
+        bend_point(bend_, part, point_.data(), image_.data());
         return norm_of(static_cast<int>(dim_), [&](int c) {
-            return w * image[static_cast<size_t>(c)] - got[static_cast<size_t>(c)];
+            return w * image_[static_cast<size_t>(c)] - got[static_cast<size_t>(c)];
         });
     }
 
@@ -283,8 +289,9 @@ private:
     pieces::CentredRecords records_;
     pieces::BernsteinNet::Breaks breaks_;
     std::unique_ptr<pieces::BernsteinNet> net_;
-    std::vector<double> before_;
-    std::vector<double> after_;
+    SplinePtr before_;
+    SplinePtr after_;
+    std::vector<double> point_ = std::vector<double>(dim_), image_ = point_; // work
     double largest_ = 0;
 };
 

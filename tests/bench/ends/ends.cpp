@@ -162,14 +162,18 @@ void shaping() {
             [&](nurbs **out) { return nurbs_fair(line.get(), 2, nullptr, 1e-3, nullptr, nullptr, out); });
     });
     row("bend/surface of 100^2 at 1e-3", 1, [] { return bent(hill(3, 100), 1e-3); });
-    row("bend/strip of 10 x 2 at 1e-12", 0.1, [] {
-        const Shape strip = make(2, 1, 2, 3, false, [](const double *at, double *x, double *) {
-            x[0] = 10 * at[0];
-            x[1] = 2 * at[1];
-            x[2] = 0;
-        });
-        return bent(strip, 1e-12);
-    });
+    for (const double tolerance : {1e-12, 1e-17}) {
+        row("bend/strip of 10 x 2/tolerance=" +
+                (tolerance < 1e-15 ? std::string("1e-17") : std::string("1e-12")),
+            0.1, [=] {
+                const Shape strip = make(2, 1, 2, 3, false, [](const double *at, double *x, double *) {
+                    x[0] = 10 * at[0];
+                    x[1] = 2 * at[1];
+                    x[2] = 0;
+                });
+                return bent(strip, tolerance);
+            });
+    }
     row("free form/wild curve of 100 points", 2, [] {
         const Shape curve = make(1, 3, 100, 3, true, [](const double *, double *x, double *w) {
             for (int c = 0; c < 3; ++c) {

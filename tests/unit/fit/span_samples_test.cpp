@@ -41,7 +41,11 @@ std::vector<double> back(const SplinePtr &spline) {
         nodes.emplace_back(spline->axis(k).degree());
         places[static_cast<size_t>(k)] = nodes.back().nodes();
     }
-    return nrb::fit::control_points(*spline, nodes, nrb::fit::sampled(*spline, places), spline->dim());
+    const auto copy = [](std::span<const double> values) {
+        return std::vector<double>(values.begin(), values.end());
+    };
+    const SplinePtr samples = nrb::fit::sampled(*spline, places);
+    return copy(nrb::fit::control_points(*spline, nodes, copy(samples->points()), spline->dim())->points());
 }
 
 // The three forms of knots, a jump, and a surface. The condition of the system is at most about 2^p p.
