@@ -3,7 +3,9 @@
 
 #include "base/watch.h"
 #include "bernstein/de_casteljau.h"
+#include "numeric/binomial.h"
 #include "refine/knots/extraction.h"
+#include "spline/contract.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,22 +42,18 @@ void contract(const double *in, int64_t outer, int terms, int64_t inner, const d
     if (inner == 1 && terms == 4 && count == 4 && stride == 4) {
         return contract_rows<4>(in, outer, matrix, out);
     }
-    for (int64_t o = 0; o < outer; ++o, in += terms * inner, out += count * inner) {
-        std::fill_n(out, count * inner, 0.0);
-        for (int j = 0; j < terms; ++j) {
-            const double *row = matrix + j * stride;
-            const double *from = in + j * inner;
-            if (inner == 1) {
-                for (int k = 0; k < count; ++k) {
-                    out[k] += row[k] * *from;
-                }
-                continue;
+    for (int64_t o = 0; o < outer; ++o, in += terms * inner) {
+        if (inner == 1) {
+            spline::contract(in, terms, matrix, stride, count, out);
+            out += count;
+            continue;
+        }
+        for (int k = 0; k < count; ++k, out += inner) {
+            double column[max_product_degree + 1];
+            for (int j = 0; j < terms; ++j) {
+                column[j] = matrix[j * stride + k];
             }
-            for (int k = 0; k < count; ++k) {
-                for (int64_t i = 0; i < inner; ++i) {
-                    out[k * inner + i] += row[k] * from[i];
-                }
-            }
+            spline::contract(column, terms, in, inner, inner, out);
         }
     }
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr int most_halvings_of_cell = 200;
 
 // By the number of axes: the level to begin with, the highest one, and how many elements may be made.
-constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 3, 2};
+constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 4, 3};
 constexpr std::array<int64_t, max_axes> least_budgets = {20000, 10000, 8000};
 constexpr int64_t budget_for_an_element = 32;
 
@@ -134,14 +134,17 @@ private:
         double worst = 1;
         const double part = std::max(goal.fraction, goal.size > 0 ? rule.magnitude(0) / goal.size / 2 : 1);
         for (int k = 0; k < axes; ++k) {
-            bool promising = levels[static_cast<size_t>(k)] < last_levels[static_cast<size_t>(axes - 1)];
+            const int higher = last_levels[static_cast<size_t>(axes - 1)] - levels[static_cast<size_t>(k)];
+            bool promising = higher > 0;
             double most = 0;
             for (int j = 0; j < static_cast<int>(values_); ++j) {
                 const double allowed = part * goal.tolerances[static_cast<size_t>(j)];
                 const double error = rule.error(k, j) * axes;
                 if (error > allowed) {
                     most = std::max(most, error / allowed);
-                    promising = promising && rule.decay(k, j).one_higher() * rule.magnitude(j) <= allowed;
+                    const RuleDecay &decay = rule.decay(k, j);
+                    const double left = higher > 1 ? decay.two_higher() : decay.one_higher();
+                    promising = promising && left * rule.magnitude(j) <= allowed;
                 }
             }
             if (most > worst) {

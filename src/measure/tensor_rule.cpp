@@ -33,7 +33,8 @@ TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
 void TensorRule::expand(const double *net, const Levels &levels) {
     const int width = dim_ + (rational_ ? 1 : 0);
     auto &values = nodes_[static_cast<size_t>(axes_)];
-    values.assign(net, net + width * coefficients_);
+    values.resize(std::max(values.size(), static_cast<size_t>(width * coefficients_)));
+    std::copy_n(net, width * coefficients_, values.data());
     int64_t outer = width * coefficients_, inner = 1;
     for (int k = axes_; k-- > 0;) {
         const auto at = static_cast<size_t>(k);
@@ -41,9 +42,9 @@ void TensorRule::expand(const double *net, const Levels &levels) {
         outer /= terms;
         const auto apply = [&](const std::vector<double> &matrix, const std::vector<double> &from,
                                std::vector<double> &to) {
-            work_.resize(static_cast<size_t>(outer * count * inner));
+            work_.resize(std::max(work_.size(), static_cast<size_t>(outer * count * inner)));
             contract(from.data(), outer, terms, inner, matrix.data(), rule_capacity, count, work_.data());
-            to.assign(work_.begin(), work_.end());
+            to.swap(work_);
         };
         for (int l = k + 1; l < axes_; ++l) {
             apply(basis_[at], nodes_[static_cast<size_t>(l)], nodes_[static_cast<size_t>(l)]);
@@ -80,20 +81,22 @@ void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
     }
 }
 
-void TensorRule::add(const std::array<int, max_axes> &at, const std::array<double, max_axes> &weights) {
-    for (int k = 0; k < axes_; ++k) {
-        double others = 1;
-        for (int l = 0; l < axes_; ++l) {
-            others *= l == k ? 1 : weights[static_cast<size_t>(l)];
+// The nodes of a line along the last axis, in the sums across that axis; their sum to the others.
+void TensorRule::add_line(int64_t first, const Line &line, const std::vector<double> &origin) {
+    const auto values = static_cast<size_t>(values_);
+    double *const across = across_.data() + (axes_ - 1) * values_ * rule_capacity;
+    std::fill(line_.begin(), line_.end(), 0.0);
+    for (int i = 0; i < line.size; ++i) {
+        if (line.weights[i] == 0) {
+            continue;
         }
-        double *across = across_.data() + k * values_ * rule_capacity + at[static_cast<size_t>(k)];
-        for (int j = 0; j < values_; ++j) {
-            across[j * rule_capacity] += others * out_[static_cast<size_t>(j)];
+        visit_node(first + i, origin);
+        for (size_t j = 0; j < values; ++j) {
+            const double value = out_[j], weighted = line.weights[i] * value;
+            across[j * rule_capacity + static_cast<size_t>(i)] += line.weight * value;
+            line_[j] += weighted;
+            line_[values + j] += std::abs(weighted);
         }
-    }
-    const double weight = weights[0] * weights[1] * weights[2];
-    for (size_t j = 0; j < magnitudes_.size(); ++j) {
-        magnitudes_[j] += weight * std::abs(out_[j]);
     }
 }
 
@@ -102,28 +105,40 @@ void TensorRule::evaluate(const double *net, const std::vector<double> &origin, 
     expand(net, levels);
     std::fill(across_.begin(), across_.end(), 0.0);
     std::fill(magnitudes_.begin(), magnitudes_.end(), 0.0);
-    std::array<int, max_axes> sizes{1, 1, 1}, at{};
-    std::array<double, max_axes> weights{1, 1, 1};
-    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
-        sizes[k] = rule_size(levels[k]);
-    }
-    const auto weight = [&](int k) {
-        const auto axis = static_cast<size_t>(k);
-        return k < axes_ ? rule_weights(levels[axis])[at[axis]] : 1;
+    line_.resize(2 * static_cast<size_t>(values_));
+    const int last = axes_ - 1;
+    const auto size = [&](int k) { return k < last ? rule_size(levels[static_cast<size_t>(k)]) : 1; };
+    const auto weight = [&](int k, int i) {
+        return k < last ? rule_weights(levels[static_cast<size_t>(k)])[i] : 1;
     };
+    Line line{rule_weights(levels[static_cast<size_t>(last)]), rule_size(levels[static_cast<size_t>(last)]),
+              0};
     int64_t node = 0;
-    for (at[0] = 0; at[0] < sizes[0]; ++at[0]) {
-        for (at[1] = 0; at[1] < sizes[1]; ++at[1]) {
-            for (at[2] = 0; at[2] < sizes[2]; ++at[2], ++node) {
-                weights = {weight(0), weight(1), weight(2)};
-                if (weights[0] * weights[1] * weights[2] != 0) {
-                    visit_node(node, origin);
-                    add(at, weights);
-                }
+    for (int i = 0; i < size(0); ++i) {
+        for (int j = 0; j < size(1); ++j, node += line.size) {
+            const std::array<double, 2> weights{weight(0, i), weight(1, j)};
+            line.weight = weights[0] * weights[1];
+            if (line.weight != 0) {
+                add_line(node, line, origin);
+                add_line_sums({i, j}, weights);
             }
         }
     }
     finish(levels);
+}
+
+// To the sums across the axes before the last one.
+void TensorRule::add_line_sums(const std::array<int, 2> &at, const std::array<double, 2> &weights) {
+    const auto values = static_cast<size_t>(values_);
+    for (size_t k = 0; k + 1 < static_cast<size_t>(axes_); ++k) {
+        double *across = across_.data() + k * values * rule_capacity + at[k];
+        for (size_t j = 0; j < values; ++j) {
+            across[j * rule_capacity] += weights[1 - k] * line_[j];
+        }
+    }
+    for (size_t j = 0; j < values; ++j) {
+        magnitudes_[j] += weights[0] * weights[1] * line_[values + j];
+    }
 }
 
 void TensorRule::finish(const Levels &levels) {

@@ -34,7 +34,13 @@ public:
 private:
     void expand(const double *net, const Levels &levels);
     void visit_node(int64_t node, const std::vector<double> &origin);
-    void add(const std::array<int, max_axes> &at, const std::array<double, max_axes> &weights);
+    struct Line {
+        const double *weights; // along the last axis
+        int size;
+        double weight; // of the line
+    };
+    void add_line(int64_t first, const Line &line, const std::vector<double> &origin);
+    void add_line_sums(const std::array<int, 2> &at, const std::array<double, 2> &weights);
     void finish(const Levels &levels);
 
     const Integrand &integrand_;
@@ -50,6 +56,7 @@ private:
     std::vector<double>
         across_; // [axes][values][rule_capacity]: sums over all nodes with one place along an axis
     std::vector<double> magnitudes_;
+    std::vector<double> line_; // [2][values]: sums of a line, and of magnitudes
     std::vector<RuleDecay> decays_;
     std::array<bool, max_axes> exact_{};
     bool positive_ = false, negative_ = false; // values of the first function seen

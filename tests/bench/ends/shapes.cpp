@@ -108,7 +108,7 @@ Shape hill(int degree, int64_t count) {
 }
 
 Shape block(int degree, int64_t count, double weights) {
-    return make(3, degree, count, 3, weights > 1, [=](const double *at, double *point, double *weight) {
+    return make(3, degree, count, 3, weights != 1, [=](const double *at, double *point, double *weight) {
         for (size_t k = 0; k < 3; ++k) {
             point[k] = at[k] + 0.05 * sine(5 * at[(k + 1) % 3]);
         }
