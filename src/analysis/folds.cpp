@@ -3,6 +3,7 @@
 
 #include "analysis/curve_signs.h"
 #include "analysis/jacobian_parts.h"
+#include "analysis/steady_sign.h"
 #include "base/error.h"
 #include "base/watch.h"
 #include "numeric/norm.h"
@@ -125,7 +126,17 @@ private:
     void start(const pieces::HomogeneousPiece &piece) {
         const size_t e = pieces_.size();
         pieces_.push_back(piece.part);
-        if (!piece.positive || too_large(piece) || work_ended()) {
+        constexpr int64_t work_of_a_point = 400; // of a piece, made and looked at
+        count_work(work_of_a_point * piece.points.shape.coefficients());
+        if (!piece.positive || work_ended()) {
+            hidden_ = true;
+            return;
+        }
+        if (const int sign = steady_sign(piece, spline_.axes(), reference_); sign != 0) {
+            note(e, sign, {0.5, 0.5, 0.5});
+            return;
+        }
+        if (too_large(piece)) {
             hidden_ = true;
             return;
         }
