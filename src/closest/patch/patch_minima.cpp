@@ -2,6 +2,7 @@
 #include "closest/patch/patch_minima.h"
 
 #include "base/numbers.h"
+#include "closest/near_points.h"
 
 #include <algorithm>
 
@@ -110,10 +111,20 @@ std::vector<PatchQuery::FootCandidate> PatchMinima::distinct_minima() {
     std::sort(others_.begin(), others_.end(),
               [](const FootCandidate &a, const FootCandidate &b) { return a.value < b.value; });
     std::vector<FootCandidate> kept;
+    const auto value_of = [](const FootCandidate &place) { return std::abs(place.value); };
+    const FootCandidate &farthest = *std::ranges::max_element(others_, {}, value_of);
+    NearPoints points(pieces_.shape().dim, least_apart(farthest.value));
     for (const FootCandidate &place : others_) {
-        const auto same = [&](const FootCandidate &other) { return same_point(place, other); };
-        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same) && is_minimum(place)) {
+        if (!(place.value <= upper())) {
+            continue;
+        }
+        const std::vector<double> point = point_of(place);
+        const auto same = [&](int64_t number) {
+            return same_point(place, kept[static_cast<size_t>(number)]);
+        };
+        if (!points.any_near(point.data(), same) && is_minimum(place)) {
             kept.push_back(place);
+            points.add(point.data());
         }
     }
     return kept;

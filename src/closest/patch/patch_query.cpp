@@ -31,8 +31,15 @@ bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
     double *p = memory_.take(dim), *q = memory_.take(dim);
     descent_.point(items_.values(a.piece), a.at, p);
     descent_.point(items_.values(b.piece), b.at, q);
-    const double apart = 8 * std::sqrt(noise_ * (std::abs(a.value) + noise_));
-    return distance(p, q, dim) <= apart;
+    return distance(p, q, dim) <= least_apart(a.value);
+}
+
+std::vector<double> PatchQuery::point_of(const FootCandidate &place) {
+    count_work(4 * pieces_.shape().values());
+    const PatchMemory::Hold hold(memory_);
+    std::vector<double> point(static_cast<size_t>(pieces_.shape().dim));
+    descent_.point(items_.values(place.piece), place.at, point.data());
+    return point;
 }
 
 double PatchQuery::moved(int64_t piece, const AxisValues &at) const {

@@ -38,6 +38,11 @@ protected:
     bool walk(FootCandidate &place);
     bool walk_on(FootCandidate &place);
     [[nodiscard]] bool same_point(const FootCandidate &a, const FootCandidate &b);
+    [[nodiscard]] std::vector<double> point_of(const FootCandidate &place);
+    // How far points at such a distance are apart that rounding cannot tell apart.
+    [[nodiscard]] double least_apart(double value) const noexcept {
+        return 8 * std::sqrt(noise_ * (std::abs(value) + noise_));
+    }
     [[nodiscard]] double distance_at(int64_t piece, const Foot &foot) const;
     void polish(int64_t piece, Foot &foot) const;
     [[nodiscard]] Foot foot(const FootCandidate &place);

@@ -5,10 +5,8 @@
 
 namespace nrb::closest {
 
-bool CriticalPoints::has(const std::vector<double> &point) const noexcept {
-    return std::any_of(points_.begin(), points_.end(), [&](const std::vector<double> &other) {
-        return query_.apart(point, other) <= query_.near();
-    });
+bool CriticalPoints::has(const std::vector<double> &point) const {
+    return places_.any_near(point.data(), [](int64_t) { return true; });
 }
 
 void CriticalPoints::add(const PatchItem &whole, const AxisValues &at, int32_t kind) {
@@ -26,6 +24,7 @@ void CriticalPoints::add(const PatchItem &whole, const AxisValues &at, int32_t k
     candidates_.push_back({whole.piece, place, distance});
     found_.push_back(critical);
     points_.push_back(query_.point(whole, at));
+    places_.add(points_.back().data());
 }
 
 std::vector<CriticalPoint> CriticalPoints::sorted() const {

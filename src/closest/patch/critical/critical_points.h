@@ -3,6 +3,7 @@
 #pragma once
 
 #include "closest/locator.h"
+#include "closest/near_points.h"
 #include "closest/patch/critical/critical_query.h"
 
 #include <vector>
@@ -19,10 +20,11 @@ struct MinimumCandidate {
 
 class CriticalPoints {
 public:
-    explicit CriticalPoints(const CriticalQuery &query) : query_(query) {}
+    explicit CriticalPoints(const CriticalQuery &query)
+        : query_(query), places_(query.shape().dim, query.near()) {}
 
     // Whether the point is nearer to one of them than the tolerance.
-    [[nodiscard]] bool has(const std::vector<double> &point) const noexcept;
+    [[nodiscard]] bool has(const std::vector<double> &point) const;
     [[nodiscard]] bool full() const noexcept { return found_.size() >= 4096; }
     // A place of a piece as far as it is in the range.
     void add(const PatchItem &whole, const AxisValues &at, int32_t kind);
@@ -38,6 +40,7 @@ private:
     std::vector<CriticalPoint> found_;
     std::vector<MinimumCandidate> candidates_; // the same
     std::vector<std::vector<double>> points_;  // the same
+    NearPoints places_;                        // the same
 };
 
 } // namespace nrb::closest

@@ -2,6 +2,8 @@
 // Whether a point that several pieces meet in is a minimum: each piece has a vote.
 #pragma once
 
+#include "closest/near_points.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +12,7 @@ namespace nrb::closest {
 class MinimumVotes {
 public:
     // Points of `dim` coordinates that are nearer to each other than `near` are one.
-    MinimumVotes(int dim, double near) : dim_(dim), near_(near) {}
+    MinimumVotes(int dim, double near) : points_(dim, near) {}
 
     // What one face of a piece says of a point of it. Kind: a critical_ constant. A piece may have several
     // faces there. Faces that contradict each other leave its vote open; one that decides nothing does not
@@ -24,14 +26,11 @@ public:
 private:
     enum class Answer { no, unknown, yes };
     struct Vote {
-        std::vector<double> point;
         int64_t piece;
         Answer answer;
     };
-    [[nodiscard]] bool same(const std::vector<double> &a, const std::vector<double> &b) const noexcept;
 
-    int dim_;
-    double near_;
+    NearPoints points_; // of the votes
     std::vector<Vote> votes_;
 };
 
