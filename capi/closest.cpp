@@ -99,7 +99,7 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
     check_tolerance(tolerance);
     const Part part = checked_part(batch.spline, range);
     const closest::Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
-                               checked_budget(budget, pieces::default_budget), farthest};
+                               checked_budget(budget, closest::usual_budget(batch.spline)), farthest};
     arrays.outputs.check(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.check_values();
     arrays.fill([&](const closest::FeetOutputs &out) {
@@ -259,7 +259,7 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
                                 {"distances", distances, 1, distance_stride, 0}, status);
         check_tolerance(tolerance);
         const closest::Query query{nullptr, nullptr, tolerance,
-                                   checked_budget(budget, pieces::default_budget)};
+                                   checked_budget(budget, closest::usual_budget(batch.spline))};
         batch.check_values();
         arrays.fill([&](const closest::FeetOutputs &out) {
             closest::signed_distances(batch.spline, batch.points, query, out);

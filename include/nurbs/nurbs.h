@@ -3281,7 +3281,8 @@ NURBS_API nurbs_status nurbs_recognize_with(const nurbs *g, double tolerance, in
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance how much nearer another point may be, >= 0.
- * \param[in] budget most pieces looked at for a point, 0 for 20000.
+ * \param[in] budget most pieces looked at for a point, 0 for 16 times the number of Bezier pieces of g, but
+ *   at least 20000 and at most 2000000 (20000 before 1.1).
  * \param[out] params [n][axes] or NULL.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
  * \param[out] feet [n][dim] or NULL: the nearest points, as nurbs_eval() gives them.
@@ -3318,9 +3319,9 @@ typedef struct nurbs_closest_query {
     int64_t guess_component_stride; /**< distance between components, 0 = 1 */
     const double *range;            /**< [axes][2] or NULL for all of it: the part of the domain */
     double tolerance;               /**< >= 0 */
-    int64_t budget;                 /**< most pieces looked at for each point, 0 for 20000 */
-    uint32_t flags;                 /**< NURBS_NAN_POINTS or 0 */
-    uint32_t reserved;              /**< 0 */
+    int64_t budget;    /**< most pieces looked at for each point, 0 as for nurbs_closest_points() */
+    uint32_t flags;    /**< NURBS_NAN_POINTS or 0 */
+    uint32_t reserved; /**< 0 */
 } nurbs_closest_query;
 
 /** \brief Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set
@@ -3357,7 +3358,8 @@ NURBS_API nurbs_status nurbs_closest_points_with(const nurbs *g, const nurbs_clo
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance how much farther another point may be, >= 0.
- * \param[in] budget most pieces looked at for a point, 0 for 20000.
+ * \param[in] budget most pieces looked at for a point, 0 for 16 times the number of Bezier pieces of g, but
+ *   at least 20000 and at most 2000000 (20000 before 1.1).
  * \param[out] params [n][axes] or NULL.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
  * \param[out] feet [n][dim] or NULL: the farthest points.
@@ -3501,7 +3503,8 @@ NURBS_API nurbs_status nurbs_critical_points_with(const nurbs *g, const double *
  * \param[in] points [n][2].
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] tolerance how much nearer another point may be, >= 0.
- * \param[in] budget most pieces looked at for a point, 0 for 20000.
+ * \param[in] budget most pieces looked at for a point, 0 for 16 times the number of Bezier pieces of g, but
+ *   at least 20000 and at most 2000000 (20000 before 1.1).
  * \param[out] distances [n] with their sign.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
  * \param[out] params [n] or NULL.

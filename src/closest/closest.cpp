@@ -7,6 +7,7 @@
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -143,6 +144,15 @@ private:
 
 const Locator &locator_of(const Spline &spline) {
     return spline.kept<Locator>(Spline::Cache::locator, [&] { return make_locator(spline); });
+}
+
+int64_t usual_budget(const Spline &spline) noexcept {
+    constexpr int64_t looks = 16, most = 2000000;
+    int64_t pieces = 1;
+    for (int k = 0; k < spline.axes(); ++k) {
+        pieces = std::min(most, pieces * spline.axis(k).spans().size());
+    }
+    return std::clamp(looks * pieces, nrb::pieces::default_budget, most);
 }
 
 void closest_points(const Spline &spline, const ConstRecords &points, const Query &common,

@@ -15,6 +15,10 @@ struct FeetOutputs {
     int32_t *status = nullptr;
 };
 
+// Pieces examined for a point where the caller sets no limit: each piece of the spline several times, which takes about a
+// second at most.
+int64_t usual_budget(const Spline &spline) noexcept;
+
 // Answers each query whose point is finite; the others get NaN and closest_invalid. `query` holds what the
 // queries have in common.
 void closest_points(const Spline &spline, const ConstRecords &points, const Query &query,

@@ -32,7 +32,7 @@ module nurbs_c
         integer(c_int64_t) :: guess_component_stride  ! distance between components, 0 = 1
         type(c_ptr) :: range  ! [axes][2] or NULL for all of it: the part of the domain
         real(c_double) :: tolerance  ! >= 0
-        integer(c_int64_t) :: budget  ! most pieces looked at for each point, 0 for 20000
+        integer(c_int64_t) :: budget  ! most pieces looked at for each point, 0 as for nurbs_closest_points()
         integer(c_int32_t) :: flags  ! NURBS_NAN_POINTS or 0
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_closest_query

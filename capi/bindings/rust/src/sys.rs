@@ -68,7 +68,7 @@ pub struct nurbs_closest_query {
     pub range: *const f64,
     /// \>= 0
     pub tolerance: f64,
-    /// most pieces looked at for each point, 0 for 20000
+    /// most pieces looked at for each point, 0 as for nurbs_closest_points()
     pub budget: i64,
     /// NURBS_NAN_POINTS or 0
     pub flags: u32,
