@@ -12,17 +12,26 @@ namespace nrb::inline bernstein {
 namespace {
 
 // C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
-std::vector<double> binomial_row(int n) {
-    if (n <= max_product_degree) {
-        return {binomials(n), binomials(n) + n + 1};
+class BinomialRow {
+public:
+    explicit BinomialRow(int n) {
+        if (n <= max_product_degree) {
+            row_ = binomials(n);
+            return;
+        }
+        own_.assign(static_cast<size_t>(n) + 1, 1.0);
+        for (int k = 1; 2 * k <= n; ++k) {
+            const auto at = static_cast<size_t>(k);
+            own_[at] = own_[static_cast<size_t>(n - k)] = own_[at - 1] * (n - k + 1) / k;
+        }
+        row_ = own_.data();
     }
-    std::vector<double> row(static_cast<size_t>(n) + 1, 1.0);
-    for (int k = 1; 2 * k <= n; ++k) {
-        const auto at = static_cast<size_t>(k);
-        row[at] = row[static_cast<size_t>(n - k)] = row[at - 1] * (n - k + 1) / k;
-    }
-    return row;
-}
+    double operator[](int k) const noexcept { return row_[k]; }
+
+private:
+    std::vector<double> own_;
+    const double *row_;
+};
 
 // Adds a, times one coefficient of the other factor, to a part of the product, in which rows along the last
 // axis and planes of the last two lie so far apart.
@@ -67,18 +76,20 @@ double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept 
     return eps / 2 * (static_cast<double>(std::min(a.coefficients(), b.coefficients())) + 18);
 }
 
-std::vector<double> binomial_factors(const BernsteinShape &shape) {
-    const auto first = binomial_row(shape.degrees[0]), second = binomial_row(shape.degrees[1]),
-               third = binomial_row(shape.degrees[2]);
-    std::vector<double> factors;
-    factors.reserve(static_cast<size_t>(shape.values()));
-    for (const double a : first) {
-        for (const double b : second) {
-            for (const double c : third) {
-                factors.insert(factors.end(), static_cast<size_t>(shape.width), a * b * c);
+void fill_binomial_factors(const BernsteinShape &shape, double *out) {
+    const BinomialRow first(shape.degrees[0]), second(shape.degrees[1]), third(shape.degrees[2]);
+    for (int i = 0; i <= shape.degrees[0]; ++i) {
+        for (int j = 0; j <= shape.degrees[1]; ++j) {
+            for (int k = 0; k <= shape.degrees[2]; ++k) {
+                out = std::fill_n(out, shape.width, first[i] * second[j] * third[k]);
             }
         }
     }
+}
+
+std::vector<double> binomial_factors(const BernsteinShape &shape) {
+    std::vector<double> factors(static_cast<size_t>(shape.values()));
+    fill_binomial_factors(shape, factors.data());
     return factors;
 }
 

@@ -50,6 +50,7 @@ double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 // For each value the binomials that belong to its coefficient: times these, factors are multiplied by
 // add_convolution(), and divided by those of its shape the sum is the product.
 std::vector<double> binomial_factors(const BernsteinShape &shape);
+void fill_binomial_factors(const BernsteinShape &shape, double *out); // [shape.values()]
 // out += a * b; out overlaps neither. Cost: a.values() * b.coefficients().
 void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
                      const double *right, double *out);

@@ -2,6 +2,7 @@
 #include "bernstein/rounded_polynomial.h"
 
 #include "base/numbers.h"
+#include "base/scratch.h"
 #include "base/watch.h"
 
 #include <algorithm>
@@ -23,28 +24,45 @@ double binomial_steps(const BernsteinShape &shape) noexcept {
     return steps;
 }
 
-std::vector<double> times(std::vector<double> a, const std::vector<double> &factors) {
-    for (size_t i = 0; i < a.size(); ++i) {
-        a[i] *= factors[i];
+// Products of pairs of polynomials of two shapes.
+class Convolution {
+public:
+    Convolution(const BernsteinShape &a, const BernsteinShape &b)
+        : a_(a), b_(b), product_(product_shape(a, b)),
+          scratch_(2 * size(a) + 2 * size(b) + 3 * size(product_)), left_(scratch_.take(size(a))),
+          right_(scratch_.take(size(b))), over_(scratch_.take(size(product_))), x_(scratch_.take(size(a))),
+          y_(scratch_.take(size(b))), sum_(scratch_.take(size(product_))) {
+        fill_binomial_factors(a, left_);
+        fill_binomial_factors(b, right_);
+        fill_binomial_factors(product_, over_);
     }
-    return a;
-}
 
-std::vector<double> convolved(const BernsteinShape &a, const std::vector<double> &left,
-                              const BernsteinShape &b, const std::vector<double> &right,
-                              const std::vector<double> &factors) {
-    std::vector<double> out(factors.size(), 0.0);
-    add_convolution(a, left.data(), b, right.data(), out.data());
-    for (size_t i = 0; i < out.size(); ++i) {
-        out[i] /= factors[i];
+    // Of x(i), y(i); valid until the next call.
+    template <class Left, class Right>
+    const double *operator()(Left &&x, Right &&y) {
+        for (size_t i = 0; i < size(a_); ++i) {
+            x_[i] = x(i) * left_[i];
+        }
+        for (size_t i = 0; i < size(b_); ++i) {
+            y_[i] = y(i) * right_[i];
+        }
+        std::fill_n(sum_, size(product_), 0.0);
+        add_convolution(a_, x_, b_, y_, sum_);
+        for (size_t i = 0; i < size(product_); ++i) {
+            sum_[i] /= over_[i];
+        }
+        return sum_;
     }
-    return out;
-}
 
-std::vector<double> magnitudes(std::vector<double> a) {
-    std::for_each(a.begin(), a.end(), [](double &x) { x = std::abs(x); });
-    return a;
-}
+private:
+    static size_t size(const BernsteinShape &shape) noexcept { return static_cast<size_t>(shape.values()); }
+
+    const BernsteinShape &a_, &b_;
+    BernsteinShape product_;
+    Scratch scratch_;
+    double *left_, *right_, *over_; // binomials
+    double *x_, *y_, *sum_;
+};
 
 RoundedPolynomial raised_to(const RoundedPolynomial &a, const BernsteinShape &shape) {
     BernsteinShape rest;
@@ -99,24 +117,24 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
     count_work(work_of_a_product + 4 * (a.shape.values() + b.shape.values()));
     RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
-    const auto left = binomial_factors(a.shape), right = binomial_factors(b.shape),
-               over = binomial_factors(result.shape);
-    const auto times_binomials = [&](const std::vector<double> &x, const std::vector<double> &y) {
-        return convolved(a.shape, times(x, left), b.shape, times(y, right), over);
+    Convolution convolution(a.shape, b.shape);
+    const auto of = [](const std::vector<double> &values) { return [&](size_t i) { return values[i]; }; };
+    const auto size_of = [](const std::vector<double> &values) {
+        return [&](size_t i) { return std::abs(values[i]); };
     };
-    const std::vector<double> a_size = magnitudes(a.values), b_size = magnitudes(b.values);
-    std::vector<double> b_most = b_size;
-    std::transform(b_most.begin(), b_most.end(), b.errors.begin(), b_most.begin(), std::plus<>());
-    result.values = times_binomials(a.values, b.values);
-    const std::vector<double> size = times_binomials(a_size, b_size),
-                              from_b = times_binomials(a_size, b.errors),
-                              from_a = times_binomials(a.errors, b_most);
+    const auto count = static_cast<size_t>(result.shape.values());
+    const double *found = convolution(of(a.values), of(b.values));
+    result.values.assign(found, found + count);
+    found = convolution(of(a.errors), [&](size_t i) { return std::abs(b.values[i]) + b.errors[i]; });
+    result.errors.assign(found, found + count);
+    found = convolution(size_of(a.values), of(b.errors));
+    std::transform(found, found + count, result.errors.begin(), result.errors.begin(), std::plus<>());
     const double terms = static_cast<double>(std::min(a.shape.coefficients(), b.shape.coefficients()));
     const double steps =
         2 + terms / 2 + binomial_steps(a.shape) + binomial_steps(b.shape) + binomial_steps(result.shape);
-    for (size_t i = 0; i < size.size(); ++i) {
-        result.errors.push_back(from_a[i] + from_b[i] + steps * eps * size[i]);
-    }
+    found = convolution(size_of(a.values), size_of(b.values));
+    std::transform(found, found + count, result.errors.begin(), result.errors.begin(),
+                   [steps](double size, double error) { return error + steps * eps * size; });
     return result;
 }
 

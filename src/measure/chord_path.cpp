@@ -16,8 +16,13 @@ namespace {
 
 constexpr int most_corrections = 6;
 constexpr int64_t work_of_a_place = 100;
-constexpr int64_t most_work = 4'000'000; // evaluations
-constexpr double shortest_chord = 1e-9;  // of a chord
+constexpr int64_t most_work = 4'000'000; // evaluations of a curve of low degree
+
+// Of an evaluation, in those of a curve of low degree: of high ones derivatives come from recurrences.
+int64_t cost_of_place(int degree) noexcept {
+    return power_span_degree(degree) ? 1 : 1 + int64_t{degree} * degree / 15;
+}
+constexpr double shortest_chord = 1e-9; // of a chord
 
 double largest(const std::vector<double> &x) noexcept {
     return std::accumulate(x.begin(), x.end(), 0.0,
@@ -50,8 +55,9 @@ bool ChordPath::evaluate() {
     rules[0].left = true; // the last one may be the end
     eval::evaluate_points(curve_, rules, 1, {params_.data(), count},
                           {values_.data(), count, 2 * curve_.dim(), 2 * curve_.dim()});
-    work_ += count;
-    count_work(work_of_a_place * count);
+    const int64_t cost = count * cost_of_place(curve_.axis(0).degree());
+    work_ += cost;
+    count_work(work_of_a_place * cost);
     rounding_ = 0;
     for (size_t i = 0; i <= count_; ++i) {
         rounding_ = std::max(rounding_, 8 * eps * norm(values_.data() + 2 * i * dim, curve_.dim()));
