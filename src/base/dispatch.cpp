@@ -5,7 +5,7 @@
 
 #if HWY_ARCH_X86 && __has_include(<sys/platform/x86.h>)
 #if defined(__clang__) // whose stdbool.h leaves C's name out in standard C++
-#define _Bool bool
+#define _Bool bool     // NOLINT: the name of the C header
 #endif
 #include <sys/platform/x86.h>
 #undef _Bool

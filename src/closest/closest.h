@@ -19,9 +19,9 @@ struct FeetOutputs {
 // second at most.
 int64_t usual_budget(const Spline &spline) noexcept;
 
-// Answers each query whose point is finite; the others get NaN and closest_invalid. `query` holds what the
+// Answers each query whose point is finite; the others get NaN and closest_invalid. `common` holds what the
 // queries have in common.
-void closest_points(const Spline &spline, const ConstRecords &points, const Query &query,
+void closest_points(const Spline &spline, const ConstRecords &points, const Query &common,
                     const FeetOutputs &out);
 void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,
                    const FeetOutputs &out);

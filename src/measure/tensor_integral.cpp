@@ -95,7 +95,7 @@ private:
     }
 
     // A value and derivatives at each node, each axis in turn.
-    [[nodiscard]] int64_t work_of_rule(const Elements &elements, const Levels &levels) const noexcept {
+    [[nodiscard]] static int64_t work_of_rule(const Elements &elements, const Levels &levels) noexcept {
         int64_t nodes = 1, degrees = 0;
         for (int k = 0; k < elements.axes(); ++k) {
             nodes *= rule_size(levels[static_cast<size_t>(k)]);

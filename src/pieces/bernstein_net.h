@@ -22,12 +22,12 @@ struct CentredRecords {
 
 // All of what follows is of control points that have influence.
 // The middle of their box; the origin for points that have no Cartesian place.
-std::vector<double> centre_of(const Spline &spline);
+std::vector<double> centre_of(const Spline &given);
 // The power of two of their largest weight.
-int weight_exponent(const Spline &spline);
+int weight_exponent(const Spline &given);
 
 // (w (x - c), w) with the weights divided by 2^exponent.
-CentredRecords centred_records(const Spline &spline, const std::vector<double> &centre, bool weighted,
+CentredRecords centred_records(const Spline &given, const std::vector<double> &centre, bool weighted,
                                int exponent);
 
 // Of the axes that the spline has; 0 for the others.

@@ -18,6 +18,6 @@ struct Recognition {
 // ellipses, which come as near to a parabola as one likes. Throws Status::axes, dimension, not_representable.
 // Cost: some hundred evaluations and, for each shape that the samples have to the tolerance, a few products
 // of each Bezier piece.
-Recognition recognize(const Spline &spline, double tolerance);
+Recognition recognize(const Spline &given, double tolerance);
 
 } // namespace nrb::recognize

@@ -5,6 +5,7 @@
 #include "base/finite.h"
 #include "base/numbers.h"
 #include "numeric/norm.h"
+#include "reduce/layers.h"
 
 #include <algorithm>
 #include <cmath>

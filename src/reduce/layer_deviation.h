@@ -29,6 +29,6 @@ double deviation_bound(const SplinePtr &a, const SplinePtr &b);
 //
 // at most the largest control points of the numerator's parts by the smallest weight. Infinite unless all
 // weights are positive, and at jumps.
-double speed_bound(const Spline &spline, int axis);
+double speed_bound(const Spline &given, int axis);
 
 } // namespace nrb::reduce

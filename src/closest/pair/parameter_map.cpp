@@ -110,12 +110,12 @@ public:
     void try_whole() {
         std::array<int, max_axes> order{};
         std::iota(order.begin(), order.end(), 0);
-        const auto end = order.begin() + from_.axes();
+        auto *const end = order.data() + from_.axes();
         do {
             for (unsigned turned = 0; turned < 1U << from_.axes() && !perfect(); ++turned) {
                 offer(whole_followers(order, turned));
             }
-        } while (std::next_permutation(order.begin(), end));
+        } while (std::next_permutation(order.data(), end));
     }
 
     // Onto a part.

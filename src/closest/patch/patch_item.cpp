@@ -30,9 +30,9 @@ bool PatchItems::far_away() const noexcept {
 
 const double *PatchItems::values(int64_t piece) const {
     const PatchShape &shape = pieces_.shape();
-    const auto found = std::find(made_.begin(), made_.begin() + kept_, piece);
-    if (found != made_.begin() + kept_) {
-        return values_ + (found - made_.begin()) * shape.values();
+    const int64_t *const found = std::find(made_.data(), made_.data() + kept_, piece);
+    if (found != made_.data() + kept_) {
+        return values_ + (found - made_.data()) * shape.values();
     }
     const PatchMemory::Hold hold(memory_);
     double *work = memory_.take(shape.values()), *patch = memory_.take(shape.values());

@@ -181,7 +181,14 @@ private:
         }
         return copy;
     }
+    void wrap_each(double *params) const {
+        std::transform(params, params + vec8_lanes, params,
+                       [this](double param) { return place(param, job_.rule, domain_); });
+    }
     HWY_INLINE void wrap_vector(double *params) const {
+        if (!HWY_NATIVE_FMA) {
+            return wrap_each(params);
+        }
         const Vec8 d;
         const auto t = hn::LoadU(d, params);
         const auto lower = hn::Set(d, domain_.lower), upper = hn::Set(d, domain_.upper);
@@ -189,10 +196,8 @@ private:
         const auto x = hn::Sub(t, lower);
         const auto quotient = hn::Trunc(hn::Div(x, period));
         const auto exact = hn::Lt(hn::Abs(quotient), hn::Set(d, most_periods));
-        if (!HWY_NATIVE_FMA || !hn::AllTrue(d, exact)) {
-            std::transform(params, params + vec8_lanes, params,
-                           [this](double param) { return place(param, job_.rule, domain_); });
-            return;
+        if (!hn::AllTrue(d, exact)) {
+            return wrap_each(params);
         }
         const auto signed_period = hn::CopySign(period, x);
         auto rest = hn::NegMulAdd(quotient, period, x);

@@ -193,7 +193,7 @@ HWY_INLINE bool first_derivs_of_surface(const SingleTables &tables, const double
         return false;
     }
     QuadRecord<3> record;
-    for (int part = 0; part < record.parts; ++part) {
+    for (int part = 0; part < QuadRecord<3>::parts; ++part) {
         contract_first_derivs<kDegree>(tables, functions, net, part, record.values[part]);
     }
     if (tables.width > tables.dim) {

@@ -13,6 +13,6 @@ namespace nrb::refine {
 // of degree (n + 1) p on every axis. Numerator and denominator are brought to the same knots, on the axis of
 // differentiation n more copies of each than w^(n+1) needs. Degree 0: a polynomial spline of zeros. Throws
 // Status::degree, periodic_knots, not_representable, overflow. Preconditions: rational, order >= 1.
-SplinePtr rational_derivative(const Spline &spline, int axis, int order);
+SplinePtr rational_derivative(const Spline &given, int axis, int order);
 
 } // namespace nrb::refine

@@ -124,7 +124,7 @@ void PatchLeaves::write(int64_t node, int dim, double rounding, std::vector<piec
     round_sizes(dim, rounding, discs, frame(node, dim), out + dim * count_);
 }
 
-void PatchLeaves::round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out) const {
+void PatchLeaves::round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out) {
     double reach = 0;
     for (int c = 0; c < dim; ++c) {
         const auto at = static_cast<size_t>(c);

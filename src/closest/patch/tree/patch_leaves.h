@@ -37,7 +37,7 @@ private:
     void split(const PatchShape &shape, const std::vector<double> &patch, std::vector<double> &parts) const;
     void write(int64_t node, int dim, double rounding, std::vector<pieces::Disc> &discs,
                const std::vector<double> &parts, const PieceGrid &pieces);
-    void round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out) const;
+    static void round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out);
     void round_normals(std::vector<pieces::Disc> &discs, int16_t *out) const;
     void round_sizes(int dim, double rounding, const std::vector<pieces::Disc> &discs, float *frame,
                      int8_t *out) const;
