@@ -146,7 +146,7 @@ const Locator &locator_of(const Spline &spline) {
     return spline.kept<Locator>(Spline::Cache::locator, [&] { return make_locator(spline); });
 }
 
-int64_t usual_budget(const Spline &spline) noexcept {
+int64_t usual_budget(const Spline &spline) {
     constexpr int64_t looks = 16, most = 2000000;
     int64_t pieces = 1;
     for (int k = 0; k < spline.axes(); ++k) {

@@ -17,7 +17,7 @@ struct FeetOutputs {
 
 // Pieces examined for a point where the caller sets no limit: each piece of the spline several times, which takes about a
 // second at most.
-int64_t usual_budget(const Spline &spline) noexcept;
+int64_t usual_budget(const Spline &spline);
 
 // Answers each query whose point is finite; the others get NaN and closest_invalid. `common` holds what the
 // queries have in common.
