@@ -246,7 +246,13 @@ namespace nrb::inline basis {
 
 namespace {
 
-void write_head(double lower, double upper, double *power_span) noexcept {
+NURBS_FORMS(make_power_spans);
+NURBS_FORMS(power_span_lanes);
+NURBS_FORMS(combine);
+
+} // namespace
+
+void write_power_span_head(double lower, double upper, double *power_span) noexcept {
     const double middle = lower / 2 + upper / 2;
     const double radius = std::max(middle - lower, upper - middle);
     constexpr int largest_exponent = 1023;
@@ -256,17 +262,11 @@ void write_head(double lower, double upper, double *power_span) noexcept {
     power_span[PowerSpan::scale] = std::ldexp(1.0, std::min(-std::ilogb(radius) - 1, largest_exponent));
 }
 
-NURBS_FORMS(make_power_spans);
-NURBS_FORMS(power_span_lanes);
-NURBS_FORMS(combine);
-
-} // namespace
-
 void basis_power_spans(const double *knots, int degree, const int64_t *spans, int count,
                        double *const *power_spans, double *const *rests) noexcept {
     const int lanes = PowerSpan::lanes(degree + 1);
     for (int l = 0; l < count; ++l) {
-        write_head(knots[spans[l]], knots[spans[l] + 1], power_spans[l]);
+        write_power_span_head(knots[spans[l]], knots[spans[l] + 1], power_spans[l]);
         std::fill_n(power_spans[l] + PowerSpan::head_size, static_cast<int64_t>(degree + 1) * lanes, 0.0);
     }
     NURBS_BEST(make_power_spans)(knots, degree, spans, count, power_spans, rests);

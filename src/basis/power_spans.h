@@ -50,6 +50,15 @@ int power_spans_together() noexcept;
 void basis_power_spans(const double *knots, int degree, const int64_t *spans, int count,
                        double *const *power_spans, double *const *rests) noexcept;
 
+// Up to this degree the power span of a curve is made from its points at once, with head and all: de Boor's algorithm with
+// the middle of the span, and the direction of the parameter, as arguments of the polar form. Every coefficient is rounded
+// once but for some 2^-100 of the terms that it is the sum of. points: [degree + 1][lanes], those of N_(span-p), ...,
+// N_span, which are multiplied by the weights.
+inline constexpr int max_blossom_degree = 3;
+void low_power_span(const double *knots, int degree, int64_t span, const double *weights,
+                    const double *points, int lanes, double *power_span) noexcept;
+void write_power_span_head(double lower, double upper, double *power_span) noexcept;
+
 // The powers of a curve's power span from those of its basis and rests: component c of power k is the sum
 // over j of coefficient [k][j] times weights[j] * points[j * lanes + c], rounded once.
 void combine_power_spans(const double *basis, const double *rests, int degree, const double *weights,

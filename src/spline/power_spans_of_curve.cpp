@@ -93,7 +93,18 @@ void Spline::combine(int64_t span, const double *basis, const double *rests, dou
     combine_power_spans(basis, rests, degree, weights, points, lanes, power_span + PowerSpan::head_size);
 }
 
+void Spline::low_power_span_of(int64_t span, double *points, double *power_span) const noexcept {
+    const int lanes = PowerSpan::lanes(width());
+    double weights[max_blossom_degree + 1];
+    copy_window(span, lanes, weights, points);
+    low_power_span(axis(0).knots().data(), axis(0).degree(), span, weights, points, lanes, power_span);
+}
+
 void Spline::curve_power_span(int64_t span, double *points, double *power_span) const noexcept {
+    if (axis(0).degree() <= max_blossom_degree) {
+        low_power_span_of(span, points, power_span);
+        return;
+    }
     double basis[max_basis_power_span];
     double rests[max_basis_power_span];
     double *const power_spans[1] = {basis};
@@ -124,6 +135,16 @@ void Spline::fill_power_spans(PowerSpans &power_spans, std::vector<double> &poin
     static_cast<void>(moderate()); // which makes it unnecessary to look at every window
     const SpanTable &spans = axis(0).spans();
     const int degree = axis(0).degree();
+    if (degree <= max_blossom_degree) {
+        for (int64_t e = 0; e < spans.size(); ++e) {
+            const int64_t span = spans.indices()[static_cast<size_t>(e)];
+            count_work(int64_t{degree + 1} * (degree + 1) * (degree + 1));
+            if (has_power_span(span)) {
+                low_power_span_of(span, points.data(), power_spans[e]);
+            }
+        }
+        return;
+    }
     double basis[most_power_spans_together][max_basis_power_span];
     double rests[most_power_spans_together][max_basis_power_span];
     double *together[most_power_spans_together];

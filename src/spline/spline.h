@@ -150,6 +150,7 @@ private:
     [[nodiscard]] PowerSpans curve_power_spans() const;
     void fill_power_spans(PowerSpans &power_spans, std::vector<double> &points) const;
     void copy_window(int64_t span, int lanes, double *weights, double *points) const noexcept;
+    void low_power_span_of(int64_t span, double *points, double *power_span) const noexcept;
     void combine(int64_t span, const double *basis, const double *rests, double *points,
                  double *power_span) const noexcept;
     [[nodiscard]] const double *weight_data() const noexcept {
