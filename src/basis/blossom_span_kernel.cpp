@@ -10,6 +10,8 @@
 #include "numeric/binomial.h"
 #include "numeric/double_double-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace nrb::inline basis {
 namespace HWY_NAMESPACE {
