@@ -91,23 +91,24 @@ private:
 };
 
 // Polar values of four components: at first the points, then with one argument after the other, the middle of the span or
-// the direction of the parameter. values[k][r] has k directions.
+// the direction of the parameter; values[k][r] has k directions. Those come first, so that differences are taken of points
+// and of differences, never of means of points, whose rounding is that of larger terms.
 template <int kDegree>
 HWY_INLINE void blossom(const Supports<kDegree> &supports, Number (&values)[kDegree + 1][kDegree + 1]) {
 #pragma GCC unroll 4
     for (int left = kDegree; left >= 1; --left) { // arguments that are missing
-        const int given = kDegree - left;
+        const int given = kDegree - left, first = left * (left - 1) / 2;
 #pragma GCC unroll 4
-        for (int k = given; k >= 0; --k) {
+        for (int r = 0; r < left; ++r) {
+            values[given + 1][r] = loose_product(loose_difference(values[given][r + 1], values[given][r]),
+                                                 supports.slope(first + r));
+        }
+#pragma GCC unroll 4
+        for (int k = 0; k <= given; ++k) {
 #pragma GCC unroll 4
             for (int r = 0; r < left; ++r) {
-                const int i = left * (left - 1) / 2 + r;
-                values[k + 1][r] =
-                    loose_product(loose_difference(values[k][r + 1], values[k][r]), supports.slope(i));
-                if (k == 0) {
-                    values[0][r] = loose_sum(loose_product(values[0][r], supports.ahead(i)),
-                                             loose_product(values[0][r + 1], supports.after(i)));
-                }
+                values[k][r] = loose_sum(loose_product(values[k][r], supports.ahead(first + r)),
+                                         loose_product(values[k][r + 1], supports.after(first + r)));
             }
         }
     }
