@@ -230,11 +230,7 @@ HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *H
 
 void combine(const double *basis, const double *rests, int degree, const double *weights,
              const double *points, int lanes, double *powers) {
-    if (degree == 3) {
-        combine_degree<3>(basis, rests, degree, weights, points, lanes, powers);
-    } else {
-        combine_degree<-1>(basis, rests, degree, weights, points, lanes, powers);
-    }
+    combine_degree<-1>(basis, rests, degree, weights, points, lanes, powers); // low ones have another kernel
 }
 
 } // namespace HWY_NAMESPACE

@@ -130,9 +130,12 @@ private:
         return !image.proven;
     }
 
-    // If smaller errors of the axes bring the image no nearer, what is left is rounding.
+    // If more control points bring the image no nearer, or would, what is left is rounding.
     void note_progress(const FittedImage &image) {
-        stalled_ += image.deviation > 0.75 * last_deviation_ ? 1 : 0;
+        const int64_t points = image.spline->point_count();
+        const bool tried = points > last_points_ || at_rounding_;
+        stalled_ += tried && image.deviation > 0.75 * last_deviation_ ? 1 : 0;
+        last_points_ = points;
         last_deviation_ = image.deviation;
     }
 
@@ -161,6 +164,7 @@ private:
         std::vector<char> raised(nodes_.size(), 0);
         const SplinePtr homogeneous = records();
         bool cut = false;
+        at_rounding_ = true;
         const Phase phase;
         Steps steps(std::ssize(nodes_));
         for (size_t k = 0; k < nodes_.size(); ++k, steps.next()) {
@@ -170,7 +174,9 @@ private:
             }
             const Numerators numerators =
                 mapped(*sampled(*homogeneous, places), dim_, fine_->rational(), map_);
-            const double wanted = std::max(target, rounding * largest_magnitude(numerators.values));
+            const double least = rounding * largest_magnitude(numerators.values);
+            const double wanted = std::max(target, least);
+            at_rounding_ = at_rounding_ && target <= least;
             const SplinePtr projected = projected_along(
                 *fine_, static_cast<int>(k), nodes_, copied_watched<double>(numerators.values), fine_->dim());
             const std::vector<double> errors =
@@ -347,7 +353,9 @@ private:
     std::vector<LocalNodes> nodes_;
     int patience_ = 3; // rounds without a proof
     int stalled_ = 0;
+    int64_t last_points_ = 0;
     double last_deviation_ = HUGE_VAL;
+    bool at_rounding_ = false; // errors of all axes that are as small as they can be are allowed
 };
 
 } // namespace

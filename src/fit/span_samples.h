@@ -25,8 +25,8 @@ private:
     std::vector<double> all_;
 };
 
-// The values, as control points, at places of each non-empty span of the domain, places[k] on axis k: [..][width()], last axis
-// fastest, each from the polynomial piece of its span. Throws Status::not_representable, overflow.
+// The values, as control points, at places of each non-empty span of the domain, places[k] on axis k:
+// [..][width()], last axis fastest, each from the polynomial piece of its span. Throws Status::not_representable, overflow.
 // Precondition: polynomial.
 using Places = std::array<std::vector<double>, max_axes>;
 SplinePtr sampled(const Spline &spline, const Places &places);
