@@ -64,10 +64,10 @@ private:
 
     Wishes wishes_;
     int64_t limit_;
-    int64_t counted_ = 0,
-            unseen_ = 0; // for the limit, and since the clock was looked at; without what is taken
-    int64_t granted_ = 0,
-            left_ = 0; // work that may be done before anything can happen, and what is left of it
+    // For the limit, and since the clock was looked at; without what is taken.
+    int64_t counted_ = 0, unseen_ = 0;
+    // Work that may be done before anything can happen, and what is left of it.
+    int64_t granted_ = 0, left_ = 0;
     int uncounted_ = 0, searches_ = 0;
     bool ended_ = false;
     double from_ = 0, to_ = 1; // the part of the whole that the present loop makes up
