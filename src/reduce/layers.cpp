@@ -71,10 +71,7 @@ int64_t layer_length(const Spline &spline, int axis) {
     return checked_product(view.outer, view.inner, "layer");
 }
 
-std::vector<double> layer_records(const Spline &spline, int axis) {
-    std::vector<double> records =
-        spline.rational() ? refine::homogeneous_points(spline) : copied_watched(spline.points());
-    const AxisView view = axis_view(spline, axis, spline.width());
+std::vector<double> by_layers(std::vector<double> records, const AxisView &view) {
     if (view.outer == 1) {
         return records;
     }
@@ -88,6 +85,11 @@ std::vector<double> layer_records(const Spline &spline, int axis) {
         }
     }
     return layers;
+}
+
+std::vector<double> layer_records(const Spline &spline, int axis) {
+    return by_layers(spline.rational() ? refine::homogeneous_points(spline) : copied_watched(spline.points()),
+                     axis_view(spline, axis, spline.width()));
 }
 
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,

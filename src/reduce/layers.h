@@ -9,8 +9,9 @@
 
 namespace nrb::reduce {
 
-// Homogeneous points when rational: all of layer 0, then all of layer 1 and so on, in the order of the other
-// axes.
+// Records of a net put layer by layer: all of layer 0, then all of layer 1 and so on, in the order of the other axes.
+std::vector<double> by_layers(std::vector<double> records, const AxisView &view);
+// Those of a spline: homogeneous points when rational.
 std::vector<double> layer_records(const Spline &spline, int axis);
 // Doubles in a layer.
 int64_t layer_length(const Spline &spline, int axis);

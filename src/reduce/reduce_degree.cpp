@@ -36,6 +36,7 @@ int lowered(int multiplicity, int times) noexcept {
 KnotVectorPtr lowered_open_axis(const KnotVector &axis, int times) {
     std::vector<double> knots;
     for (const auto &[knot, multiplicity] : distinct_knots(axis.knots())) {
+        count_work(8);
         knots.insert(knots.end(), static_cast<size_t>(lowered(multiplicity, times)), knot);
     }
     return std::make_shared<const KnotVector>(axis.degree() - times, std::move(knots));
@@ -54,6 +55,7 @@ KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
     std::vector<double> knots(q);
     int64_t ahead = 0;
     for (const auto &[knot, multiplicity] : distinct_knots(axis.knots())) {
+        count_work(8);
         if (knot < lower || knot >= upper) {
             continue;
         }
@@ -78,25 +80,30 @@ KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
 std::vector<double> missing_knots(const KnotVector &fine, const KnotVector &coarse) {
     const auto [lower, upper] = fine.domain();
     std::vector<double> missing;
+    const std::vector<KnotGroup> groups = distinct_knots(coarse.knots());
+    auto group = groups.begin();
     for (const auto &[knot, copies] : distinct_knots(fine.knots())) {
+        count_work(8);
         if (knot >= upper || knot < lower || (knot == lower && !fine.periodic())) {
             continue;
         }
-        const int more = copies - multiplicity(coarse.knots(), knot);
-        missing.insert(missing.end(), static_cast<size_t>(std::max(more, 0)), knot);
+        group = std::find_if(group, groups.end(), [k = knot](const KnotGroup &g) { return g.knot >= k; });
+        const int there = group != groups.end() && group->knot == knot ? group->multiplicity : 0;
+        missing.insert(missing.end(), static_cast<size_t>(std::max(copies - there, 0)), knot);
     }
     return missing;
 }
 
 // The polynomial spline of the records, with one layer of the axis after the other.
 std::vector<double> refined_layers(const Spline &spline, int axis, const refine::AxisTable &made) {
-    std::vector<double> points =
-        spline.rational() ? refine::homogeneous_points(spline) : copied_watched(spline.points());
-    const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial, std::move(points), {});
-    Net net = apply_along(records, axis, made.table);
-    const Spline refined(refine::with_axis(spline, axis, made.axis), spline.width(), Form::polynomial,
-                         std::move(net.points), {});
-    return layer_records(refined, axis);
+    AxisView view = axis_view(spline, axis, spline.width());
+    view.count = made.axis->count();
+    if (!spline.rational()) {
+        return by_layers(apply_along(spline, axis, made.table).points, view);
+    }
+    const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial,
+                         refine::homogeneous_points(spline), {});
+    return by_layers(apply_along(records, axis, made.table).points, view);
 }
 
 // Raised layers (of one period) as rows of the unknown ones.
@@ -237,7 +244,9 @@ Lowered lowered_layers(const SplinePtr &spline, int axis, int times) {
 std::vector<LayerSource> layer_sources(const Lowered &lowered, int axis) {
     const int64_t length = layer_length(*lowered.source, axis), distinct = lowered.knots->distinct_layers();
     std::vector<LayerSource> sources;
+    sources.reserve(static_cast<size_t>(lowered.knots->count()));
     for (int64_t i = 0; i < lowered.knots->count(); ++i) {
+        count_work(2);
         sources.push_back({-1, lowered.layers.data() + i % distinct * length});
     }
     if (lowered.fixed) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace nrb::refine {
 
@@ -39,6 +40,25 @@ std::vector<KnotGroup> one_period(const KnotVector &axis) {
         axis.knots().subspan(static_cast<size_t>(first), static_cast<size_t>(axis.distinct_layers())));
 }
 
+constexpr int64_t work_of_a_knot = 64; // which takes much memory
+
+// Each of the knots once, in their order.
+std::vector<double> knots_of_all(const std::vector<std::vector<KnotGroup>> &own) {
+    std::vector<double> all, more;
+    for (const std::vector<KnotGroup> &groups : own) {
+        std::vector<double> knots;
+        knots.reserve(groups.size());
+        for (const KnotGroup &group : groups) {
+            knots.push_back(group.knot);
+        }
+        count_work(work_of_a_knot / 2 * std::ssize(knots));
+        more.reserve(all.size() + knots.size());
+        std::set_union(all.begin(), all.end(), knots.begin(), knots.end(), std::back_inserter(more));
+        all = std::exchange(more, {});
+    }
+    return all;
+}
+
 // A knot moved by `periods` periods; the ends of the domain are copies of each other.
 double copy_of(double knot, int64_t periods, Interval domain) noexcept {
     if (periods == 0 || (periods == 1 && knot == domain.lower)) {
@@ -67,18 +87,8 @@ CommonKnots::CommonKnots(int degree, const std::vector<const KnotVector *> &memb
 }
 
 // The knots of all members, each with its multiplicities.
-constexpr int64_t work_of_a_knot = 64; // which takes much memory
-
 std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vector<KnotGroup>> &own) {
-    std::vector<double> all;
-    for (const std::vector<KnotGroup> &groups : own) {
-        std::transform(groups.begin(), groups.end(), std::back_inserter(all),
-                       [](const KnotGroup &group) { return group.knot; });
-    }
-    count_work(work_of_a_knot / 2 * std::ssize(all));
-    std::sort(all.begin(), all.end());
-    count_work(std::ssize(all));
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    const std::vector<double> all = knots_of_all(own);
     std::vector<Group> result;
     result.reserve(all.size());
     std::vector<size_t> next(own.size(), 0);
@@ -156,6 +166,7 @@ void CommonKnots::check_rising(double knot) const {
 void CommonKnots::count_copies(int extra) {
     int64_t first = 0;
     for (Group &group : groups_) {
+        count_work(work_of_a_knot / 4);
         int copies = 0;
         for (size_t i = 0; i < members_.size(); ++i) {
             const int raised = degree_ - members_[i].degree + group.times[i];
@@ -213,6 +224,7 @@ std::vector<double> CommonKnots::knots_between(int64_t first, int64_t end) const
     std::vector<double> knots;
     knots.reserve(static_cast<size_t>(end - first));
     for (size_t g = group_at(first); std::ssize(knots) < end - first; ++g) {
+        count_work(work_of_a_knot / 4);
         const int64_t from = std::max(groups_[g].first, first);
         const int64_t to = std::min(groups_[g].first + groups_[g].copies, end);
         knots.insert(knots.end(), static_cast<size_t>(to - from), groups_[g].knot);

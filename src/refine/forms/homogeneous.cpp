@@ -2,6 +2,7 @@
 #include "refine/forms/homogeneous.h"
 
 #include "base/checked.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,12 +11,13 @@ namespace nrb::refine {
 
 std::vector<double> homogeneous_points(const Spline &spline) {
     if (spline.form() == Form::homogeneous) {
-        return {spline.points().begin(), spline.points().end()};
+        return copied_watched(spline.points());
     }
     const int dim = spline.dim();
     const int64_t count = spline.point_count();
-    std::vector<double> records(
-        static_cast<size_t>(checked_product(count, int64_t{dim} + 1, "homogeneous points")));
+    std::vector<double> records;
+    grow_watched(records,
+                 static_cast<size_t>(checked_product(count, int64_t{dim} + 1, "homogeneous points")));
     const double *point = spline.points().data();
     double *record = records.data();
     for (int64_t i = 0; i < count; ++i, point += dim, record += dim + 1) {
