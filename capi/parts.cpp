@@ -3,10 +3,13 @@
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"
+#include "outputs.h"
 
+#include "base/checked.h"
 #include "base/tolerance.h"
 #include "refine/parts/cut.h"
 #include "refine/parts/join.h"
+#include "refine/parts/piece_arrays.h"
 #include "refine/periodic/seam.h"
 
 #include <cmath>
@@ -77,6 +80,28 @@ nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out) {
         require_out(out);
         require(g, "g");
         *out = new nurbs_list{Parts{refine::bezier_pieces(g->spline), true}};
+    });
+}
+
+nurbs_status nurbs_bezier_pieces(const nurbs *g, int64_t cap, double *points, double *weights,
+                                 double *domains, int64_t *piece_counts, int64_t *count) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        require(count, "count");
+        const int64_t pieces = refine::count_pieces(spline), filled = checked_cap(cap, pieces);
+        const int64_t records = checked_product(filled, refine::points_of_piece(spline), "control points");
+        check_apart({memory("points", points, checked_product(records, spline.dim(), "points")),
+                     memory("weights", weights, records),
+                     memory("domains", domains, checked_product(filled, 2 * spline.axes(), "domains")),
+                     memory("piece_counts", piece_counts, spline.axes()), memory("count", count, 1)},
+                    {});
+        if (filled > 0) {
+            refine::write_pieces(g->spline, {points, weights, domains});
+        }
+        for (int k = 0; k < spline.axes(); ++k) {
+            put(piece_counts, static_cast<size_t>(k), spline.axis(k).spans().size());
+        }
+        *count = pieces;
     });
 }
 

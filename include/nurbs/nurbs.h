@@ -1411,6 +1411,29 @@ NURBS_API nurbs_status nurbs_extract(const nurbs *g, const double *lower, const 
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out);
 
+/** \brief The pieces of nurbs_decompose() as arrays, in one call: the same control points and weights, bit for
+ * bit, in the same order, without a handle for each. M = (p_0 + 1)(p_1 + 1)... is the number of control points
+ * of a piece, which over its domain, with x_k = (t_k - a_k) / (b_k - a_k) and the Bernstein polynomials B of
+ * nurbs_bernstein(), is
+ *
+ *     g(t) = sum_ij.. w_ij.. P_ij.. B_(i,p_0)(x_0) B_(j,p_1)(x_1).. / sum_ij.. w_ij.. B_(i,p_0)(x_0)...
+ *
+ * The homogeneous control points are those of nurbs_to_homogeneous(g). Costs a sum of at most p + 1 terms for
+ * each coordinate of each control point and axis.
+ * \param[in] g a spline.
+ * \param[in] cap length of the arrays in pieces; 0 asks for the numbers only.
+ * \param[out] points [cap][M][dim] or NULL: receives the control points of each piece, as nurbs_points() of it
+ *   returns them, last axis fastest, packed.
+ * \param[out] weights [cap][M] or NULL: receives their weights; all 1 for a polynomial spline.
+ * \param[out] domains [cap][axes][2] or NULL: receives a and b of each axis of each piece, packed.
+ * \param[out] piece_counts [axes] or NULL: receives the number of pieces along each axis.
+ * \param[out] count number of pieces.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough;
+ *   _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_bezier_pieces(const nurbs *g, int64_t cap, double *points, double *weights,
+                                           double *domains, int64_t *piece_counts, int64_t *count);
+
 /** \brief Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
  * multiplicity, is less than a given one: 0 at jumps, 1 also at kinks (where it is only continuous), `degree`
  * at every knot. The parts are those of nurbs_split(), in the order of their parameters, named "0", "1" and

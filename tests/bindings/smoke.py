@@ -170,6 +170,14 @@ class Data(unittest.TestCase):
         np.testing.assert_array_equal(operators, [np.eye(3)] * 4)
         self.assertEqual((firsts.tolist(), domains[3].tolist()), ([0, 2, 4, 6], [0.75, 1]))
 
+    def test_bezier_pieces(self):
+        points, weights, domains = circle().bezier_pieces()
+        self.assertEqual((points.shape, weights.shape, domains.shape), ((4, 3, 2), (4, 3), (4, 1, 2)))
+        np.testing.assert_array_equal(points[1], circle().decompose()[1].points)
+        self.assertEqual((weights[3].tolist(), domains[3].tolist()), ([1, 0.5**0.5, 1], [[0.75, 1]]))
+        points, weights, domains = patch().bezier_pieces()
+        self.assertEqual((points.shape, weights.shape, domains.tolist()), ((1, 1, 2, 3, 3), (1, 1, 2, 3), [[[[0, 1], [0, 1]]]]))
+
     def test_gradients_are_slopes(self):
         c, t, h = circle(), np.array([0.1, 0.6]), 1e-6
         g = np.array([[0.3, -1.0], [2.0, 0.7]])

@@ -22,6 +22,8 @@ static void lists(const nurbs *g) {
     CHECK(count == 0);
     CHECK_OK(nurbs_bezier_extraction(g, 0, most, a, m, b, &count));
     CHECK(count == 1);
+    CHECK_OK(nurbs_bezier_pieces(g, most, a, b, c, m, &count));
+    CHECK(count == 1);
 }
 
 static void matrices(const nurbs *g) {

@@ -75,6 +75,29 @@ void extract(Input &in, const nurbs *g, const fuzz::Spline &s) {
     }
 }
 
+void arrays(const nurbs *g, const fuzz::Spline &s) {
+    int64_t count = -7, along[3] = {-7, -7, -7};
+    FUZZ_REQUIRE(nurbs_bezier_pieces(g, 0, nullptr, nullptr, nullptr, along, &count) == NURBS_OK);
+    int64_t pieces = 1, points = 1;
+    for (size_t k = 0; k < static_cast<size_t>(s.axes()); ++k) {
+        pieces *= along[k];
+        points *= s.degrees[k] + 1;
+    }
+    FUZZ_REQUIRE(count == pieces);
+    const auto total = static_cast<size_t>(pieces * points);
+    std::vector<double> nets(total * static_cast<size_t>(s.dim)), weights(total, -1);
+    std::vector<double> domains(static_cast<size_t>(2 * s.axes() * pieces));
+    if (!FUZZ_OK(
+            nurbs_bezier_pieces(g, count, nets.data(), weights.data(), domains.data(), nullptr, &count))) {
+        return;
+    }
+    for (size_t i = 0; i < domains.size(); i += 2) {
+        FUZZ_REQUIRE(domains[i] < domains[i + 1]);
+    }
+    double domain[2];
+    FUZZ_REQUIRE(nurbs_domain(g, 0, domain) == NURBS_OK && domain[0] == domains[0]);
+}
+
 void lists(Input &in, const nurbs *g, const fuzz::Spline &s) {
     nurbs_list *made = nullptr;
     if (FUZZ_OK(nurbs_decompose(g, &made))) {
@@ -136,6 +159,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         split(in, g.get(), s);
         extract(in, g.get(), s);
         lists(in, g.get(), s);
+        arrays(g.get(), s);
         ends(in, g.get(), s);
         join(in, g.get(), s);
     }

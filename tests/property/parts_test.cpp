@@ -1,6 +1,10 @@
 // Splines cut into parts and joined again, ends clamped, seams moved: the shape never moves.
 #include "property/same_shape.h"
 
+#include <cstring>
+#include <functional>
+#include <numeric>
+
 namespace parts_test {
 
 using namespace support;
@@ -28,6 +32,54 @@ std::vector<Handle> decompose(const nurbs *g) {
     nurbs_list *list = nullptr;
     require_ok(nurbs_decompose(g, &list));
     return handles_of(list);
+}
+
+struct PieceArrays {
+    int64_t count = 0;
+    std::vector<double> points, weights, domains;
+    std::vector<int64_t> along;
+};
+
+PieceArrays arrays_of(const nurbs *g) {
+    PieceArrays all;
+    int32_t axes = 0, dim = 0;
+    require_ok(nurbs_axes(g, &axes));
+    require_ok(nurbs_dimension(g, &dim));
+    int64_t points = 1;
+    for (int k = 0; k < axes; ++k) {
+        int32_t degree = 0;
+        require_ok(nurbs_degree(g, k, &degree));
+        points *= degree + 1;
+    }
+    all.along.resize(static_cast<size_t>(axes));
+    require_ok(nurbs_bezier_pieces(g, 0, nullptr, nullptr, nullptr, all.along.data(), &all.count));
+    all.points.resize(static_cast<size_t>(all.count * points * dim));
+    all.weights.resize(static_cast<size_t>(all.count * points));
+    all.domains.resize(static_cast<size_t>(all.count * axes * 2));
+    require_ok(nurbs_bezier_pieces(g, all.count, all.points.data(), all.weights.data(), all.domains.data(),
+                                   nullptr, &all.count));
+    EXPECT_EQ(std::accumulate(all.along.begin(), all.along.end(), int64_t{1}, std::multiplies<>()),
+              all.count);
+    return all;
+}
+
+std::pair<std::vector<double>, std::vector<double>> stored_by(const nurbs *g) {
+    int64_t count = 0;
+    int32_t dim = 0;
+    require_ok(nurbs_point_count(g, &count));
+    require_ok(nurbs_dimension(g, &dim));
+    std::vector<double> points(static_cast<size_t>(count * dim)), weights(static_cast<size_t>(count));
+    require_ok(nurbs_points(g, count, points.data(), 0, 0));
+    require_ok(nurbs_weights(g, count, weights.data(), 0));
+    return {points, weights};
+}
+
+// Those of `all` from `at` on, which moves behind them.
+void expect_bits(const std::vector<double> &expected, const std::vector<double> &all, size_t &at,
+                 const std::string &where) {
+    ASSERT_LE(at + expected.size(), all.size()) << where;
+    EXPECT_EQ(std::memcmp(expected.data(), all.data() + at, sizeof(double) * expected.size()), 0) << where;
+    at += expected.size();
 }
 
 std::vector<Handle> split_at_knots(const nurbs *g, int axis, int order) {
@@ -197,6 +249,30 @@ TEST(Parts, pieces_are_bezier_in_their_order) {
             }
         }
         expect_part(g.get(), pieces[random.bits() % total].get(), random, where(seed, data));
+    });
+}
+
+// The same bits as the splines of the list, whatever the form.
+TEST(Parts, arrays_hold_the_bits_of_the_pieces) {
+    for_each_case(206000, 400, [](Random &random, uint64_t seed) {
+        const auto data = random_case(random);
+        const auto g = create(data);
+        const auto pieces = decompose(g.get());
+        const PieceArrays all = arrays_of(g.get());
+        ASSERT_EQ(std::ssize(pieces), all.count) << where(seed, data);
+        size_t point = 0, weight = 0, domain = 0;
+        for (const Handle &piece : pieces) {
+            const auto [points, weights] = stored_by(piece.get());
+            expect_bits(points, all.points, point, where(seed, data));
+            expect_bits(weights, all.weights, weight, where(seed, data));
+            for (int k = 0; k < data.axes(); ++k, domain += 2) {
+                double ends[2];
+                require_ok(nurbs_domain(piece.get(), k, ends));
+                ASSERT_EQ(ends[0], all.domains[domain]) << where(seed, data);
+                ASSERT_EQ(ends[1], all.domains[domain + 1]) << where(seed, data);
+            }
+        }
+        ASSERT_EQ(point, all.points.size()) << where(seed, data);
     });
 }
 

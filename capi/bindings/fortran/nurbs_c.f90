@@ -690,6 +690,17 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_decompose
+        !> The pieces of nurbs_decompose() as arrays, in one call: the same control points and weights, bit
+        !> for bit, in the same order, without a handle for each.
+        function nurbs_bezier_pieces(g, cap, points, weights, domains, piece_counts, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: points(*), weights(*), domains(*)
+            integer(c_int64_t), intent(inout), optional :: piece_counts(*)
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_bezier_pieces
         !> Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
         !> multiplicity, is less than a given one: 0 at jumps, 1 also at kinks (where it is only continuous),
         !> `degree` at every knot.

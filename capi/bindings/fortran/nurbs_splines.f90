@@ -8,7 +8,7 @@ module nurbs_splines
         nurbs_create_bezier, nurbs_with_points, nurbs_iso, nurbs_insert_knot, nurbs_refine, nurbs_refine_uniform, &
         nurbs_split, nurbs_extract, nurbs_clamp_ends, nurbs_move_seam, nurbs_elevate, nurbs_reverse, nurbs_transpose, &
         nurbs_reparametrize, nurbs_make_rational, nurbs_to_homogeneous, nurbs_from_homogeneous, nurbs_transform, &
-        nurbs_transform_projective, nurbs_join, nurbs_refinement_matrix
+        nurbs_transform_projective, nurbs_bezier_pieces, nurbs_join, nurbs_refinement_matrix
     use nurbs_support
     use nurbs_handles
     use nurbs_evaluation
@@ -21,7 +21,7 @@ module nurbs_splines
         procedure :: create, create_homogeneous, create_short, create_multiplicities, create_bezier, with_points, iso
         procedure :: insert_knot, refine, refine_uniform, split, extract, clamp, move_seam, elevate, reverse
         procedure :: transpose_axes, reparametrize, make_rational, to_homogeneous, from_homogeneous, transform
-        procedure :: transform_projective, join, refinement_matrix
+        procedure :: transform_projective, bezier_pieces, join, refinement_matrix
     end type nurbs_spline
 
 contains
@@ -414,6 +414,32 @@ contains
     end subroutine transform_projective
 
     ! Splines taken apart into lists, and joined again
+
+    !> points(active * pieces, dim) and weights(active * pieces) of the polynomial pieces, one piece after the other,
+    !> their domains(2, axes, pieces), and how many there are along each axis.
+    subroutine bezier_pieces(this, points, weights, domains, piece_counts, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), allocatable, intent(inout) :: points(:, :), weights(:), domains(:, :, :)
+        integer(c_int64_t), allocatable, intent(inout) :: piece_counts(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: active, axes, n
+        real(c_double), allocatable :: points_c(:, :)
+        active = active_of(this%handle)
+        axes = axes_of(this%handle)
+        n = 0
+        code = nurbs_bezier_pieces(this%handle, 0_c_int64_t, count=n)
+        if (code == NURBS_OK) then
+            if (allocated(weights)) deallocate (weights)
+            if (allocated(domains)) deallocate (domains)
+            if (allocated(piece_counts)) deallocate (piece_counts)
+            allocate (points_c(dim_of(this%handle), n * active), weights(n * active), domains(2, axes, n), &
+                piece_counts(axes))
+            code = nurbs_bezier_pieces(this%handle, n, points_c, weights, domains, piece_counts, n)
+        end if
+        if (code == NURBS_OK) points = transpose(points_c)
+        call settle(code, status)
+    end subroutine bezier_pieces
 
     !> This spline becomes the parts joined end to end, of which it is none.
     subroutine join(this, parts, axis, tolerance, flags, gap, status)

@@ -28,7 +28,7 @@ bool for_points(const PieceGrid &pieces, const double *patch, Visit &&visit) noe
     for (int64_t i = 0; i < shape.coefficients(); ++i, patch += shape.lanes) {
         const double w = patch[shape.dim];
         if (pieces.rounding().positive(w)) {
-            visit(patch, w, pieces.moved_by_weights(norm(patch, shape.dim) / w, w));
+            visit(patch, w, pieces.positive() ? 0 : pieces.moved_by_weights(norm(patch, shape.dim) / w, w));
         } else if (!(pieces.positive() && w == 0)) {
             bounded = false;
         }

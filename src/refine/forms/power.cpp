@@ -6,6 +6,7 @@
 #include "numeric/binomial.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/parts/cut.h"
+#include "refine/parts/piece_order.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -15,58 +16,12 @@ namespace nrb::refine {
 
 namespace {
 
-// The pieces along every axis, and the layers of each piece. Missing axes come first, with one of each.
-class PieceOrder {
-public:
-    PieceOrder(const std::vector<int> &degrees, const std::vector<std::vector<double>> &breaks) {
-        const size_t missing = max_axes - degrees.size();
-        for (size_t k = 0; k < degrees.size(); ++k) {
-            layers_[missing + k] = degrees[k] + 1;
-            pieces_[missing + k] = std::ssize(breaks[k]) - 1;
-        }
+PieceOrder order_of(const PowerForm &form) {
+    std::array<PieceOrder::Axis, max_axes> axes{};
+    for (size_t k = 0; k < form.degrees.size(); ++k) {
+        axes[k] = {std::ssize(form.breaks[k]) - 1, form.degrees[k] + 1};
     }
-
-    // Rows are the records along the last axis of one piece.
-    [[nodiscard]] int64_t row_length() const noexcept { return layers_[2]; }
-    [[nodiscard]] int64_t rows() const noexcept {
-        return pieces_[0] * pieces_[1] * pieces_[2] * layers_[0] * layers_[1];
-    }
-    // In the whole net each axis has all its layers side by side. Returns which of its rows is row `row` in
-    // the order that has the pieces one after the other.
-    [[nodiscard]] int64_t place_in_net(int64_t row) const noexcept {
-        const int64_t j = row % layers_[1], i = row / layers_[1] % layers_[0];
-        int64_t piece = row / (layers_[0] * layers_[1]);
-        const int64_t last = piece % pieces_[2];
-        piece /= pieces_[2];
-        const int64_t layer = piece / pieces_[1] * layers_[0] + i;
-        return ((layer * pieces_[1] + piece % pieces_[1]) * layers_[1] + j) * pieces_[2] + last;
-    }
-
-private:
-    std::array<int64_t, max_axes> layers_{1, 1, 1};
-    std::array<int64_t, max_axes> pieces_{1, 1, 1};
-};
-
-std::vector<double> piece_after_piece(const PieceOrder &order, int width, std::span<const double> net) {
-    const int64_t size = order.row_length() * width;
-    std::vector<double> result;
-    result.reserve(net.size());
-    for (int64_t row = 0; row < order.rows(); ++row) {
-        const auto from = net.begin() + order.place_in_net(row) * size;
-        result.insert(result.end(), from, from + size);
-    }
-    return result;
-}
-
-std::vector<double> side_by_side(const PieceOrder &order, int width, const std::vector<double> &pieces) {
-    const int64_t size = order.row_length() * width;
-    std::vector<double> net;
-    net.reserve(pieces.size() + Spline::padding);
-    net.resize(pieces.size());
-    for (int64_t row = 0; row < order.rows(); ++row) {
-        std::copy_n(pieces.begin() + row * size, size, net.begin() + order.place_in_net(row) * size);
-    }
-    return net;
+    return PieceOrder({axes.data(), form.degrees.size()});
 }
 
 // h^k as fraction * 2^exponent: a power of a short or long span would leave the range of doubles before the
@@ -177,13 +132,17 @@ PowerForm to_power(const SplinePtr &spline) {
     }
     std::vector<double> net(whole.points().begin(), whole.points().end());
     along_all(net, form, bezier_to_power);
-    form.coefficients = piece_after_piece({form.degrees, form.breaks}, form.width, net);
+    form.coefficients.resize(net.size());
+    order_of(form).take_apart(form.width, net.data(), form.coefficients.data());
     require_representable(form.coefficients, "coefficients");
     return form;
 }
 
 SplinePtr from_power(PowerForm form, bool rational) {
-    std::vector<double> net = side_by_side({form.degrees, form.breaks}, form.width, form.coefficients);
+    std::vector<double> net;
+    net.reserve(form.coefficients.size() + Spline::padding);
+    net.resize(form.coefficients.size());
+    order_of(form).put_together(form.width, form.coefficients.data(), net.data());
     const bool given = all_finite(net);
     along_all(net, form, power_to_bezier);
     if (given) { // otherwise make_spline() names the value that is not finite

@@ -81,7 +81,7 @@ SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made) {
 }
 
 SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows) {
-    constexpr int64_t few = 4096; // rows whose table stays in the cache
+    constexpr int64_t few = 512; // rows whose table stays in the cache
     const int64_t count = axis->count();
     LayerMaker maker(spline, k, count);
     const int64_t part = maker.in_parts() ? std::max(few / unit, int64_t{1}) * unit : count;

@@ -211,6 +211,22 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("bezier_pieces");
+        const auto found = n::bezier_pieces(in.surface);
+        show("points", found.points);
+        show("weights", found.weights);
+        show("domains", found.domains);
+        show("piece_counts", found.piece_counts);
+    }
+    {
+        begin("bezier_pieces rational");
+        const auto found = n::bezier_pieces(in.curve);
+        show("points", found.points);
+        show("weights", found.weights);
+        show("domains", found.domains);
+        show("piece_counts", found.piece_counts);
+    }
+    {
         begin("split_at_knots");
         const auto found = n::split_at_knots(in.curve, 0, 1);
         show("out", found);

@@ -293,6 +293,34 @@ contains
             call found%decompose(spline=surface)
             call show('out', found)
         end block
+        call begin('bezier_pieces')
+        block
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: domains_found(:, :, :)
+            integer(c_int64_t), allocatable :: piece_counts_found(:)
+            call surface%bezier_pieces(points=points_found, weights=weights_found, domains=domains_found, &
+                piece_counts=piece_counts_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('domains', flat(domains_found))
+            call show('piece_counts', piece_counts_found)
+        end block
+        call begin('bezier_pieces rational')
+        block
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: domains_found(:, :, :)
+            integer(c_int64_t), allocatable :: piece_counts_found(:)
+            call curve%bezier_pieces(points=points_found, weights=weights_found, domains=domains_found, &
+                piece_counts=piece_counts_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('domains', flat(domains_found))
+            call show('piece_counts', piece_counts_found)
+        end block
         call begin('split_at_knots')
         block
             type(nurbs_list) :: found

@@ -324,6 +324,22 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.surface.decompose()?;
         show("out", &found);
     }
+    begin("bezier_pieces");
+    {
+        let found = given.surface.bezier_pieces()?;
+        show("points", &found.points);
+        show("weights", &found.weights);
+        show("domains", &found.domains);
+        show("piece_counts", &found.piece_counts);
+    }
+    begin("bezier_pieces rational");
+    {
+        let found = given.curve.bezier_pieces()?;
+        show("points", &found.points);
+        show("weights", &found.weights);
+        show("domains", &found.domains);
+        show("piece_counts", &found.piece_counts);
+    }
     begin("split_at_knots");
     {
         let found = given.curve.split_at_knots(0, 1)?;

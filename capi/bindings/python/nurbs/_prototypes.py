@@ -63,6 +63,7 @@ PROTOTYPES = {
     "nurbs_split": "i pidpp",
     "nurbs_extract": "i pppp",
     "nurbs_decompose": "i pp",
+    "nurbs_bezier_pieces": "i plppppp",
     "nurbs_split_at_knots": "i piip",
     "nurbs_clamp_ends": "i piup",
     "nurbs_move_seam": "i pidp",

@@ -19,7 +19,16 @@ if TYPE_CHECKING:
     from ._files import SplineList
     from ._spline import Spline
 
-__all__ = ["Extraction"]
+__all__ = ["BezierPieces", "Extraction"]
+
+
+class BezierPieces(NamedTuple):
+    """Control points (pieces..., degree + 1..., dimension), weights (pieces..., degree + 1...) and domains (pieces...,
+    axes, 2) of the polynomial pieces, with a number of pieces and a degree for each axis."""
+
+    points: Floats
+    weights: Floats
+    domains: Floats
 
 
 class Extraction(NamedTuple):
@@ -61,6 +70,16 @@ class Refinement(SplineBase):
     def decompose(self) -> SplineList:
         """The polynomial pieces as Bezier splines over their own domains, last axis fastest."""
         return self._listed(lib.nurbs_decompose, self._handle)
+
+    def bezier_pieces(self) -> BezierPieces:
+        """The pieces of decompose() as arrays, in one call."""
+        pieces = numpy.empty(self.axes, numpy.int64)
+        count = get(ctypes.c_int64, lib.nurbs_bezier_pieces, self._handle, 0, None, None, None, pieces.ctypes.data)
+        widths = tuple(degree + 1 for degree in self.degrees)
+        found = BezierPieces(numpy.empty((*pieces, *widths, self.dimension)), numpy.empty((*pieces, *widths)),
+                             numpy.empty((*pieces, self.axes, 2)))
+        get(ctypes.c_int64, lib.nurbs_bezier_pieces, self._handle, count, *addresses(*found), None)
+        return found
 
     def split_at_knots(self, order: int, *, axis: int = 0) -> SplineList:
         """The parts between the knots at which the order of continuity, degree - multiplicity, is less than `order`: 0

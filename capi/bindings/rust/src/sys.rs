@@ -1095,6 +1095,19 @@ extern "C" {
     /// Decomposes a spline into its polynomial (rational) pieces, as Bezier splines over their own domains:
     /// each has degree + 1 layers along each axis.
     pub fn nurbs_decompose(g: *const nurbs, out: *mut *mut nurbs_list) -> nurbs_status;
+    /// The pieces of nurbs_decompose() as arrays, in one call: the same control points and weights, bit for
+    /// bit, in the same order, without a handle for each.
+    ///
+    /// May be null: `points`, `weights`, `domains`, `piece_counts`.
+    pub fn nurbs_bezier_pieces(
+        g: *const nurbs,
+        cap: i64,
+        points: *mut f64,
+        weights: *mut f64,
+        domains: *mut f64,
+        piece_counts: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
     /// Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
     /// multiplicity, is less than a given one: 0 at jumps, 1 also at kinks (where it is only continuous),
     /// `degree` at every knot.

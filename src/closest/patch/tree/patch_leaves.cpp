@@ -14,7 +14,6 @@ namespace {
 
 constexpr double most_byte = 127;
 constexpr int64_t work_of_a_value = 16; // of a leaf
-constexpr int64_t read_over = 7;        // numbers after the last disc that are read
 
 // The scale of numbers up to a magnitude: 0 if they are.
 float scale_of(double magnitude) noexcept {
@@ -64,37 +63,26 @@ void PatchLeaves::set_matrices(const PatchShape &shape) {
     }
 }
 
-PatchLeaves::PatchLeaves(const pieces::PieceTree &tree) : has_normals_(tree.normals()) {
-    const PieceGrid &pieces = tree.grid();
-    const PatchShape &shape = pieces.shape();
-    parts_ = parts_of(pieces, has_normals_);
-    set_matrices(shape);
+PatchLeaves::PatchLeaves(const pieces::PieceTree &tree)
+    : tree_(tree), has_normals_(tree.normals()), dim_(tree.grid().shape().dim),
+      parts_(parts_of(tree.grid(), has_normals_)) {
+    set_matrices(tree.grid().shape());
     if (parts_ == 1) {
         return;
     }
-    off_ = 0.5 * std::sqrt(static_cast<double>(shape.dim)) * (1 + 16 * eps);
+    read_over_ = (8 - count_ % 8) % 8;
+    off_ = 0.5 * std::sqrt(static_cast<double>(dim_)) * (1 + 16 * eps);
     const auto nodes = std::ssize(tree.order());
-    normals_.resize(static_cast<size_t>(has_normals_ ? nodes * count_ * 3 + read_over : 0));
-    discs_.resize(static_cast<size_t>(nodes * count_ * byte_columns(shape.dim) + read_over));
-    frames_.resize(static_cast<size_t>(nodes * pieces::disc_frame(shape.dim)));
-    std::vector<double> patch(static_cast<size_t>(shape.values())), work(patch);
-    std::vector<double> parts(static_cast<size_t>(count_ * shape.values()));
-    std::vector<pieces::Disc> discs;
-    for (int64_t node = 0; node < nodes; ++node) {
-        pieces.patch(tree.order()[static_cast<size_t>(node)], work.data(), patch.data());
-        count_work(work_of_a_value * count_ * shape.values());
-        split(shape, patch, parts);
-        discs.clear();
-        for (int64_t i = 0; i < count_; ++i) {
-            discs.emplace_back(shape, parts.data() + i * shape.values(), has_normals_);
-        }
-        write(node, shape.dim, tree.rounding(), discs, parts, pieces);
-    }
+    const auto room = [nodes](int64_t size) { return static_cast<size_t>(nodes * size); };
+    states_ = std::make_unique<std::atomic<State>[]>(room(1));
+    columns_ = std::make_unique_for_overwrite<int8_t[]>(room(columns_size()));
+    normals_ = std::make_unique_for_overwrite<int16_t[]>(room(normals_size()));
+    frames_ = std::make_unique_for_overwrite<float[]>(room(frame_size()));
 }
 
 // Axis after axis, the parts so far in the order of leaves.
-void PatchLeaves::split(const PatchShape &shape, const std::vector<double> &patch,
-                        std::vector<double> &parts) const {
+void PatchLeaves::split(const std::vector<double> &patch, std::vector<double> &parts) const {
+    const PatchShape &shape = tree_.grid().shape();
     const int64_t size = shape.values();
     std::copy(patch.begin(), patch.end(), parts.begin());
     std::vector<double> from(static_cast<size_t>(size));
@@ -110,23 +98,36 @@ void PatchLeaves::split(const PatchShape &shape, const std::vector<double> &patc
     }
 }
 
-void PatchLeaves::write(int64_t node, int dim, double rounding, std::vector<pieces::Disc> &discs,
-                        const std::vector<double> &parts, const PieceGrid &pieces) {
-    int8_t *out = discs_.data() + node * count_ * byte_columns(dim);
-    round_centres(dim, discs, frame(node, dim), out);
+void PatchLeaves::make(int64_t node, const Discs &out) const {
+    const PieceGrid &pieces = tree_.grid();
+    const PatchShape &shape = pieces.shape();
+    const int64_t size = shape.values();
+    std::vector<double> patch(static_cast<size_t>(size)), work(patch),
+        parts(static_cast<size_t>(count_ * size));
+    pieces.patch(tree_.order()[static_cast<size_t>(node)], work.data(), patch.data());
+    split(patch, parts);
+    std::vector<pieces::Disc> discs;
+    discs.reserve(static_cast<size_t>(count_));
+    for (int64_t i = 0; i < count_; ++i) {
+        discs.emplace_back(shape, parts.data() + i * size, has_normals_);
+    }
+    round_centres(discs, out);
     if (has_normals_) {
-        round_normals(discs, normals_.data() + node * count_ * 3);
+        round_normals(discs, out.normals);
     }
     for (size_t i = 0; i < discs.size(); ++i) {
-        const double *part = parts.data() + static_cast<int64_t>(i) * pieces.shape().values();
-        discs[i].add(pieces, part);
+        discs[i].add(pieces, parts.data() + static_cast<int64_t>(i) * size);
     }
-    round_sizes(dim, rounding, discs, frame(node, dim), out + dim * count_);
+    round_sizes(discs, out);
+    const NotCounted by_limit;
+    count_work(work_of_a_value * count_ * size);
 }
 
-void PatchLeaves::round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out) {
+void PatchLeaves::round_centres(std::vector<pieces::Disc> &discs, const Discs &out) const {
+    float *frame = out.frame;
+    int8_t *column = out.columns;
     double reach = 0;
-    for (int c = 0; c < dim; ++c) {
+    for (int c = 0; c < dim_; ++c) {
         const auto at = static_cast<size_t>(c);
         double low = pieces::far_away, high = -pieces::far_away;
         for (const pieces::Disc &disc : discs) {
@@ -136,12 +137,12 @@ void PatchLeaves::round_centres(int dim, std::vector<pieces::Disc> &discs, float
         frame[c] = static_cast<float>(low / 2 + high / 2);
         reach = std::max({reach, high - frame[c], frame[c] - low});
     }
-    const double scale = frame[dim] = scale_of(reach);
-    for (int c = 0; c < dim; ++c) {
+    const double scale = frame[dim_] = scale_of(reach);
+    for (int c = 0; c < dim_; ++c) {
         for (pieces::Disc &disc : discs) {
             double &x = disc.centre[static_cast<size_t>(c)];
-            *out = byte_of(scale > 0 ? std::round((x - frame[c]) / scale) : 0);
-            x = frame[c] + scale * *out++;
+            *column = byte_of(scale > 0 ? std::round((x - frame[c]) / scale) : 0);
+            x = frame[c] + scale * *column++;
         }
     }
 }
@@ -160,35 +161,66 @@ void PatchLeaves::round_normals(std::vector<pieces::Disc> &discs, int16_t *out) 
 }
 
 // Away from the disc.
-void PatchLeaves::round_sizes(int dim, double rounding, const std::vector<pieces::Disc> &discs, float *frame,
-                              int8_t *out) const {
+void PatchLeaves::round_sizes(const std::vector<pieces::Disc> &discs, const Discs &out) const {
+    const double rounding = tree_.rounding();
+    float *scales = out.frame + dim_ + 1;
+    int8_t *radii = out.columns + dim_ * count_;
     double radius = 0, height = 0;
     for (const pieces::Disc &disc : discs) {
         radius = std::max(radius, disc.radius + rounding);
         height = std::max({height, disc.high + rounding, rounding - disc.low});
     }
-    frame[dim + 1] = scale_of(radius / 2); // bytes from -127 on
-    frame[dim + 2] = scale_of(height);
+    scales[0] = scale_of(radius / 2); // bytes from -127 on
+    scales[1] = scale_of(height);
     const auto units = [](double size, float scale) { return scale > 0 ? size / scale * (1 + 2 * eps) : 0; };
     for (size_t i = 0; i < discs.size(); ++i) {
         const pieces::Disc &disc = discs[i];
         const auto at = static_cast<int64_t>(i);
-        out[at] = byte_of(std::ceil(units(disc.radius + rounding, frame[dim + 1])) - most_byte);
+        radii[at] = byte_of(std::ceil(units(disc.radius + rounding, scales[0])) - most_byte);
         if (has_normals_) {
-            int8_t *heights = out + count_ + at;
-            heights[0] = byte_of(std::floor(units(disc.low - rounding, frame[dim + 2])));
-            heights[count_] = byte_of(std::ceil(units(disc.high + rounding, frame[dim + 2])));
+            int8_t *heights = radii + count_ + at;
+            heights[0] = byte_of(std::floor(units(disc.low - rounding, scales[1])));
+            heights[count_] = byte_of(std::ceil(units(disc.high + rounding, scales[1])));
         }
     }
 }
 
-void PatchLeaves::bound(int64_t node, int dim, const double *x, bool farthest,
-                        const pieces::DiscBounds &out) const noexcept {
-    const float *frame = this->frame(node, dim);
-    const pieces::ByteDiscs discs{discs_.data() + node * count_ * byte_columns(dim),
-                                  has_normals_ ? normals_.data() + node * count_ * 3 : nullptr, frame,
-                                  off_ * double{frame[dim]}};
-    pieces::bound_discs(discs, count_, dim, has_normals_, x, farthest, out);
+PatchLeaves::Discs PatchLeaves::kept(int64_t node) const noexcept {
+    return {columns_.get() + node * columns_size(), normals_.get() + node * normals_size(),
+            frames_.get() + node * frame_size()};
+}
+
+// No thread waits: one that comes while another one writes goes on with what it has made itself.
+void PatchLeaves::keep(int64_t node, const Discs &made) const noexcept {
+    std::atomic<State> &state = states_[static_cast<size_t>(node)];
+    State missing = State::missing;
+    if (state.compare_exchange_strong(missing, State::written, std::memory_order_relaxed)) {
+        const Discs place = kept(node);
+        std::copy_n(made.columns, columns_size(), place.columns);
+        std::copy_n(made.normals, normals_size(), place.normals);
+        std::copy_n(made.frame, frame_size(), place.frame);
+        state.store(State::ready, std::memory_order_release);
+    }
+}
+
+void PatchLeaves::bound_made(const Discs &discs, const double *x, bool farthest,
+                             const pieces::DiscBounds &out) const noexcept {
+    const pieces::ByteDiscs bytes{discs.columns, discs.normals, discs.frame,
+                                  off_ * double{discs.frame[dim_]}};
+    pieces::bound_discs(bytes, count_, dim_, has_normals_, x, farthest, out);
+}
+
+void PatchLeaves::bound(int64_t node, const double *x, bool farthest, const pieces::DiscBounds &out) const {
+    if (states_[static_cast<size_t>(node)].load(std::memory_order_acquire) == State::ready) {
+        return bound_made(kept(node), x, farthest, out);
+    }
+    std::vector<int8_t> columns(static_cast<size_t>(columns_size()));
+    std::vector<int16_t> normals(static_cast<size_t>(normals_size()));
+    std::vector<float> frame(static_cast<size_t>(frame_size()));
+    const Discs made{columns.data(), normals.data(), frame.data()};
+    make(node, made);
+    keep(node, made);
+    bound_made(made, x, farthest, out);
 }
 
 } // namespace nrb::closest

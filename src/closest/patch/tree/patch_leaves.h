@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The leaves of the tree: equal parts of each piece, with discs around them.
+// The leaves of the tree: equal parts of each piece, with discs around them, made when a query looks at the piece.
 //
 // These discs are by far the most, so that each of their numbers takes one byte: centres relative to the
 // middle of those of a piece, radii and heights relative to the largest one. Normals take two bytes, because
@@ -8,15 +8,18 @@
 #pragma once
 
 #include "closest/patch/patch_names.h"
+#include "pieces/tree/disc_kernel.h"
 #include "pieces/tree/piece_tree.h"
 
+#include <atomic>
+#include <memory>
 #include <vector>
 
 namespace nrb::closest {
 
 class PatchLeaves {
 public:
-    // Of the pieces in the order of their nodes.
+    // Of the pieces in the order of their nodes, in a tree that outlives this.
     explicit PatchLeaves(const pieces::PieceTree &tree);
 
     // Along each axis of the shape; with 1, pieces have no leaves of their own.
@@ -27,36 +30,51 @@ public:
         const auto &matrices = matrices_[static_cast<size_t>(axis)];
         return matrices.data() + std::ssize(matrices) / parts_ * part;
     }
-    // Bounds of the leaves of a node.
-    void bound(int64_t node, int dim, const double *x, bool farthest,
-               const pieces::DiscBounds &out) const noexcept;
+    // Bounds of the leaves of a node, which may have to be made: throws std::bad_alloc, CallEnded.
+    void bound(int64_t node, const double *x, bool farthest, const pieces::DiscBounds &out) const;
 
 private:
+    // Those of one node; each array has numbers after the last disc that may be read.
+    struct Discs {
+        int8_t *columns;  // [column][leaf]
+        int16_t *normals; // [coordinate][leaf]
+        float *frame;     // as pieces::ByteDiscs has it
+    };
+    enum class State : uint8_t { missing, written, ready };
+
     [[nodiscard]] static int parts_of(const PieceGrid &pieces, bool normals) noexcept;
     void set_matrices(const PatchShape &shape);
-    void split(const PatchShape &shape, const std::vector<double> &patch, std::vector<double> &parts) const;
-    void write(int64_t node, int dim, double rounding, std::vector<pieces::Disc> &discs,
-               const std::vector<double> &parts, const PieceGrid &pieces);
-    static void round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out);
-    void round_normals(std::vector<pieces::Disc> &discs, int16_t *out) const;
-    void round_sizes(int dim, double rounding, const std::vector<pieces::Disc> &discs, float *frame,
-                     int8_t *out) const;
-    [[nodiscard]] int64_t byte_columns(int dim) const noexcept { return dim + (has_normals_ ? 3 : 1); }
-    [[nodiscard]] float *frame(int64_t node, int dim) noexcept {
-        return frames_.data() + node * pieces::disc_frame(dim);
+    // The numbers of a node in each array.
+    [[nodiscard]] int64_t columns_size() const noexcept {
+        return count_ * (dim_ + (has_normals_ ? 3 : 1)) + read_over_;
     }
-    [[nodiscard]] const float *frame(int64_t node, int dim) const noexcept {
-        return frames_.data() + node * pieces::disc_frame(dim);
-    }
+    [[nodiscard]] int64_t normals_size() const noexcept { return has_normals_ ? count_ * 3 + read_over_ : 0; }
+    [[nodiscard]] int64_t frame_size() const noexcept { return pieces::disc_frame(dim_); }
+    [[nodiscard]] Discs kept(int64_t node) const noexcept;
+    void keep(int64_t node, const Discs &made) const noexcept;
+    void bound_made(const Discs &discs, const double *x, bool farthest,
+                    const pieces::DiscBounds &out) const noexcept;
 
+    void make(int64_t node, const Discs &out) const;
+    void split(const std::vector<double> &patch, std::vector<double> &parts) const;
+    void round_centres(std::vector<pieces::Disc> &discs, const Discs &out) const;
+    void round_normals(std::vector<pieces::Disc> &discs, int16_t *out) const;
+    void round_sizes(const std::vector<pieces::Disc> &discs, const Discs &out) const;
+
+    const pieces::PieceTree &tree_;
     bool has_normals_ = false;
+    int dim_ = 0;
     int parts_ = 1;
     int64_t count_ = 1;
+    int64_t read_over_ = 0;
+    double off_ = 0; // how far a centre is from the surface, relative to its scale
     std::array<std::vector<double>, max_axes> matrices_;
-    std::vector<int8_t> discs_;    // [node][column][leaf]
-    std::vector<int16_t> normals_; // [node][coordinate][leaf]
-    std::vector<float> frames_;    // [node]: as ByteDiscs have it
-    double off_ = 0;               // how far a centre is from the surface, relative to its scale
+    // Of all nodes. What a node has is written once, by the thread that sets its state to `written`, and read when
+    // it is `ready`.
+    std::unique_ptr<std::atomic<State>[]> states_;
+    std::unique_ptr<int8_t[]> columns_;
+    std::unique_ptr<int16_t[]> normals_;
+    std::unique_ptr<float[]> frames_;
 };
 
 } // namespace nrb::closest

@@ -4,9 +4,8 @@
 namespace nrb::closest {
 
 void PatchTree::bound(int level, int64_t node, const double *x, bool farthest,
-                      const pieces::DiscBounds &out) const noexcept {
-    of_parts(level + 1) ? leaves_.bound(node, tree_.grid().shape().dim, x, farthest, out)
-                        : tree_.bound(level, node, x, farthest, out);
+                      const pieces::DiscBounds &out) const {
+    of_parts(level + 1) ? leaves_.bound(node, x, farthest, out) : tree_.bound(level, node, x, farthest, out);
 }
 
 PatchTree::Extent PatchTree::extent(int level, int64_t node) const noexcept {

@@ -26,9 +26,8 @@ public:
                    ? tree_.family(level, node)
                    : Family{node * leaves_.count(), leaves_.count(), leaves_.count(), 0};
     }
-    // Bounds of all children of a node; [most_width] each.
-    void bound(int level, int64_t node, const double *x, bool farthest,
-               const pieces::DiscBounds &out) const noexcept;
+    // Bounds of all children of a node; [most_width] each. Throws what PatchLeaves::bound() throws.
+    void bound(int level, int64_t node, const double *x, bool farthest, const pieces::DiscBounds &out) const;
     [[nodiscard]] Extent extent(int level, int64_t node) const noexcept;
 
     // The parts that a leaf is of its piece: part index [k] of parts() along each axis of the shape.

@@ -168,6 +168,15 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_decompose(in.surface, &o.list);
      }},
+    {"bezier_pieces",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_pieces(in.surface, 3, o.values, o.values + 54, o.values + 72, o.spans, o.spans +
+             2);
+     }},
+    {"bezier_pieces rational",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_pieces(in.curve, 4, o.values, o.values + 24, o.values + 36, o.spans, o.spans + 1);
+     }},
     {"split_at_knots",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_split_at_knots(in.curve, 0, 1, &o.list);

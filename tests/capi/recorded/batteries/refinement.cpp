@@ -94,6 +94,10 @@ void call_refinement(const Subject &s) {
         join(s, k);
     }
     nurbs_decompose(s.g, unread);
+    int64_t pieces = 0;
+    if (nurbs_bezier_pieces(s.g, 0, nullptr, nullptr, nullptr, nullptr, &pieces) == NURBS_OK) {
+        nurbs_bezier_pieces(s.g, pieces, unread, unread, unread, unread, unread);
+    }
     std::vector<double> lower = s.middle(0.2), upper = s.middle(0.9);
     nurbs_extract(s.g, lower.data(), upper.data(), unread);
     lower[0] = s.at(0, 0);
