@@ -7,7 +7,6 @@
 #include <hwy/foreach_target.h>
 
 #include "basis/power_spans.h"
-#include "numeric/binomial.h"
 #include "numeric/double_double-inl.h"
 
 #include <algorithm>
@@ -116,8 +115,9 @@ HWY_INLINE void blossom(const Supports<kDegree> &supports, Number (&values)[kDeg
 
 template <int kDegree>
 HWY_INLINE void fill_degree(const double *knots, int64_t span, const double *weights, const double *points,
-                            int lanes, double *power_span) {
+                            int lanes, double *power_span, double *rests) {
     const Four d;
+    constexpr double binomials[] = {1, kDegree, kDegree == 3 ? 3 : 1, 1};
     const Supports<kDegree> supports(knots, span, power_span[PowerSpan::middle],
                                      power_span[PowerSpan::scale]);
     for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
@@ -129,23 +129,27 @@ HWY_INLINE void fill_degree(const double *knots, int64_t span, const double *wei
         blossom<kDegree>(supports, values);
 #pragma GCC unroll 4
         for (int k = 0; k <= kDegree; ++k) {
-            const V factor = hn::Set(d, binomial(kDegree, k));
+            const V factor = hn::Set(d, binomials[k]);
+            const int at = PowerSpan::head_size + k * lanes + c;
             const Number product = exact_product(values[k][0].high, factor);
-            hn::StoreU(hn::Add(product.high, hn::MulAdd(values[k][0].low, factor, product.low)), d,
-                       power_span + PowerSpan::head_size + k * lanes + c);
+            const Number value = ordered_sum(product.high, hn::MulAdd(values[k][0].low, factor, product.low));
+            hn::StoreU(value.high, d, power_span + at);
+            if (rests != nullptr) {
+                hn::StoreU(value.low, d, rests + at);
+            }
         }
     }
 }
 
 void fill_low_power_span(const double *knots, int degree, int64_t span, const double *weights,
-                         const double *points, int lanes, double *power_span) {
+                         const double *points, int lanes, double *power_span, double *rests) {
     switch (degree) {
     case 1:
-        return fill_degree<1>(knots, span, weights, points, lanes, power_span);
+        return fill_degree<1>(knots, span, weights, points, lanes, power_span, rests);
     case 2:
-        return fill_degree<2>(knots, span, weights, points, lanes, power_span);
+        return fill_degree<2>(knots, span, weights, points, lanes, power_span, rests);
     default:
-        return fill_degree<3>(knots, span, weights, points, lanes, power_span);
+        return fill_degree<3>(knots, span, weights, points, lanes, power_span, rests);
     }
 }
 
@@ -163,9 +167,16 @@ NURBS_FORMS(fill_low_power_span);
 } // namespace
 
 void low_power_span(const double *knots, int degree, int64_t span, const double *weights,
-                    const double *points, int lanes, double *power_span) noexcept {
+                    const double *points, int lanes, double *power_span, double *rests) noexcept {
     write_power_span_head(knots[span], knots[span + 1], power_span);
-    NURBS_BEST(fill_low_power_span)(knots, degree, span, weights, points, lanes, power_span);
+    NURBS_BEST(fill_low_power_span)(knots, degree, span, weights, points, lanes, power_span, rests);
+}
+
+void low_basis_power_span(const double *knots, int degree, int64_t span, double *power_span,
+                          double *rests) noexcept {
+    static constexpr double ones[] = {1, 1, 1, 1};
+    static constexpr double functions[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    low_power_span(knots, degree, span, ones, functions, 4, power_span, rests);
 }
 
 } // namespace nrb::inline basis

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Power spans of degrees above max_blossom_degree, several at a time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "basis/power_span_kernel.cpp"
 #include "base/dispatch.h"
@@ -21,28 +22,11 @@ using namespace numeric::HWY_NAMESPACE;
 
 using Vec8 = hn::CappedTag<double, 8>;
 
-// Loops over the functions of low degrees are unrolled, so that their numbers stay in registers; where the
-// degree is any, only the inner ones are, because the code would be multiplied by the turns of each.
-template <int kDegree, class Body>
-HWY_INLINE void for_each(int first, int last, const Body &body) {
-    if constexpr (kDegree > 0) {
-#pragma GCC unroll 4
-        for (int i = first; i <= last; ++i) {
-            body(i);
-        }
-    } else {
-        for (int i = first; i <= last; ++i) {
-            body(i);
-        }
-    }
-}
-
-// The functions of several spans, one in each lane, seen from the middles of the spans. kDegree < 0 stands
-// for any degree.
-template <int kDegree, class D>
+// The functions of several spans, one in each lane, seen from the middles of the spans.
+template <class D>
 class CentredFunctions {
 public:
-    static constexpr int most = kDegree > 0 ? kDegree : max_power_span_degree;
+    static constexpr int most = max_power_span_degree;
     using V = hn::Vec<D>;
     using Number = DoubleDoubleLanes<V>;
 
@@ -57,7 +41,7 @@ public:
                 scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
             ahead[i] = scaled(exact_sum(hn::LoadU(d, knots + (degree + i) * lanes), hn::Neg(middle)), scale);
         }
-        for_each<kDegree>(1, degree, [&](int e) HWY_ATTR {
+        for (int e = 1; e <= degree; ++e) {
 #pragma GCC unroll 4
             for (int r = 0; r < e; ++r) {
                 const Number slope = inverse(after[e - 1 - r] + ahead[r]);
@@ -65,7 +49,7 @@ public:
                 after_[e - 1][r] = after[e - 1 - r] * slope;
                 ahead_[e - 1][r] = ahead[r] * slope;
             }
-        });
+        }
     }
 
     // One step of the Cox-de Boor recurrence at the middle, from degree e - 1 to degree e.
@@ -127,50 +111,35 @@ HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int deg
 }
 
 // Coefficients of the power spans of `count` spans, at most one for each lane; the heads are there. knots as
-// for CentredFunctions. kDegree < 0 stands for any degree.
-template <int kDegree, class D>
-HWY_INLINE void fill_power_spans(D d, int any_degree, const double *knots, int count,
-                                 double *const *power_spans, double *const *rests) {
+// for CentredFunctions.
+template <class D>
+HWY_INLINE void fill_power_spans(D d, int degree, const double *knots, int count, double *const *power_spans,
+                                 double *const *rests) {
     using Number = DoubleDoubleLanes<hn::Vec<D>>;
-    constexpr int most = kDegree > 0 ? kDegree : max_power_span_degree;
-    const int degree = kDegree > 0 ? kDegree : any_degree;
     HWY_ALIGN double middles[8];
     HWY_ALIGN double scales[8];
     for (int l = 0; l < static_cast<int>(hn::Lanes(d)); ++l) {
         middles[l] = power_spans[std::min(l, count - 1)][PowerSpan::middle];
         scales[l] = power_spans[std::min(l, count - 1)][PowerSpan::scale];
     }
-    const CentredFunctions<kDegree, D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
+    const CentredFunctions<D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
     const int lanes = PowerSpan::lanes(degree + 1);
-    Number functions[most + 1];
-    Number row[most + 1];
+    Number functions[max_power_span_degree + 1];
+    Number row[max_power_span_degree + 1];
     functions[0] = {hn::Set(d, 1.0), hn::Zero(d)};
-    for_each<kDegree>(0, degree, [&](int e) HWY_ATTR {
+    for (int e = 0; e <= degree; ++e) {
         if (e > 0) {
             centred.raise_degree(e, functions);
         }
         std::copy_n(functions, e + 1, row);
-        for_each<kDegree>(e + 1, degree, [&](int raised) HWY_ATTR { centred.differentiate(raised, row); });
+        for (int raised = e + 1; raised <= degree; ++raised) {
+            centred.differentiate(raised, row);
+        }
         // The factors degree, ..., e + 1 of the difference formula, over the factorial of the order.
         const int order = degree - e;
         const double factor = binomial(degree, order);
         store_row(d, row, degree, factor, PowerSpan::head_size + static_cast<int64_t>(order) * lanes, count,
                   power_spans, rests);
-    });
-}
-
-template <class D>
-HWY_INLINE void fill_power_spans_of(D d, int degree, const double *knots, int count,
-                                    double *const *power_spans, double *const *rests) {
-    switch (degree) {
-    case 1:
-        return fill_power_spans<1>(d, degree, knots, count, power_spans, rests);
-    case 2:
-        return fill_power_spans<2>(d, degree, knots, count, power_spans, rests);
-    case 3:
-        return fill_power_spans<3>(d, degree, knots, count, power_spans, rests);
-    default:
-        return fill_power_spans<-1>(d, degree, knots, count, power_spans, rests);
     }
 }
 
@@ -184,9 +153,9 @@ void make_power_spans(const double *knots, int degree, const int64_t *spans, int
         }
     }
     if (count == 1) {
-        fill_power_spans_of(hn::CappedTag<double, 1>(), degree, local, count, power_spans, rests);
+        fill_power_spans(hn::CappedTag<double, 1>(), degree, local, count, power_spans, rests);
     } else {
-        fill_power_spans_of(Vec8(), degree, local, count, power_spans, rests);
+        fill_power_spans(Vec8(), degree, local, count, power_spans, rests);
     }
 }
 
@@ -195,23 +164,20 @@ int power_span_lanes() {
 }
 
 // Component c of power k: the sum over j of coefficient [k][j] with w_j x_jc, rounded once.
-template <int kDegree>
-HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests,
-                               int any_degree, const double *HWY_RESTRICT weights,
-                               const double *HWY_RESTRICT points, int lanes, double *HWY_RESTRICT powers) {
+void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests, int degree,
+             const double *HWY_RESTRICT weights, const double *HWY_RESTRICT points, int lanes,
+             double *HWY_RESTRICT powers) {
     const hn::CappedTag<double, 4> d;
     using V = hn::Vec<hn::CappedTag<double, 4>>;
-    constexpr int most = kDegree > 0 ? kDegree : max_power_span_degree;
-    const int degree = kDegree > 0 ? kDegree : any_degree;
     const int functions = PowerSpan::lanes(degree + 1);
     for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
-        DoubleDoubleLanes<V> products[most + 1];
+        DoubleDoubleLanes<V> products[max_power_span_degree + 1];
 #pragma GCC unroll 4
         for (int j = 0; j <= degree; ++j) {
             products[j] = exact_product(hn::Set(d, weights[j]),
                                         hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
         }
-        for_each<kDegree>(0, degree, [&](int k) HWY_ATTR {
+        for (int k = 0; k <= degree; ++k) {
             DoubleDoubleLanes<V> sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 4
             for (int j = 0; j <= degree; ++j) {
@@ -224,13 +190,8 @@ HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *H
                 sum = {next.high, hn::Add(sum.low, hn::Add(next.low, small))};
             }
             hn::StoreU(hn::Add(sum.high, sum.low), d, powers + static_cast<int64_t>(k) * lanes + c);
-        });
+        }
     }
-}
-
-void combine(const double *basis, const double *rests, int degree, const double *weights,
-             const double *points, int lanes, double *powers) {
-    combine_degree<-1>(basis, rests, degree, weights, points, lanes, powers); // low ones have another kernel
 }
 
 } // namespace HWY_NAMESPACE
@@ -260,6 +221,13 @@ void write_power_span_head(double lower, double upper, double *power_span) noexc
 
 void basis_power_spans(const double *knots, int degree, const int64_t *spans, int count,
                        double *const *power_spans, double *const *rests) noexcept {
+    if (degree <= max_blossom_degree) {
+        for (int l = 0; l < count; ++l) {
+            low_basis_power_span(knots, degree, spans[l], power_spans[l],
+                                 rests != nullptr ? rests[l] : nullptr);
+        }
+        return;
+    }
     const int lanes = PowerSpan::lanes(degree + 1);
     for (int l = 0; l < count; ++l) {
         write_power_span_head(knots[spans[l]], knots[spans[l] + 1], power_spans[l]);

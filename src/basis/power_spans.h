@@ -56,7 +56,10 @@ void basis_power_spans(const double *knots, int degree, const int64_t *spans, in
 // N_span, which are multiplied by the weights.
 inline constexpr int max_blossom_degree = 3;
 void low_power_span(const double *knots, int degree, int64_t span, const double *weights,
-                    const double *points, int lanes, double *power_span) noexcept;
+                    const double *points, int lanes, double *power_span, double *rests = nullptr) noexcept;
+// The same of the basis functions, which are the curves of the unit vectors.
+void low_basis_power_span(const double *knots, int degree, int64_t span, double *power_span,
+                          double *rests) noexcept;
 void write_power_span_head(double lower, double upper, double *power_span) noexcept;
 
 // The powers of a curve's power span from those of its basis and rests: component c of power k is the sum

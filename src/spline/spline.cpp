@@ -120,6 +120,21 @@ void Spline::record_part(int64_t i, int first, int size, double *out) const noex
     }
 }
 
+void Spline::copy_records(int64_t first, int64_t count, double *out) const noexcept {
+    const double *point = points_.data() + first * stored_width();
+    if (form_ != Form::rational) {
+        std::copy_n(point, count * width(), out);
+        return;
+    }
+    for (int64_t i = first; i < first + count; ++i) {
+        const double weight = scaled_weight(i);
+        for (int c = 0; c < dim_; ++c) {
+            *out++ = weight * *point++;
+        }
+        *out++ = weight;
+    }
+}
+
 double Spline::scaled_weight(int64_t i) const noexcept {
     const double stored = weights_[static_cast<size_t>(i)];
     return weight_exponent_ == 0 ? stored : std::ldexp(stored, -weight_exponent_);

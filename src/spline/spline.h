@@ -64,6 +64,8 @@ public:
 
     // Components [first, first + size) of record i, without the table.
     void record_part(int64_t i, int first, int size, double *out) const noexcept;
+    // `count` records from `first` on, without the table.
+    void copy_records(int64_t first, int64_t count, double *out) const noexcept;
     // The table if it exists, or if `uses` more evaluations make it worth having; else null.
     [[nodiscard]] const double *records_after(int64_t uses) const;
 

@@ -332,17 +332,15 @@ private:
     HWY_NOINLINE void copy_window(int64_t i) const {
         const Spline &spline = job_.spline;
         const bool volume = axes_ == 3;
-        const int64_t planes = volume ? job_.sources[2].degree + 1 : 1;
-        const int64_t depth = volume ? spline.count(2) : 1;
-        const int64_t last = volume ? job_.points[2][i].first : 0;
+        const int64_t middles = volume ? job_.sources[1].degree + 1 : 1;
+        const int64_t middle = volume ? job_.points[1][i].first : 0, breadth = volume ? spline.count(1) : 1;
+        const auto last = static_cast<size_t>(axes_ - 1);
+        const int64_t length = job_.sources[last].degree + 1;
         double *next = job_.window;
         for (int64_t a = 0; a <= job_.sources[0].degree; ++a) {
-            for (int64_t b = 0; b <= job_.sources[1].degree; ++b) {
-                const int64_t row =
-                    (job_.points[0][i].first + a) * spline.count(1) + job_.points[1][i].first + b;
-                for (int64_t c = 0; c < planes; ++c, next += job_.shape.width) {
-                    spline.record_part(row * depth + last + c, 0, job_.shape.width, next);
-                }
+            for (int64_t b = 0; b < middles; ++b, next += length * job_.shape.width) {
+                const int64_t row = (job_.points[0][i].first + a) * breadth + middle + b;
+                spline.copy_records(row * spline.count(axes_ - 1) + job_.points[last][i].first, length, next);
             }
         }
     }
