@@ -5,7 +5,7 @@
 set -euo pipefail
 
 usage() {
-    echo "usage: run_binding.sh fortran|rust|python PROGRAM LIBRARY_FOLDER WORK_FOLDER [ARGUMENT...]" >&2
+    echo "usage: run_binding.sh fortran|rust|python|python_single PROGRAM LIBRARY_FOLDER WORK_FOLDER [ARGUMENT...]" >&2
     exit 2
 }
 [ $# -ge 4 ] || usage
@@ -71,19 +71,46 @@ run_rust() {
     "$here/trace_calls.sh" "$work/calls" "$work/program" "$@"
 }
 
-run_python() {
-    local interpreter=${PYTHON:-python3}
+interpreter=${PYTHON:-python3}
+
+need_python() {
     need "$interpreter"
     if ! "$interpreter" -c 'import numpy' 2>/dev/null; then
         echo "SKIPPED: $interpreter has no NumPy"
         exit 77
     fi
+}
+
+run_python() {
+    need_python
     mkdir -p "$work/calls"
     NURBS_LIBRARY=$library/libnurbs.so PYTHONPATH=$bindings/python PYTHONDONTWRITEBYTECODE=1 \
         "$interpreter" -W error "$here/trace_calls.py" "$work/calls/ctypes" "$program" "$@"
 }
 
+# The package with its compiled part, beside links to the rest.
+python_package() {
+    rm -rf nurbs
+    mkdir nurbs
+    ln -s "$bindings"/python/nurbs/*.py* nurbs
+    "$compiler" -std=c99 -O2 -Wall -Wextra -Werror -shared -fPIC -I"$headers" "$bindings/python/nurbs/_single.c" \
+        -o nurbs/_single.abi3.so
+}
+
+run_python_single() {
+    need_python
+    local compiler=${CC:-cc} headers
+    need "$compiler"
+    headers=$("$interpreter" -c 'import sysconfig; print(sysconfig.get_path("include"))')
+    if [ ! -e "$headers/Python.h" ] || ! "$interpreter" -c 'import sys; sys.exit(sys.version_info < (3, 11))'; then
+        echo "SKIPPED: $interpreter is older than 3.11, or its headers are missing"
+        exit 77
+    fi
+    compile_once python_package "$bindings"/python/nurbs/*
+    NURBS_LIBRARY=$library/libnurbs.so PYTHONPATH=$compiled:$here PYTHONDONTWRITEBYTECODE=1 "$interpreter" "$program" "$@"
+}
+
 case $language in
-fortran | rust | python) "run_$language" "$@" ;;
+fortran | rust | python | python_single) "run_$language" "$@" ;;
 *) usage ;;
 esac

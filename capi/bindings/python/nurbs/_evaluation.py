@@ -12,7 +12,7 @@ import numpy
 
 from ._arrays import Output, vector
 from ._base import SplineBase
-from ._library import call, get, lib
+from ._library import call, get, lib, single
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -65,14 +65,26 @@ class Evaluation(SplineBase):
         nu is the order of the derivative, of a surface or volume one for each axis; `out` is filled if it is given. A
         point of dimension 1 has the shape (1,). All points of a grid are faster by eval_grid().
         """
+        if single is not None and out is None:
+            found: Optional[Floats] = self._single(params[0] if len(params) == 1 else params, nu, flags)
+            if found is not None:
+                return found
         at = params[0] if len(params) == 1 else self._together(params)
         orders = [int(nu)] if isinstance(nu, (int, numpy.integer)) else [operator.index(order) for order in nu]
         if not any(orders):
             return self.eval(at, flags, out)
         if len(orders) != self.axes or min(orders) < 0:
             raise ValueError(f"nu = {nu}, expected an order >= 0 for each of {self.axes} axes")
-        found: Floats = self.eval_derivs(at, sum(orders), flags)[..., derivative_slot(*orders), :]
-        return found if out is None else self._copied(found, out)
+        values: Floats = self.eval_derivs(at, sum(orders), flags)[..., derivative_slot(*orders), :]
+        return values if out is None else self._copied(values, out)
+
+    def _single(self, params: Any, nu: Union[int, Sequence[int]], flags: int) -> Optional[Floats]:
+        """A point or derivative at one place, or None of what is something else."""
+        if type(nu) is int and nu == 0:
+            point: Optional[Floats] = single.eval(self._handle, self.axes, self.dimension, params, flags)
+            return point
+        found: Optional[Floats] = single.derivative(self._handle, self.axes, self.dimension, params, nu, flags)
+        return found
 
     def _together(self, params: Sequence[ArrayLike]) -> Floats:
         if len(params) != self.axes:
@@ -95,6 +107,10 @@ class Evaluation(SplineBase):
 
     def eval(self, params: ArrayLike, flags: int = 0, out: Optional[Floats] = None) -> Floats:
         """Points S + (dimension,): C(t) = sum_i R_i(t) P_i, R_i = w_i N_i / sum_j w_j N_j."""
+        if single is not None and out is None:
+            point: Optional[Floats] = self._single(params, 0, flags)
+            if point is not None:
+                return point
         return self._batch(lib.nurbs_eval, (), params, (self.dimension,), flags, out)
 
     def eval_derivs(self, params: ArrayLike, order: int, flags: int = 0, out: Optional[Floats] = None) -> Floats:

@@ -8,6 +8,8 @@ import operator
 import os
 from typing import TYPE_CHECKING, Any, Callable, Optional, TypeVar
 
+import numpy
+
 from ._errors import NumericError, error_class
 from ._prototypes import PROTOTYPES
 from .constants import NURBS_ERROR_NOT_REPRESENTABLE, NURBS_OK
@@ -75,6 +77,26 @@ def _load() -> ctypes.CDLL:
 
 #: The C functions themselves, by their names in nurbs.h.
 lib = _load()
+
+
+def _address(function: Any) -> Optional[int]:
+    return ctypes.cast(function, ctypes.c_void_p).value
+
+
+def _load_single() -> Any:
+    """The compiled module for calls that are made one at a time, or None where it is missing or not wanted."""
+    if os.environ.get("NURBS_NO_EXTENSION"):
+        return None
+    try:
+        from . import _single
+    except ImportError:
+        return None
+    _single.bind(_address(lib.nurbs_eval), _address(lib.nurbs_eval_derivs), numpy.empty)
+    return _single
+
+
+#: Its functions return None for what is not a single place, or fails: the functions of this package do that too.
+single = _load_single()
 
 
 def version() -> int:
