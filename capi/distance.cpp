@@ -5,10 +5,12 @@
 #include "outputs.h"
 
 #include "base/tolerance.h"
+#include "base/watch.h"
 #include "closest/pair/hausdorff.h"
 #include "closest/pair/pair_search.h"
 
 #include <array>
+#include <limits>
 #include <span>
 
 using namespace nrb;
@@ -22,6 +24,17 @@ constexpr int64_t default_far_budget = 2000000; // pieces of both splines
 const Spline &named(const nurbs *g, const char *name) {
     require(g, name);
     return *g->spline;
+}
+
+// The limit where the caller has none; half of it for each of two searches.
+int64_t work_of(int64_t budget, const Spline &a, const Spline &b) noexcept {
+    return budget == 0 ? usual_work(a.point_count() + b.point_count())
+                       : std::numeric_limits<int64_t>::max() / 2;
+}
+
+closest::FarthestPoint farthest(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
+    const UsualLimit usual(work_of(budget, from, to) / 2);
+    return closest::one_sided_distance(from, to, tolerance, checked_budget(budget, default_far_budget));
 }
 
 // As many as a spline has axes.
@@ -46,6 +59,7 @@ nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, in
                      memory("params_a", params_a, first.axes()), memory("params_b", params_b, second.axes()),
                      memory("status", status, 1)},
                     {});
+        const UsualLimit usual(work_of(budget, first, second));
         const closest::PairDistance found = closest::pair_distance(first, second, tolerance, most);
         put_params(params_a, found.params_a, first);
         put_params(params_b, found.params_b, second);
@@ -61,13 +75,13 @@ nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tol
     return guard([&] {
         const Spline &first = named(a, "a"), &second = named(b, "b");
         check_tolerance(tolerance);
-        const int64_t most = checked_budget(budget, default_far_budget);
+        (void)checked_budget(budget, default_far_budget);
         check_apart({memory("at_least", at_least, 2), memory("at_most", at_most, 2),
                      memory("params_a", params_a, first.axes()), memory("params_b", params_b, second.axes()),
                      memory("status", status, 1)},
                     {});
-        const closest::FarthestPoint there = closest::one_sided_distance(first, second, tolerance, most);
-        const closest::FarthestPoint back = closest::one_sided_distance(second, first, tolerance, most);
+        const closest::FarthestPoint there = farthest(first, second, tolerance, budget);
+        const closest::FarthestPoint back = farthest(second, first, tolerance, budget);
         put_params(params_a, there.params, first);
         put_params(params_b, back.params, second);
         put_all(at_least, std::array{there.at_least, back.at_least});

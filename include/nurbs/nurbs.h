@@ -491,6 +491,12 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at the
  * end of its budget, with what is proven so far: in a batch the points that are left get what is found without a
  * search. Any other function returns NURBS_ERROR_WORK and writes nothing.
+ *
+ * **Without a limit of the caller's** the functions that go on until something holds (distances of two
+ * splines, features of curves, the fold test, constraints, bends, free-form deformations) have one of their
+ * own: some 800000000 multiply-adds, about a second, and 20000 or 200000 for each control point. They answer
+ * there as at a limit of the caller's, with NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK. A larger
+ * `work`, or a budget, takes its place.
  * @{ */
 
 /** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends
@@ -501,7 +507,7 @@ typedef int32_t (*nurbs_progress)(double done, void *user);
  * appended, and struct_size is at most 4096. */
 typedef struct nurbs_call_options {
     int64_t struct_size;     /**< size of this struct as the caller knows it */
-    int64_t work;            /**< most multiply-adds; 0 sets no limit */
+    int64_t work;            /**< most multiply-adds; 0: no limit of the caller's */
     nurbs_progress progress; /**< or NULL: called now and then */
     void *user;              /**< or NULL: passed to progress */
 } nurbs_call_options;
@@ -3562,7 +3568,8 @@ NURBS_API nurbs_status nurbs_curve_signed_distances_with(const nurbs *g, const n
  * the limit from below.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
- * \param[in] budget most pairs of pieces looked at, 0 for 200000.
+ * \param[in] budget most pairs of pieces looked at, 0 for 200000 within the usual
+ *   limit of work.
  * \param[out] at_least,at_most or NULL: the bounds.
  * \param[out] params_a [axes of a] or NULL: the parameters of the point of a.
  * \param[out] params_b [axes of b] or NULL: those of the point of b.
@@ -3598,7 +3605,7 @@ NURBS_API nurbs_status nurbs_distance_with(const nurbs *a, const nurbs *b, doubl
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for
- *   2000000.
+ *   2000000 within the usual limit of work.
  * \param[out] at_least [2] or NULL: from a to b, from b to a.
  * \param[out] at_most [2] or NULL: the same, from above.
  * \param[out] params_a [axes of a] or NULL: the parameters of a point of a that is at_least[0] away from b.
@@ -3632,7 +3639,7 @@ NURBS_API nurbs_status nurbs_hausdorff_distance_with(const nurbs *a, const nurbs
  * enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply that a
  * feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of a
  * centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
- * the best that double precision and a limit of work give: rounding, or else about nine or three digits, as
+ * the best that double precision and a limit of work give: rounding, or else about nine, six or three digits, as
  * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
  * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and what
  * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from

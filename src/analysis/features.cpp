@@ -277,6 +277,7 @@ private:
 } // namespace
 
 Features curve_features(const Spline &curve, uint32_t kinds) {
+    const UsualLimit usual(usual_work(curve.point_count()));
     const LimitedSearch search;
     return FeatureFinder(curve, kinds).run();
 }

@@ -213,6 +213,7 @@ private:
 } // namespace
 
 FoldTest fold_test(const Spline &spline, const double *reference) {
+    const UsualLimit usual(usual_work(spline.point_count()));
     const LimitedSearch search;
     return FoldSearch(spline, reference).run();
 }

@@ -36,10 +36,12 @@ Watch *Watch::current() noexcept {
 
 void Watch::end() {
     if (searches_ == 0) {
-        char text[64];
-        std::snprintf(text, sizeof text, "call.work = %lld multiply-adds were not enough",
+        char text[96];
+        std::snprintf(text, sizeof text,
+                      usual_ ? "no result within the usual limit of work, %lld multiply-adds"
+                             : "call.work = %lld multiply-adds were not enough",
                       static_cast<long long>(limit_));
-        throw CallEnded{{Status::work, text}};
+        throw CallEnded{{usual_ ? Status::not_converged : Status::work, text}};
     }
     ended_ = true;
 }
@@ -172,6 +174,28 @@ LimitedSearch::~LimitedSearch() {
 
 bool work_ended() noexcept {
     return watch_of_thread != nullptr && watch_of_thread->ended();
+}
+
+UsualLimit::UsualLimit(int64_t work) noexcept : watch_(Watch::current()) {
+    if (watch_ == nullptr) {
+        watch_ = &own_.emplace(Watch::Wishes{});
+    } else if (watch_->wishes_.work > 0 || watch_->usual_) {
+        watch_ = nullptr;
+        return;
+    }
+    watch_->settle();
+    limit_ = std::exchange(watch_->limit_, watch_->counted_ + work);
+    watch_->usual_ = true;
+    watch_->grant();
+}
+
+UsualLimit::~UsualLimit() {
+    if (watch_ != nullptr) {
+        watch_->settle();
+        watch_->limit_ = limit_;
+        watch_->usual_ = watch_->ended_ = false;
+        watch_->grant();
+    }
 }
 
 NotCounted::NotCounted() noexcept : watch_(Watch::current()) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,7 @@ private:
     friend class SearchSteps;
     friend class LimitedSearch;
     friend class NotCounted;
+    friend class UsualLimit;
     using Clock = std::chrono::steady_clock;
     // Multiply-adds between two looks at the clock, which takes as long as about 100 of them.
     static constexpr int64_t often = 1 << 14;
@@ -69,8 +71,8 @@ private:
     // Work that may be done before anything can happen, and what is left of it.
     int64_t granted_ = 0, left_ = 0;
     int uncounted_ = 0, searches_ = 0;
-    bool ended_ = false;
-    double from_ = 0, to_ = 1; // the part of the whole that the present loop makes up
+    bool ended_ = false, usual_ = false; // whether the limit is that of a UsualLimit
+    double from_ = 0, to_ = 1;           // the part of the whole that the present loop makes up
     double done_ = 0;
     Clock::time_point last_;
     Watch *outer_;
@@ -186,6 +188,26 @@ private:
 
 // Whether the limit of work is reached.
 [[nodiscard]] bool work_ended() noexcept;
+
+// While this exists, and the caller has set no limit of work, there is one of so many multiply-adds: a limited search ends
+// with what it has, any other loop with Status::not_converged.
+class UsualLimit {
+public:
+    explicit UsualLimit(int64_t work) noexcept;
+    ~UsualLimit();
+    UsualLimit(const UsualLimit &) = delete;
+    UsualLimit &operator=(const UsualLimit &) = delete;
+
+private:
+    std::optional<Watch> own_; // where nobody watches
+    Watch *watch_;             // null: the caller has a limit
+    int64_t limit_ = 0;        // before
+};
+
+// About a second, and more for splines of many control points, which take so much each where all goes well.
+constexpr int64_t usual_work(int64_t points, int64_t for_a_point = 20000) noexcept {
+    return 800000000 + for_a_point * points;
+}
 
 // While this exists, work does not count for the limit: that of tables that a handle keeps, so that an answer does
 // not depend on what was asked before.

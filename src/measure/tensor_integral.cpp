@@ -18,10 +18,12 @@ namespace {
 
 constexpr int most_halvings_of_cell = 200;
 
-// By the number of axes: the level to begin with, the highest one, and how many elements may be made.
+// By the number of axes: the level to begin with, the highest one.
 constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 4, 3};
-constexpr std::array<int64_t, max_axes> least_budgets = {20000, 10000, 8000};
-constexpr int64_t budget_for_an_element = 32;
+// The limit of work of a search: multiply-adds whatever the splines, about a second, and rules of the first
+// levels for each of their elements.
+constexpr int64_t least_work = 2500000000;
+constexpr int64_t rules_for_an_element = 24;
 
 // What is known of the whole before the parts are integrated.
 struct Goal {
@@ -60,16 +62,20 @@ public:
         return finish();
     }
 
-    Integrals run(const Goal &goal) {
+    // With a share 1 / `shares` of the work that a call may do.
+    Integrals run(const Goal &goal, int shares) {
         start();
-        budget_ = 0;
+        left_ = least_work / shares;
+        for (const Elements &elements : splines_) {
+            left_ +=
+                rules_for_an_element * elements.size() * work_of_rule(elements, first(elements)) / shares;
+        }
         Steps splines(std::ssize(splines_));
         for (const Elements &elements : splines_) {
             TensorRule rule(elements, integrand_);
             ElementShape shape(elements);
             Element element;
             Steps steps(elements.size());
-            budget_ += least_budgets[axis_index(elements)] + budget_for_an_element * elements.size();
             for (int64_t e = 0; e < elements.size(); ++e) {
                 elements.load(e, element);
                 add_rounding(elements, element);
@@ -82,7 +88,7 @@ public:
     }
 
     [[nodiscard]] int64_t count() const noexcept { return count_; }
-    [[nodiscard]] bool spent() const noexcept { return budget_ < 0; }
+    [[nodiscard]] bool spent() const noexcept { return left_ < 0; }
 
 private:
     static size_t axis_index(const Elements &elements) noexcept {
@@ -94,14 +100,16 @@ private:
         return levels;
     }
 
-    // A value and derivatives at each node, each axis in turn.
-    [[nodiscard]] static int64_t work_of_rule(const Elements &elements, const Levels &levels) noexcept {
+    // A value and derivatives at each node, each axis in turn, and what is integrated of them.
+    [[nodiscard]] int64_t work_of_rule(const Elements &elements, const Levels &levels) const noexcept {
         int64_t nodes = 1, degrees = 0;
         for (int k = 0; k < elements.axes(); ++k) {
             nodes *= rule_size(levels[static_cast<size_t>(k)]);
             degrees += elements.degree(k) + 1;
         }
-        return nodes * (elements.axes() + 1) * elements.width() * degrees;
+        constexpr int work_of_a_value = 24, work_of_a_node = 80;
+        return nodes * ((elements.axes() + 1) * elements.width() * degrees +
+                        work_of_a_value * integrand_.values() + work_of_a_node);
     }
 
     void start() {
@@ -165,7 +173,9 @@ private:
             Levels levels = first(elements);
             Verdict verdict;
             do {
-                count_work(work_of_rule(elements, levels));
+                const int64_t work = work_of_rule(elements, levels);
+                count_work(work);
+                left_ -= work;
                 rule.evaluate(nets_.data() + nets_.size() - size, element.origin, levels);
                 verdict = judge(rule, levels, axes, goal);
             } while (verdict.axis >= 0 && verdict.raise && ++levels[static_cast<size_t>(verdict.axis)] > 0);
@@ -174,8 +184,7 @@ private:
                                                  integrand_.metric());
             }
             const bool good = verdict.axis < 0;
-            if (good || depths_.back() >= most_halvings_of_cell || --budget_ < 0 ||
-                !std::isfinite(rule.value(0))) {
+            if (good || depths_.back() >= most_halvings_of_cell || spent() || !std::isfinite(rule.value(0))) {
                 accept(rule, axes, good);
                 nets_.resize(nets_.size() - size);
                 depths_.pop_back();
@@ -231,7 +240,7 @@ private:
     const Integrand &integrand_;
     size_t values_;
     int64_t count_ = 0;
-    int64_t budget_ = 0;
+    int64_t left_ = 0; // of the limit of work
     std::vector<double> nets_;
     std::vector<int> depths_;
     std::vector<CompensatedSum> sums_, errors_;
@@ -249,17 +258,23 @@ Goal goal_of(const Integrals &known, const Integrand &integrand, double toleranc
     return goal;
 }
 
-Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double tolerance, Integrals known) {
+// Sets whether it is within the goal.
+void judge(Integrals &known, const Integrand &integrand, double tolerance) {
+    const Goal goal = goal_of(known, integrand, tolerance, 1);
+    known.converged = true;
+    for (size_t j = 0; j < known.values.size(); ++j) {
+        const double rounding = 4 * eps * known.size + known.rounding;
+        known.converged = known.converged && known.errors[j] <= 2 * (goal.tolerances[j] + rounding);
+    }
+}
+
+Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double tolerance, int shares,
+                       Integrals known) {
     double fraction = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
     for (int attempt = 0; attempt < 3; ++attempt) {
         const Phase phase(0.75);
-        known = search.run(goal_of(known, integrand, tolerance, fraction));
-        const Goal reached = goal_of(known, integrand, tolerance, fraction);
-        known.converged = true;
-        for (size_t j = 0; j < known.values.size(); ++j) {
-            const double rounding = 4 * eps * known.size + known.rounding;
-            known.converged = known.converged && known.errors[j] <= 2 * (reached.tolerances[j] + rounding);
-        }
+        known = search.run(goal_of(known, integrand, tolerance, fraction), shares);
+        judge(known, integrand, tolerance);
         if (known.converged || search.spent()) {
             break;
         }
@@ -275,10 +290,10 @@ Integrals integrate(const std::vector<Elements> &splines, const Integrand &integ
     TensorSearch search(splines, integrand);
     const Integrals rough = search.rough();
     ToleranceLadder ladder(relative_tolerance);
-    Integrals result;
-    do {
-        result = integrate_to(search, integrand, ladder.tolerance(), rough);
-    } while (!result.converged && ladder.loosen());
+    Integrals result = integrate_to(search, integrand, ladder.tolerance(), ladder.shares(), rough);
+    while (!result.converged && ladder.loosen()) {
+        result = integrate_to(search, integrand, ladder.tolerance(), ladder.shares(), rough);
+    }
     return result;
 }
 

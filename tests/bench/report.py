@@ -170,10 +170,12 @@ def main():
         scaling_tables(results),
     ]
     errors = [f"**error**: {error}" for error in results["errors"]]
-    tables = operation_table(results), query_table(results), machine()
+    pairs = arguments.results.parent / "table.md"
+    beside = pairs.read_text(encoding="utf-8").strip() if pairs.exists() else ""
+    tables = operation_table(results), query_table(results), beside, machine()
     print("\n\n".join(part for part in (main_table(results, True), *tables, *own, *errors) if part))
     if arguments.readme:
-        update_readme("\n\n".join([main_table(results, False), *tables]))
+        update_readme("\n\n".join([main_table(results, False), *filter(None, tables)]))
 
 
 if __name__ == "__main__":

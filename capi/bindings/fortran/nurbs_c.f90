@@ -12,7 +12,7 @@ module nurbs_c
     !> appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_call_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        integer(c_int64_t) :: work  ! most multiply-adds; 0 sets no limit
+        integer(c_int64_t) :: work  ! most multiply-adds; 0: no limit of the caller's
         type(c_funptr) :: progress  ! or NULL: called now and then
         type(c_ptr) :: user  ! or NULL: passed to progress
     end type nurbs_call_options

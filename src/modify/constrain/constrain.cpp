@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modify/constrain/constrain.h"
 
+#include "base/watch.h"
 #include "modify/constrain/equations.h"
 #include "modify/constrain/linear_constraints.h"
 #include "modify/constrain/programming.h"
@@ -79,6 +80,7 @@ std::vector<int64_t> seen_places(const Spline &curve, const std::vector<Conditio
 
 Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
                       double tolerance) {
+    const UsualLimit usual(usual_work(spline.point_count() + std::ssize(conditions), 200000));
     const Columns columns = make_columns(spline, conditions, rule);
     // Curvatures, which occur only for curves, have squares of lengths. Moves and changes of weights have no
     // common size.

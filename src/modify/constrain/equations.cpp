@@ -44,7 +44,7 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
     const int dim = state.start().dim();
     LocalEquations local;
     local.points = basis.points();
-    constexpr int64_t work_of_a_condition = 800, work_of_a_value = 40;
+    constexpr int64_t work_of_a_condition = 3000, work_of_a_value = 160;
     count_work(work_of_a_condition +
                work_of_a_value * std::ssize(local.points) * dim * std::ssize(condition.derivatives()));
     std::vector<double> values, sizes;

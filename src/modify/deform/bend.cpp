@@ -98,6 +98,7 @@ DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) 
     if (bend.curvature == 0) {
         return {spline, 0, true};
     }
+    const UsualLimit usual(usual_work(spline->point_count(), 200000));
     const size_t dim = bend.along.size();
     const fit::PointMap map = [&bend, dim](const std::vector<double> &points, std::vector<double> &images) {
         constexpr size_t points_between_counts = 64;

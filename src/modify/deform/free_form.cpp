@@ -87,6 +87,7 @@ void evaluate_watched(const Spline &volume, const std::vector<double> &params, s
 DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
                                const double *upper, double tolerance) {
     const Box box(*volume, lower, upper);
+    const UsualLimit usual(usual_work(spline->point_count() + volume->point_count(), 200000));
     const fit::PointMap map = [&](const std::vector<double> &points, std::vector<double> &images) {
         std::vector<double> params;
         grow_watched(params, points.size());

@@ -79,13 +79,14 @@ void run_chunk(Shared &shared, const Options &options, uint64_t seed) {
         shared.step = step;
         shared.call = call;
         ++shared.begun;
+        source.tells = options.verbose && step == options.steps;
         source.begin(seed * 1000003 + static_cast<uint64_t>(step));
         Clock clock;
         const nurbs_status status = table[call].run(source, in, clock);
         add(shared, clock, status, seed, step);
         const bool good = moderate(clock);
         shared.failures += good ? 0 : 1;
-        if (!good || options.verbose) {
+        if (!good || source.tells) {
             std::printf("%s: %s, %.3f s, %.0f MB held, %.0f MB left: --seed %llu --steps %lld\n",
                         table[call].name, nurbs_status_name(status), clock.seconds,
                         1e-6 * static_cast<double>(clock.peak), 1e-6 * static_cast<double>(clock.left),

@@ -53,6 +53,23 @@ void Source::begin(uint64_t seed) {
     facts_ = {};
 }
 
+void Source::tell(const char *name, double value) const {
+    if (tells) {
+        std::printf("    %s = %.17g\n", name, value);
+    }
+}
+
+void Source::tell(const nurbs *g) const {
+    for (int32_t k = 0; tells && k < facts_.axes; ++k) {
+        int32_t degree = 0, form = 0, rational = 0;
+        (void)nurbs_degree(g, k, &degree);
+        (void)nurbs_knot_form(g, k, &form);
+        (void)nurbs_is_rational(g, &rational);
+        std::printf("    axis %d: degree %d, %lld points, form %d, dimension %d, rational %d\n", k, degree,
+                    static_cast<long long>(facts_.counts[k]), form, facts_.dim, rational);
+    }
+}
+
 // One argument of a hostile step is.
 bool Source::hostile() {
     return drawn_++ == hostile_at_;
@@ -85,6 +102,7 @@ const nurbs *Source::spline(const nurbs *usual) {
         given = shapes_.back();
     }
     facts_ = facts_of(given);
+    tell(given);
     return given;
 }
 
@@ -100,6 +118,12 @@ double Source::in_domain(int k) {
 }
 
 double Source::real(const char *name, double usual) {
+    const double drawn = any(name, usual);
+    tell(name, drawn);
+    return drawn;
+}
+
+double Source::any(const char *name, double usual) {
     static constexpr double tolerances[] = {0, 0, 1e-300, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1, infinity};
     if (hostile()) {
         return any_real();
@@ -120,7 +144,9 @@ int64_t Source::integer(const char *name, int64_t usual) {
     if (says(name, "budget") || says(name, "work")) {
         return 0;
     }
-    return hostile() ? random_.any_of(extremes) : likely(name, usual);
+    const int64_t drawn = hostile() ? random_.any_of(extremes) : likely(name, usual);
+    tell(name, static_cast<double>(drawn));
+    return drawn;
 }
 
 int32_t Source::small_integer(const char *name, int32_t usual) {

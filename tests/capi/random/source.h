@@ -40,6 +40,8 @@ public:
     // Makes a result an input of later steps, or destroys it.
     void keep(nurbs *made);
 
+    bool tells = false; // prints what is drawn
+
 private:
     struct Facts {
         int32_t axes = 1, dim = 1;
@@ -47,11 +49,14 @@ private:
         double domain[3][2] = {{0, 1}, {0, 1}, {0, 1}};
     };
     static Facts facts_of(const nurbs *g);
+    void tell(const char *name, double value) const;
+    void tell(const nurbs *g) const;
     [[nodiscard]] bool hostile();
     int64_t likely(const char *name, int64_t usual);
     double in_domain(int k);
     double element(const char *name, std::span<const double> usual, size_t i, int kind);
     double any_real();
+    double any(const char *name, double usual);
     template <class T>
     const T *integers(const char *name, std::span<const T> usual);
     std::byte *room_of_bytes();

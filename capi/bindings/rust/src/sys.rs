@@ -33,7 +33,7 @@ pub type nurbs_progress = Option<unsafe extern "C" fn(done: f64, user: *mut c_vo
 pub struct nurbs_call_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// most multiply-adds; 0 sets no limit
+    /// most multiply-adds; 0: no limit of the caller's
     pub work: i64,
     /// or NULL: called now and then
     pub progress: nurbs_progress,

@@ -16,7 +16,7 @@ namespace nrb::inline numeric {
 
 namespace {
 
-constexpr int64_t work_of_a_rotation = 40; // found in a queue
+constexpr int64_t work_of_a_rotation = 250; // found in a queue
 constexpr int64_t none = -1;
 
 // By the last unknown, then the first.
