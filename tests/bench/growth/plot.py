@@ -13,9 +13,10 @@ import matplotlib
 
 matplotlib.use("svg")
 matplotlib.rcParams["svg.hashsalt"] = "growth"  # the same file for the same numbers
+matplotlib.rcParams["svg.fonttype"] = "none"
 from matplotlib import pyplot  # noqa: E402 - after the choice of what draws
 
-COLOURS = {1: "#4477aa", 3: "#228833", 9: "#ccbb44", 31: "#ee6677"}
+COLOURS = {1: "#4477aa", 3: "#228833", 9: "#ccbb44", 15: "#aa3377", 30: "#ee6677", 31: "#ee6677"}
 
 
 def read(path):
@@ -44,7 +45,8 @@ def draw(lines, path):
             place.loglog(*zip(*line), color=COLOURS[degree], marker=".", label=f"degree {degree}")
         place.set_title(function, fontsize=9)
         place.grid(alpha=0.3)
-    axes.flat[0].legend(fontsize=7)
+    for place in (axes.flat[0], axes.flat[-2]):
+        place.legend(fontsize=7)
     figure.supxlabel("control points")
     figure.supylabel("seconds of a first call")
     figure.savefig(path, metadata={"Date": None})
