@@ -6,6 +6,7 @@
 #include "base/lazy.h"
 
 #include <chrono>
+#include <functional>
 #include <gtest/gtest.h>
 #include <thread>
 #include <vector>
@@ -39,7 +40,7 @@ void pause() {
     std::this_thread::sleep_for(std::chrono::milliseconds(11));
 }
 
-Status end_of(const Watch::Wishes &wishes, void (*body)()) {
+Status end_of(const Watch::Wishes &wishes, const std::function<void()> &body) {
     try {
         const Watch watch(wishes);
         body();
@@ -47,6 +48,16 @@ Status end_of(const Watch::Wishes &wishes, void (*body)()) {
     } catch (const CallEnded &end) {
         return end.why.status();
     }
+}
+
+// What ends the body, where nobody watches.
+Status unwatched_end_of(const std::function<void()> &body) {
+    try {
+        body();
+    } catch (const CallEnded &end) {
+        return end.why.status();
+    }
+    return Status::ok;
 }
 
 } // namespace
@@ -122,6 +133,41 @@ TEST(Watch, the_limit_ends_a_call_but_not_a_search) {
                      }),
               Status::ok);
     EXPECT_FALSE(work_ended());
+}
+
+TEST(Watch, the_usual_limit_holds_without_one_of_the_caller) {
+    const auto work = [](int64_t done) {
+        return [done] {
+            const UsualLimit usual(100);
+            count_work(done);
+        };
+    };
+    EXPECT_EQ(unwatched_end_of(work(100)), Status::ok);
+    EXPECT_EQ(unwatched_end_of(work(101)), Status::not_converged);
+    EXPECT_EQ(end_of({0, nullptr, nullptr}, work(101)), Status::not_converged);
+    EXPECT_EQ(end_of({50, nullptr, nullptr}, work(51)), Status::work);
+    EXPECT_EQ(end_of({1000, nullptr, nullptr}, work(1000)), Status::ok);
+    EXPECT_EQ(Watch::current(), nullptr);
+}
+
+TEST(Watch, the_usual_limit_ends_a_search_and_then_no_more) {
+    const auto body = [] {
+        count_work(500); // before the search
+        {
+            const UsualLimit usual(100);
+            const UsualLimit inner(10); // has no say
+            const LimitedSearch search;
+            count_work(100);
+            EXPECT_FALSE(work_ended());
+            count_work(1);
+            EXPECT_TRUE(work_ended());
+            count_work(1000);
+        }
+        EXPECT_FALSE(work_ended());
+        count_work(1000000);
+    };
+    EXPECT_EQ(unwatched_end_of(body), Status::ok);
+    EXPECT_EQ(end_of({0, nullptr, nullptr}, body), Status::ok);
 }
 
 TEST(Watch, tables_that_are_kept_do_not_count) {
