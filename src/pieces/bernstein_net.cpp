@@ -24,10 +24,10 @@ double length(const double *x, int n) noexcept {
     return largest * std::sqrt(n); // at least the Euclidean norm
 }
 
-LayerTable elevation_rows(int low, int high, int64_t pieces) {
+LayerTable elevation_rows(int low, int high, int64_t first_piece, int64_t end) {
     LayerTable table;
-    table.reserve(pieces * (high + 1));
-    for (int64_t e = 0; e < pieces; ++e) {
+    table.reserve((end - first_piece) * (high + 1));
+    for (int64_t e = first_piece; e < end; ++e) {
         count_work(int64_t{high + 1} * (high - low + 1));
         for (int i = 0; i <= high; ++i) {
             const int first = std::max(0, i - (high - low)), last = std::min(low, i);
@@ -41,10 +41,20 @@ LayerTable elevation_rows(int low, int high, int64_t pieces) {
     return table;
 }
 
-SplinePtr applied(const Spline &net, int axis, const LayerTable &table, KnotVectorPtr knots) {
-    Net made = apply_along(net, axis, table);
-    return std::make_shared<const Spline>(refine::with_axis(net, axis, std::move(knots)), net.dim(),
-                                          Form::polynomial, std::move(made.points), std::vector<double>());
+// The Bezier points of all pieces of an axis, of the degree that is asked for.
+SplinePtr separated(const SplinePtr &net, int axis, const std::vector<double> &breaks, int high) {
+    const int p = net->axis(axis).degree();
+    const PieceRows source(net->axis(axis), breaks);
+    const SplinePtr pieces = refine::with_axis(
+        *net, axis, refine::bezier_knots(p, breaks), p + 1,
+        [&](int64_t first, int64_t end) { return source.rows(first / (p + 1), end / (p + 1)); });
+    if (p == high) {
+        return pieces;
+    }
+    return refine::with_axis(*pieces, axis, refine::bezier_knots(high, breaks), high + 1,
+                             [=](int64_t first, int64_t end) {
+                                 return elevation_rows(p, high, first / (high + 1), end / (high + 1));
+                             });
 }
 
 // Replaces the layers of an axis by the maxima over those that are active on each piece.
@@ -144,8 +154,9 @@ CentredRecords centred_records(const Spline &given, const std::vector<double> &c
 BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, const Breaks &breaks,
                            std::span<const int> degrees)
     : weighted_(records.weighted), positive_(records.positive) {
-    auto net = std::make_shared<const Spline>(spline.knot_vectors(), records.width, Form::polynomial,
-                                              copied_watched<double>(records.values), std::vector<double>());
+    SplinePtr net =
+        std::make_shared<const Spline>(spline.knot_vectors(), records.width, Form::polynomial,
+                                       copied_watched<double>(records.values), std::vector<double>());
     std::vector<double> sizes = records.sizes;
     AxisView view = axis_view(spline, 0, 1);
     double steps = 2;
@@ -160,13 +171,8 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
         if (k + 1 < spline.axes()) {
             view = {view.outer * counts_[padded], spline.count(k + 1), view.inner / spline.count(k + 1)};
         }
-        net = applied(*net, k, piece_rows(axis, breaks[at]), refine::bezier_knots(p, breaks[at]));
-        steps += 4 * p + 2; // coefficients 3 p, sums (p + 2) / 2
-        if (n > p) {
-            net =
-                applied(*net, k, elevation_rows(p, n, counts_[padded]), refine::bezier_knots(n, breaks[at]));
-            steps += n + 4;
-        }
+        net = separated(net, k, breaks[at], n);
+        steps += 4 * p + 2 + (n > p ? n + 4 : 0); // coefficients 3 p, sums (p + 2) / 2
     }
     shape_.width = records.width;
     net_ = std::move(net);

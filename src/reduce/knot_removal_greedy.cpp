@@ -109,16 +109,18 @@ void GreedyKnotRemoval::push(int64_t knot) {
 
 void GreedyKnotRemoval::queue_all() {
     heap_.clear();
-    for (int64_t i = 0; i < std::ssize(knots_); ++i) {
-        Knot &at = knots_[static_cast<size_t>(i)];
-        if (removable(i)) {
-            at.key = at.stale ? key_of(i) : at.key;
+    int64_t knot = head_;
+    do {
+        Knot &at = knots_[static_cast<size_t>(knot)];
+        if (removable(knot)) {
+            at.key = at.stale ? key_of(knot) : at.key;
             at.stale = false;
             if (at.key < infinity) {
-                heap_.push_back({at.key, i});
+                heap_.push_back({at.key, knot});
             }
         }
-    }
+        knot = at.next;
+    } while (knot != head_);
     std::make_heap(heap_.begin(), heap_.end());
 }
 

@@ -16,19 +16,39 @@ namespace {
 constexpr int max_rounds = 12;
 constexpr int max_attempts = 5;
 
-// A bound for each span of an axis: the largest of all pieces there.
-std::vector<double> span_errors(const bounds::DeviationPieces &pieces, const std::vector<double> &uppers,
-                                int axes, int axis) {
+// How far a spline is from another one, at most: errors[i] in [breaks[i], breaks[i + 1]) along an axis.
+struct SpanErrors {
+    std::vector<double> breaks, errors;
+
+    [[nodiscard]] double largest() const { return *std::max_element(errors.begin(), errors.end()); }
+};
+
+// The largest of all pieces in each span.
+SpanErrors span_errors(const bounds::DeviationPieces &pieces, const std::vector<double> &uppers, int axes,
+                       int axis) {
     size_t inner = 1;
     for (int k = axis + 1; k < axes; ++k) {
         inner *= pieces.breaks()[static_cast<size_t>(k)].size() - 1;
     }
-    std::vector<double> errors(pieces.breaks()[static_cast<size_t>(axis)].size() - 1, 0.0);
+    const std::vector<double> &breaks = pieces.breaks()[static_cast<size_t>(axis)];
+    std::vector<double> errors(breaks.size() - 1, 0.0);
     for (size_t i = 0; i < uppers.size(); ++i) {
         double &error = errors[i / inner % errors.size()];
         error = std::max(error, uppers[i]);
     }
-    return errors;
+    return {breaks, std::move(errors)};
+}
+
+// Adds the largest error that the other spline, which has more breaks, has in each span.
+void add_largest(SpanErrors &sum, const SpanErrors &finer) {
+    size_t i = 0;
+    for (size_t span = 0; span < sum.errors.size(); ++span) {
+        double largest = 0;
+        for (; i < finer.errors.size() && finer.breaks[i] < sum.breaks[span + 1]; ++i) {
+            largest = std::max(largest, finer.errors[i]);
+        }
+        sum.errors[span] += largest;
+    }
 }
 
 struct Certified {
@@ -37,25 +57,60 @@ struct Certified {
     std::vector<double> uppers;
 };
 
+// The removals of a round. Their errors are added up, though most of them cancel. Where much is gone already they are
+// measured against the last result, whose own errors are known: that takes little, and lets more go before
+// all of it is compared with the original again.
+class Round {
+public:
+    Round(GreedyKnotRemoval &removal, int axis, double aim) : removal_(removal), axis_(axis), aim_(aim) {}
+
+    // Whether anything was removed from the last result.
+    bool run(const Spline &last, const std::optional<SpanErrors> &known) {
+        const bool removed = removal_.run(aim_) > 0;
+        bool more = removed && known.has_value() && 4 * last.point_count() < std::ssize(known->errors);
+        while (more) {
+            const Phase phase;
+            more = measure(last, *known) && removal_.run(aim_) > 0;
+        }
+        return removed;
+    }
+
+private:
+    bool measure(const Spline &last, const SpanErrors &known) {
+        const bounds::DeviationPieces pieces(last, *removal_.result());
+        SpanErrors sum = span_errors(pieces, pieces.uppers(), last.axes(), axis_);
+        add_largest(sum, known);
+        const bool within = sum.largest() <= aim_;
+        if (within) {
+            removal_.set_errors(sum.breaks, sum.errors);
+        }
+        return within;
+    }
+
+    GreedyKnotRemoval &removal_;
+    int axis_;
+    double aim_;
+};
+
 // Rounds of removal until one removes nothing, or does not keep the tolerance because of rounding or because
 // weights moved; returns the last result that kept it. The removal itself keeps to `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
+    std::optional<SpanErrors> known;
     GreedyKnotRemoval removal(*spline, axis, forgive_rounding);
     for (int round = 0; round < max_rounds; ++round) {
         const Phase phase;
-        if (removal.run(aim) == 0) {
+        if (!Round(removal, axis, aim).run(*best.spline, known)) {
             break;
         }
         const SplinePtr next = removal.result();
         bounds::DeviationPieces pieces(*spline, *next);
         std::vector<double> uppers = pieces.uppers();
-        const double largest = *std::max_element(uppers.begin(), uppers.end());
-        if (!(largest <= tolerance) || !std::isfinite(largest)) {
+        known = span_errors(pieces, uppers, spline->axes(), axis);
+        if (!(known->largest() <= tolerance) || !std::isfinite(known->largest())) {
             break;
         }
-        removal.set_errors(pieces.breaks()[static_cast<size_t>(axis)],
-                           span_errors(pieces, uppers, spline->axes(), axis));
+        removal.set_errors(known->breaks, known->errors);
         best = {next, std::move(pieces), std::move(uppers)};
     }
     return best;

@@ -77,6 +77,11 @@ public:
         coefficients_.take(static_cast<size_t>(count * pitch));
     }
 
+    // Makes all rows of layers that come so much later.
+    void shift(int64_t layers) noexcept {
+        std::for_each_n(rows_.data(), rows_.size(), [layers](Row &row) { row.first += layers; });
+    }
+
     // Whether every row is a copy, so that no value is computed.
     [[nodiscard]] bool copies_only() const noexcept {
         return std::ranges::all_of(all(), [](const Row &row) { return row.size == 0; });
@@ -114,6 +119,7 @@ private:
             *end_++ = value;
         }
         [[nodiscard]] T *end() noexcept { return end_; }
+        [[nodiscard]] T *data() noexcept { return data_.get(); }
         [[nodiscard]] const T *data() const noexcept { return data_.get(); }
         [[nodiscard]] size_t size() const noexcept { return static_cast<size_t>(end_ - data_.get()); }
 

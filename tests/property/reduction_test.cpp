@@ -75,6 +75,28 @@ TEST(Reduction, the_bound_of_data_reduction_is_one) {
     std::printf("%lld knots removed\n", static_cast<long long>(removed));
 }
 
+// A smooth arc with many knots too many, in any form of knots: most of them go at once, and what goes later is
+// measured against what is left.
+TEST(Reduction, of_many_knots_few_remain) {
+    for_each_case(315000, 60, [](Random &random, uint64_t seed) {
+        Recipe recipe = random_recipe(random, 1, 6);
+        recipe.axes[0].spans = random.whole(1, 4);
+        const auto data = random_spline(random, recipe);
+        const auto g = create(data);
+        nurbs *out = nullptr;
+        if (nurbs_refine_uniform(g.get(), 0, 100, &out) != NURBS_OK) {
+            return; // too few doubles between the knots
+        }
+        const Handle many(out);
+        const double tolerance = extent(data) * random.magnitude(1e-6, 1e-3);
+        const Made one = reduce_knots(g.get(), 0, tolerance), result = reduce_knots(many.get(), 0, tolerance);
+        ASSERT_LE(result.bound, tolerance) << where(seed, data);
+        const auto fewer = read_back(result.spline.get());
+        ASSERT_LE(knot_total(fewer), knot_total(read_back(one.spline.get())) + 6) << where(seed, data);
+        ASSERT_LE(dense_deviation(data, fewer, 8), result.bound) << where(seed, data);
+    });
+}
+
 TEST(Reduction, the_bound_of_degree_reduction_is_one) {
     std::vector<long double> ratios;
     for_each_case(320000, 2500, [&](Random &random, uint64_t seed) {

@@ -67,7 +67,7 @@ void PieceGrid::set_extraction(const Spline &spline) {
         layers_[at] = n;
         counts_[at] = axis.count();
         first_[at] = first_layers(axis, breaks_[at]);
-        const LayerTable rows = piece_rows(axis, breaks_[at]);
+        const LayerTable rows = PieceRows(axis, breaks_[at]).rows(0, std::ssize(breaks_[at]) - 1);
         extraction_[at].assign(static_cast<size_t>(rows.rows() * n), 0.0);
         for (int64_t r = 0; r < rows.rows(); ++r) {
             const LayerTable::Row &row = rows.row(r);

@@ -11,16 +11,16 @@
 
 namespace nrb::refine {
 
-std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks) {
-    const std::span<const double> knots = axis.knots();
+std::vector<double> saturated(int degree, std::span<const double> knots, std::span<const double> breaks) {
+    const size_t order = static_cast<size_t>(degree) + 1;
     std::vector<double> fine;
-    fine.reserve(knots.size() + breaks.size() * (static_cast<size_t>(axis.degree()) + 1));
+    fine.reserve(knots.size() + breaks.size() * order);
     auto from = knots.begin();
     for (const double knot : breaks) {
-        count_work(2 * (axis.degree() + 1));
+        count_work(2 * (degree + 1));
         const auto first = std::find_if(from, knots.end(), [knot](double t) { return t >= knot; });
         fine.insert(fine.end(), from, first);
-        fine.insert(fine.end(), static_cast<size_t>(axis.degree()) + 1, knot);
+        fine.insert(fine.end(), order, knot);
         from = std::find_if(first, knots.end(), [knot](double t) { return t > knot; });
     }
     fine.insert(fine.end(), from, knots.end());
@@ -57,9 +57,9 @@ KnotVectorPtr part_axis(std::span<const double> fine, int degree, int64_t first,
 
 CutAxis cut_at(const KnotVector &axis, std::span<const double> breaks, AxisEnds ends) {
     const int p = axis.degree();
-    const std::vector<double> fine =
-        saturated(axis, breaks.subspan(ends.lower ? 0 : 1,
-                                       breaks.size() - (ends.lower ? 0 : 1) - (ends.upper ? 0 : 1)));
+    const std::vector<double> fine = saturated(
+        p, axis.knots(),
+        breaks.subspan(ends.lower ? 0 : 1, breaks.size() - (ends.lower ? 0 : 1) - (ends.upper ? 0 : 1)));
     const Refinement refinement(p, axis.knots(), fine);
     std::vector<int64_t> bounds = part_bounds(fine, breaks);
     const int64_t first = ends.lower ? bounds.front() : 0;

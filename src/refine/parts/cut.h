@@ -10,9 +10,9 @@
 
 namespace nrb::refine {
 
-// The knots of an axis with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and
-// lie in the domain.
-std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks);
+// The knots with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and lie in the
+// domain.
+std::vector<double> saturated(int degree, std::span<const double> knots, std::span<const double> breaks);
 
 // Chosen ends of an axis: of a part, those ends of the domain that are to be clamped like all others.
 struct AxisEnds {

@@ -15,7 +15,7 @@ const KnotVector wavy(2, {0, 0, 0, 1, 2, 2, 3, 3, 3, 4, 4, 4});
 
 TEST(Cut, saturates_breaks) {
     const double breaks[] = {1, 2.5};
-    EXPECT_EQ(nrb::refine::saturated(wavy, breaks),
+    EXPECT_EQ(nrb::refine::saturated(2, wavy.knots(), breaks),
               (std::vector<double>{0, 0, 0, 1, 1, 1, 2, 2, 2.5, 2.5, 2.5, 3, 3, 3, 4, 4, 4}));
 }
 

@@ -1,4 +1,5 @@
 // The tables of refinement, of Bezier pieces and of elevation, whose rows are made many at a time.
+#include "pieces/extraction.h"
 #include "refine/degree/elevation_table.h"
 #include "refine/knots/axis_table.h"
 #include "refine/knots/bezier_rows.h"
@@ -110,7 +111,7 @@ TEST(Rows, of_bezier_pieces_are_those_of_refinement) {
             knots.erase(knots.begin(), knots.begin() + random() % 2); // unclamped
             const KnotVector axis(degree, std::move(knots));
             const std::vector<double> breaks = nrb::refine::breaks_of(axis);
-            const std::vector<double> fine = nrb::refine::saturated(axis, breaks);
+            const std::vector<double> fine = nrb::refine::saturated(axis.degree(), axis.knots(), breaks);
             const nrb::refine::Refinement refinement(degree, axis.knots(), fine);
             const int64_t first = std::lower_bound(fine.begin(), fine.end(), breaks[0]) - fine.begin();
             const LayerTable table = nrb::refine::bezier_rows(axis);
@@ -125,6 +126,36 @@ TEST(Rows, of_bezier_pieces_are_those_of_refinement) {
             expect_monomials(table, axis, *nrb::refine::bezier_knots(degree, breaks));
             const int64_t from = 1 + static_cast<int64_t>(random() % 10);
             const LayerTable part = nrb::refine::bezier_rows(axis, from, std::ssize(breaks) - 2);
+            for (int64_t r = 0; r < part.rows(); ++r) {
+                const LayerTable::Row &row = part.row(r), &wanted = table.row(from * (degree + 1) + r);
+                ASSERT_TRUE(row.first == wanted.first && row.size == wanted.size) << r;
+                ASSERT_TRUE(std::equal(part.coefficients(row), part.coefficients(row) + row.size,
+                                       table.coefficients(wanted)));
+            }
+        }
+    }
+}
+
+TEST(Rows, of_pieces_between_more_breaks_do_not_depend_on_the_part) {
+    std::mt19937_64 random(6);
+    for (int degree = 0; degree <= 9; ++degree) {
+        for (int multiplicity = 1; multiplicity <= degree + 1; ++multiplicity) {
+            std::vector<double> knots = random_knots(random, degree, 30, multiplicity);
+            knots.erase(knots.begin(), knots.begin() + random() % 2); // unclamped
+            const KnotVector axis(degree, std::move(knots));
+            std::vector<double> breaks;
+            for (const double knot : nrb::refine::breaks_of(axis)) {
+                if (!breaks.empty() && random() % 2 == 0) {
+                    breaks.push_back(breaks.back() / 2 + knot / 2);
+                }
+                breaks.push_back(knot);
+            }
+            const nrb::pieces::PieceRows source(axis, breaks);
+            const int64_t pieces = std::ssize(breaks) - 1;
+            const LayerTable table = source.rows(0, pieces);
+            expect_monomials(table, axis, *nrb::refine::bezier_knots(degree, breaks));
+            const int64_t from = static_cast<int64_t>(random() % 10);
+            const LayerTable part = source.rows(from, pieces - static_cast<int64_t>(random() % 5));
             for (int64_t r = 0; r < part.rows(); ++r) {
                 const LayerTable::Row &row = part.row(r), &wanted = table.row(from * (degree + 1) + r);
                 ASSERT_TRUE(row.first == wanted.first && row.size == wanted.size) << r;
