@@ -45,7 +45,7 @@ LayerTable elevation_rows(int low, int high, int64_t first_piece, int64_t end) {
 SplinePtr separated(const SplinePtr &net, int axis, const std::vector<double> &breaks, int high) {
     const int p = net->axis(axis).degree();
     const PieceRows source(net->axis(axis), breaks);
-    const SplinePtr pieces = refine::with_axis(
+    SplinePtr pieces = refine::with_axis(
         *net, axis, refine::bezier_knots(p, breaks), p + 1,
         [&](int64_t first, int64_t end) { return source.rows(first / (p + 1), end / (p + 1)); });
     if (p == high) {
