@@ -70,20 +70,45 @@ struct DeviationPieces::Setting {
             g_exponent = f_exponent;
         }
     }
+
+    // Whether the pieces of f are the same.
+    [[nodiscard]] bool same_first(const Setting &other) const {
+        return weighted == other.weighted && degrees == other.degrees && breaks == other.breaks;
+    }
 };
 
-DeviationPieces::DeviationPieces(const Spline &f, const Spline &g, const Setting &setting)
-    : breaks_(setting.breaks),
-      f_(f, pieces::centred_records(f, setting.centre, setting.weighted, setting.f_exponent), breaks_,
-         setting.degrees),
+DeviationPieces::NetPtr DeviationPieces::first_net(const Spline &f, const Setting &setting) {
+    return std::make_shared<const pieces::BernsteinNet>(
+        f, pieces::centred_records(f, setting.centre, setting.weighted, setting.f_exponent), setting.breaks,
+        setting.degrees);
+}
+
+DeviationPieces::DeviationPieces(NetPtr f, const Spline &g, const Setting &setting)
+    : breaks_(setting.breaks), f_(std::move(f)),
       g_(g, pieces::centred_records(g, setting.centre, setting.weighted, setting.g_exponent), breaks_,
          setting.degrees) {}
 
 DeviationPieces::DeviationPieces(const Spline &f, const Spline &g)
-    : DeviationPieces(f, g, Setting(f, g, -1, {})) {}
+    : DeviationPieces(DeviationsFrom(f).to(g)) {}
 
 DeviationPieces::DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part)
-    : DeviationPieces(f, g, Setting(f, g, axis, part)) {}
+    : DeviationPieces([&] {
+          const Setting setting(f, g, axis, part);
+          return DeviationPieces(first_net(f, setting), g, setting);
+      }()) {}
+
+DeviationsFrom::DeviationsFrom(const Spline &f) noexcept : f_(f) {}
+DeviationsFrom::~DeviationsFrom() = default;
+
+DeviationPieces DeviationsFrom::to(const Spline &g) {
+    auto setting = std::make_unique<DeviationPieces::Setting>(f_, g, -1, Interval{});
+    if (net_ == nullptr || !setting_->same_first(*setting)) {
+        net_ = nullptr; // gives back its memory first
+        net_ = DeviationPieces::first_net(f_, *setting);
+    }
+    setting_ = std::move(setting);
+    return {net_, g, *setting_};
+}
 
 namespace {
 
@@ -239,17 +264,17 @@ private:
 
 std::vector<double> DeviationPieces::uppers() const {
     return pieces::quotient_uppers(
-        pieces(), [difference = Difference(f_, g_)](int64_t i, pieces::QuotientPiece &out) mutable {
+        pieces(), [difference = Difference(*f_, g_)](int64_t i, pieces::QuotientPiece &out) mutable {
             difference.fill(i, out);
         });
 }
 
 pieces::Enclosure DeviationPieces::enclosure(std::span<const double> uppers,
                                              const pieces::SearchLimits &limits) const {
-    const pieces::PieceSource source = [difference = Difference(f_, g_)](int64_t i,
-                                                                         pieces::QuotientPiece &out) mutable {
-        difference.fill(i, out);
-    };
+    const pieces::PieceSource source =
+        [difference = Difference(*f_, g_)](int64_t i, pieces::QuotientPiece &out) mutable {
+            difference.fill(i, out);
+        };
     return pieces::largest_quotient(uppers, source, limits);
 }
 

@@ -5,6 +5,8 @@
 #include "pieces/bernstein_net.h"
 #include "pieces/largest_quotient.h"
 
+#include <memory>
+
 namespace nrb::bounds {
 
 // The difference of two splines as quotients of Bernstein polynomials, piece by piece. With homogeneous
@@ -20,7 +22,7 @@ public:
     // The same for the pieces in [lower, upper] of one axis only.
     DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part);
 
-    [[nodiscard]] int64_t pieces() const noexcept { return f_.pieces(); }
+    [[nodiscard]] int64_t pieces() const noexcept { return g_.pieces(); }
     [[nodiscard]] const pieces::BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
     // A bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
@@ -29,13 +31,34 @@ public:
                                               const pieces::SearchLimits &limits = {}) const;
 
 private:
+    friend class DeviationsFrom;
     struct Setting;
     class Difference;
-    DeviationPieces(const Spline &f, const Spline &g, const Setting &setting);
+    using NetPtr = std::shared_ptr<const pieces::BernsteinNet>;
+    DeviationPieces(NetPtr f, const Spline &g, const Setting &setting);
+    static NetPtr first_net(const Spline &f, const Setting &setting);
 
     pieces::BernsteinNet::Breaks breaks_;
-    pieces::BernsteinNet f_;
+    NetPtr f_;
     pieces::BernsteinNet g_;
+};
+
+// How far one spline is from others, one after another: its own pieces are made again only where those of the other
+// are not the same.
+class DeviationsFrom {
+public:
+    // The spline must outlive this.
+    explicit DeviationsFrom(const Spline &f) noexcept;
+    DeviationsFrom(const DeviationsFrom &) = delete;
+    DeviationsFrom &operator=(const DeviationsFrom &) = delete;
+    ~DeviationsFrom();
+
+    DeviationPieces to(const Spline &g);
+
+private:
+    const Spline &f_;
+    std::unique_ptr<DeviationPieces::Setting> setting_;
+    DeviationPieces::NetPtr net_;
 };
 
 // sup |f(t) - g(t)| over the domain, including both limits at jumps. Rounding is in the bounds. Apart from

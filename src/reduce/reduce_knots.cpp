@@ -67,7 +67,7 @@ public:
     // Whether anything was removed from the last result.
     bool run(const Spline &last, const std::optional<SpanErrors> &known) {
         const bool removed = removal_.run(aim_) > 0;
-        bool more = removed && known.has_value() && 4 * last.point_count() < std::ssize(known->errors);
+        bool more = removed && known.has_value() && 2 * last.point_count() < std::ssize(known->errors);
         while (more) {
             const Phase phase;
             more = measure(last, *known) && removal_.run(aim_) > 0;
@@ -96,6 +96,7 @@ private:
 // weights moved; returns the last result that kept it. The removal itself keeps to `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
+    bounds::DeviationsFrom deviations(*spline);
     std::optional<SpanErrors> known;
     GreedyKnotRemoval removal(*spline, axis, forgive_rounding);
     for (int round = 0; round < max_rounds; ++round) {
@@ -104,7 +105,7 @@ Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, 
             break;
         }
         const SplinePtr next = removal.result();
-        bounds::DeviationPieces pieces(*spline, *next);
+        bounds::DeviationPieces pieces = deviations.to(*next);
         std::vector<double> uppers = pieces.uppers();
         known = span_errors(pieces, uppers, spline->axes(), axis);
         if (!(known->largest() <= tolerance) || !std::isfinite(known->largest())) {

@@ -32,11 +32,12 @@ SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
 }
 
 // Takes a candidate as the result if it is within the tolerance of the original.
-bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolerance, Reduced &result) {
+bool accept(bounds::DeviationsFrom &original, const SplinePtr &candidate, double tolerance, Reduced &result) {
     if (candidate == nullptr) {
         return false;
     }
-    const double bound = bounds::deviation(*original, *candidate).upper;
+    const bounds::DeviationPieces pieces = original.to(*candidate);
+    const double bound = pieces.enclosure(pieces.uppers()).upper;
     if (!std::isfinite(bound) || bound > tolerance) {
         return false;
     }
@@ -45,7 +46,7 @@ bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolera
 }
 
 // With as few knots as the remaining tolerance allows.
-Reduced thinned(const SplinePtr &original, const Reduced &state, double tolerance) {
+Reduced thinned(bounds::DeviationsFrom &original, const Reduced &state, double tolerance) {
     const Phase phase;
     const Reduced fewer = reduce_knots(state.spline, -1, tolerance - state.bound);
     Reduced result = state;
@@ -60,13 +61,14 @@ Reduced thinned(const SplinePtr &original, const Reduced &state, double toleranc
 // A lower degree may need more knots than the higher one: it is kept only if it does not.
 Reduced simplify(const SplinePtr &spline, double tolerance) {
     check_tolerance(tolerance);
+    bounds::DeviationsFrom original(*spline);
     Reduced state{spline, 0};
-    accept(spline, without_weights(*spline), tolerance, state);
-    Reduced best = thinned(spline, state, tolerance);
+    accept(original, without_weights(*spline), tolerance, state);
+    Reduced best = thinned(original, state, tolerance);
     for (int k = 0; k < spline->axes(); ++k) {
-        for (Reduced lower = state; accept(spline, one_degree_less(lower.spline, k), tolerance, lower);
+        for (Reduced lower = state; accept(original, one_degree_less(lower.spline, k), tolerance, lower);
              state = lower) {
-            Reduced candidate = thinned(spline, lower, tolerance);
+            Reduced candidate = thinned(original, lower, tolerance);
             if (candidate.spline->point_count() > best.spline->point_count()) {
                 break;
             }
