@@ -13,27 +13,41 @@ PieceOrder::PieceOrder(std::span<const Axis> axes) {
     }
 }
 
-int64_t PieceOrder::place_in_net(int64_t row) const noexcept {
-    const int64_t j = row % layers_[1], i = row / layers_[1] % layers_[0];
-    int64_t piece = row / (layers_[0] * layers_[1]);
-    const int64_t last = piece % pieces_[2];
-    piece /= pieces_[2];
-    const int64_t layer = piece / pieces_[1] * layers_[0] + i;
-    return ((layer * pieces_[1] + piece % pieces_[1]) * layers_[1] + j) * pieces_[2] + last;
+template <class Body>
+void PieceOrder::for_each_row(Body &&body) const noexcept {
+    for (int64_t a = 0; a < pieces_[0]; ++a) {
+        for (int64_t b = 0; b < pieces_[1]; ++b) {
+            for (int64_t c = 0; c < pieces_[2]; ++c) {
+                for (int64_t i = 0; i < layers_[0]; ++i) {
+                    const int64_t block = (a * layers_[0] + i) * pieces_[1] + b;
+                    for (int64_t j = 0; j < layers_[1]; ++j) {
+                        body((block * layers_[1] + j) * pieces_[2] + c);
+                    }
+                }
+            }
+        }
+    }
 }
 
 void PieceOrder::take_apart(int width, const double *net, double *pieces) const noexcept {
-    const int64_t size = row_length() * width;
-    for (int64_t row = 0; row < rows(); ++row) {
-        std::copy_n(net + place_in_net(row) * size, size, pieces + row * size);
+    const int64_t size = layers_[2] * width;
+    if (same()) {
+        std::copy_n(net, pieces_[2] * size, pieces);
+        return;
     }
+    for_each_row([&](int64_t place) { pieces = std::copy_n(net + place * size, size, pieces); });
 }
 
 void PieceOrder::put_together(int width, const double *pieces, double *net) const noexcept {
-    const int64_t size = row_length() * width;
-    for (int64_t row = 0; row < rows(); ++row) {
-        std::copy_n(pieces + row * size, size, net + place_in_net(row) * size);
+    const int64_t size = layers_[2] * width;
+    if (same()) {
+        std::copy_n(pieces, pieces_[2] * size, net);
+        return;
     }
+    for_each_row([&](int64_t place) {
+        std::copy_n(pieces, size, net + place * size);
+        pieces += size;
+    });
 }
 
 } // namespace nrb::refine

@@ -27,13 +27,13 @@ public:
     void put_together(int width, const double *pieces, double *net) const noexcept;
 
 private:
-    // Rows are the records along the last axis of one piece.
-    [[nodiscard]] int64_t row_length() const noexcept { return layers_[2]; }
-    [[nodiscard]] int64_t rows() const noexcept {
-        return pieces_[0] * pieces_[1] * pieces_[2] * layers_[0] * layers_[1];
+    // Whether both orders are the same, as for curves.
+    [[nodiscard]] bool same() const noexcept {
+        return pieces_[0] * layers_[0] == 1 && pieces_[1] * layers_[1] == 1;
     }
-    // Which row of the net is row `row` of the pieces.
-    [[nodiscard]] int64_t place_in_net(int64_t row) const noexcept;
+    // Calls body(place in the net) for every row of the pieces in turn, the records along the last axis of one.
+    template <class Body>
+    void for_each_row(Body &&body) const noexcept;
 
     std::array<int64_t, max_axes> layers_{1, 1, 1};
     std::array<int64_t, max_axes> pieces_{1, 1, 1};
