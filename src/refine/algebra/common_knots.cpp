@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "numeric/sum.h"
 
 #include <algorithm>
 #include <iterator>
@@ -295,76 +294,6 @@ void CommonKnots::blossom_row(int member, const Window &window, const int *chose
 int64_t CommonKnots::stored_layer(int member, int64_t layer) const noexcept {
     const int64_t period = members_[static_cast<size_t>(member)].period;
     return period == 0 ? layer : (layer % period + period) % period;
-}
-
-namespace {
-
-// The mean of values of a polar form, as coefficients of consecutive layers.
-class Mean {
-public:
-    void clear() noexcept { rows_.clear(); }
-    void add(const BlossomRow &row, double times) {
-        rows_.push_back(row);
-        times_.resize(rows_.size());
-        times_.back() = times;
-    }
-    // Drops the zeros before the first coefficient; returns its layer.
-    int64_t write(double total, std::vector<double> &mean) const {
-        int64_t first = rows_.front().first, end = first;
-        for (const BlossomRow &row : rows_) {
-            first = std::min(first, row.first);
-            end = std::max(end, row.first + row.size);
-        }
-        mean.clear();
-        for (int64_t layer = first; layer < end; ++layer) {
-            const double value = coefficient(layer) / total;
-            first += mean.empty() && value == 0 ? 1 : 0;
-            if (!mean.empty() || value != 0) {
-                mean.push_back(value);
-            }
-        }
-        return first;
-    }
-
-private:
-    [[nodiscard]] double coefficient(int64_t layer) const noexcept {
-        CompensatedSum sum;
-        for (size_t i = 0; i < rows_.size(); ++i) {
-            const int64_t at = layer - rows_[i].first;
-            if (at >= 0 && at < rows_[i].size) {
-                sum.add(times_[i] * rows_[i].coefficients[at]);
-            }
-        }
-        return sum.value();
-    }
-
-    std::vector<BlossomRow> rows_;
-    std::vector<double> times_;
-};
-
-} // namespace
-
-// A new layer depends only on layers whose functions contain its support: at most p + 1, which are stored in
-// a row.
-LayerTable CommonKnots::raising(int member) const {
-    const int p = members_[static_cast<size_t>(member)].degree;
-    LayerTable table;
-    table.reserve(axis_->count(), axis_->degree() + 1);
-    Mean mean;
-    std::vector<double> coefficients;
-    for (int64_t layer = 0; layer < axis_->count(); ++layer) {
-        const Window window = this->window(layer);
-        mean.clear();
-        for_each_choice(window, p, [&](const int *chosen, double times) {
-            BlossomRow row;
-            blossom_row(member, window, chosen, row);
-            mean.add(row, times);
-        });
-        const int64_t first = mean.write(binomial(degree_, p), coefficients);
-        table.add_row(stored_layer(member, first), coefficients.data(),
-                      static_cast<int>(coefficients.size()));
-    }
-    return table;
 }
 
 } // namespace nrb::refine

@@ -58,11 +58,20 @@ public:
     // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
     [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
 
+    // The mean of a member's polar form over all choices of its degree among the arguments of a window: coefficients
+    // of its layers from the returned one on.
+    int64_t mean_row(int member, const Window &window, std::vector<double> &coefficients) const;
+    // The same from each choice, and from a recurrence that takes the choices of a knot together, which is for windows of
+    // two knots or more. The first costs time and memory for each choice, the second O(r p^3) at the most.
+    int64_t mean_of_choices(int member, const Window &window, std::vector<double> &coefficients) const;
+    int64_t mean_by_knots(int member, const Window &window, std::vector<double> &coefficients) const;
+
     // The table that gives the layers of the axis from those of a member, with its degree raised to r and its
     // knots refined.
     [[nodiscard]] LayerTable raising(int member) const;
 
 private:
+    class KnotByKnot;
     // A knot: its first place and copies here, and in the knots of each member.
     struct Group {
         double knot;

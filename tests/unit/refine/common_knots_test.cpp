@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <random>
 
 namespace common_knots_test {
 
@@ -38,12 +39,80 @@ TEST(CommonKnots, choices_are_all_subsets) {
     EXPECT_EQ(choices, 6); // 003 012 102 111 201 210
 }
 
+// Clamped knots over [0, 1], inner ones simple.
+std::vector<double> clamped_knots(int degree, int spans) {
+    std::vector<double> knots(static_cast<size_t>(degree) + 1, 0.0);
+    for (int i = 1; i < spans; ++i) {
+        knots.push_back(std::pow(i / static_cast<double>(spans), 1.5));
+    }
+    knots.insert(knots.end(), static_cast<size_t>(degree) + 1, 1.0);
+    return knots;
+}
+
 // Raising takes means: rows are >= 0 and add up to 1.
 TEST(CommonKnots, raising_is_convex) {
     const KnotVector cubic(3, {-1, -0.5, -0.5, 0, 0.1, 0.1, 0.7, 1, 1, 1.5, 2});
     const refine::CommonKnots joint(5, {&cubic}, 0);
     const LayerTable table = joint.raising(0);
     ASSERT_EQ(table.rows(), joint.axis()->count());
+    for (int64_t r = 0; r < table.rows(); ++r) {
+        const LayerTable::Row &row = table.row(r);
+        const double *c = table.coefficients(row);
+        EXPECT_TRUE(std::all_of(c, c + row.size, [](double x) { return x >= 0 && x <= 1; }));
+        EXPECT_NEAR(row.size == 0 ? 1 : std::accumulate(c, c + row.size, 0.0), 1, 8 * eps);
+    }
+}
+
+// Knots of a degree that rise by 1 to 3, up to `most` times each; in one period, or not clamped.
+KnotVectorPtr random_axis(std::mt19937_64 &random, int degree, int most, bool periodic) {
+    std::vector<double> period;
+    for (int knot = 0; knot < 24; knot += 1 + static_cast<int>(random() % 3)) {
+        period.insert(period.end(), knot == 0 ? 1 : 1 + random() % static_cast<unsigned>(most), knot);
+    }
+    const auto stored = static_cast<int>(period.size()) + 2 * degree + 1;
+    std::vector<double> knots;
+    for (int i = -degree; i < stored - degree; ++i) {
+        const int count = static_cast<int>(period.size()),
+                  turn = i >= 0 ? i / count : -((count - 1 - i) / count);
+        knots.push_back(period[static_cast<size_t>(i - turn * count)] + 24 * turn);
+    }
+    return make_knot_vector(degree, std::move(knots), periodic);
+}
+
+TEST(CommonKnots, means_knot_by_knot_are_those_of_all_choices) {
+    std::mt19937_64 random(8);
+    int windows = 0;
+    for (int round = 0; round < 400; ++round) {
+        const int p = static_cast<int>(random() % 6), r = p + static_cast<int>(random() % 5);
+        const bool periodic = random() % 2 == 0;
+        const KnotVectorPtr low = random_axis(random, p, p + 1, periodic);
+        const KnotVectorPtr high =
+            random_axis(random, r, 1 + static_cast<int>(random() % 3) % (r + 1), periodic);
+        const refine::CommonKnots joint(r, {low.get(), high.get()}, 0);
+        for (int64_t layer = 0; layer < joint.axis()->count(); ++layer) {
+            const auto window = joint.window(layer);
+            if (window.size < 2) {
+                continue;
+            }
+            std::vector<double> one, other;
+            const int64_t first = joint.mean_of_choices(0, window, one);
+            ASSERT_EQ(joint.mean_by_knots(0, window, other), first);
+            other.resize(std::max(one.size(), other.size()));
+            one.resize(other.size());
+            for (size_t i = 0; i < one.size(); ++i) {
+                ASSERT_NEAR(one[i], other[i], 3 * (r + 1) * eps * one[i]) << p << " to " << r << ' ' << layer;
+            }
+            ++windows;
+        }
+    }
+    EXPECT_GT(windows, 10000);
+}
+
+// As many choices as there are would take years.
+TEST(CommonKnots, raising_takes_choices_together) {
+    const KnotVector low(15, clamped_knots(15, 4)), high(31, clamped_knots(31, 40));
+    const refine::CommonKnots joint(31, {&low, &high}, 0);
+    const LayerTable table = joint.raising(0);
     for (int64_t r = 0; r < table.rows(); ++r) {
         const LayerTable::Row &row = table.row(r);
         const double *c = table.coefficients(row);
