@@ -88,6 +88,10 @@ void products() {
             });
         });
     }
+    row("sum/curves of degree 15 and 31, 1000 points", 1, [] {
+        const Shape low = noise(1, 15, 1000, 3), high = noise(1, 31, 1000, 3);
+        return made([&](nurbs **out) { return nurbs_sum(low.get(), 1, high.get(), 1, out); });
+    });
     for (const int degree : {3, 9, 15}) {
         row(numbered("derivative/rational, 1000 points/degree=", degree), degree == 3 ? 0.01 : 0.1, [=] {
             const Shape curve = noise(1, degree, 1000, 3, 2);
