@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_corrections = 6;
 constexpr int64_t work_of_a_place = 100;
-constexpr int64_t most_work = 4'000'000; // evaluations of a curve of low degree
+constexpr int64_t most_work = 2'000'000; // evaluations of a curve of low degree
 
 // Of an evaluation, in those of a curve of low degree: of high ones derivatives come from recurrences.
 int64_t cost_of_place(int degree) noexcept {

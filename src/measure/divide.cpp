@@ -73,14 +73,14 @@ public:
     ChordWalk(const Spline &curve, Arc &arc, Interval range, int64_t parts, std::vector<double> &params)
         : arc_(arc), range_(range), parts_(parts), params_(params), from_(static_cast<size_t>(curve.dim())) {}
 
-    // By how much the last chord is longer than the others; negative if the end comes too early.
+    // By how much the last chord is longer than the others; negative if the end comes too early, or the limit of work.
     double excess(double chord) {
         params_.assign(1, range_.lower);
         arc_.place(range_.lower, false, from_);
         double s = 0;
         for (int64_t i = 1; i < parts_; ++i) {
             s = next(s, chord);
-            if (!(s < arc_.length())) {
+            if (!(s < arc_.length()) || work_ended()) {
                 return -chord;
             }
             params_.push_back(std::max(params_.back(), arc_.param(s)));
@@ -97,7 +97,7 @@ private:
     // may always be gone (as in the tracing of spheres); up to eight times that if the last step promises it.
     double next(double start, double chord) {
         double s = start, rest = -chord;
-        for (int step = 0; step < most_walks && s < arc_.length(); ++step) {
+        for (int step = 0; step < most_walks && s < arc_.length() && !work_ended(); ++step) {
             const double before = s, missing = rest;
             s += std::max(std::clamp(step_, -rest, -8 * rest), chord / parts_of_chord);
             rest = beyond(std::min(s, arc_.length()), chord);
@@ -168,9 +168,10 @@ public:
     ChordSearch(ChordWalk &walk, double allowed) : walk_(walk), allowed_(allowed) {}
 
     // Between a chord with an excess below and one with an excess above 0: regula falsi as modified by
-    // Illinois, every third step a bisection, since the excess may jump. False if it only jumps.
+    // Illinois, every third step a bisection, since the excess may jump. False if it only jumps, and at the limit of
+    // work.
     bool between(double lower, double below, double upper, double above) {
-        for (int step = 0; step < most_bisections; ++step) {
+        for (int step = 0; step < most_bisections && !work_ended(); ++step) {
             const double falsi = (lower * above - upper * below) / (above - below);
             chord_ = step % 3 < 2 && falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
             if (!(chord_ > lower && chord_ < upper)) {
@@ -190,7 +191,7 @@ public:
                 below /= 2;
             }
         }
-        return std::abs(rest_) <= allowed_ * chord_;
+        return !work_ended() && std::abs(rest_) <= allowed_ * chord_;
     }
 
     // Chords are no longer than arcs.
@@ -244,6 +245,14 @@ double follow_chains(const Spline &curve, Arc &arc, Interval range, int64_t part
     return 0;
 }
 
+// Where walks take long they do not come to an end; the path is followed instead.
+template <class Search>
+bool ends_in_time(const Spline &curve, int64_t parts, Search &&run) {
+    const UsualLimit usual(usual_work(curve.point_count() + parts, 100000) / 2);
+    const LimitedSearch search;
+    return run();
+}
+
 } // namespace
 
 double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
@@ -256,7 +265,8 @@ double divide_by_chord(const Spline &curve, Interval range, int64_t parts, doubl
     // Below 1, so that a walk that ends too early is never taken.
     const double allowed = std::min(std::max(relative_tolerance, 64 * eps * static_cast<double>(parts)), 0.5);
     ChordSearch search(walk, allowed);
-    if (search.run(arc.length() / static_cast<double>(parts), arc.length())) {
+    if (ends_in_time(curve, parts,
+                     [&] { return search.run(arc.length() / static_cast<double>(parts), arc.length()); })) {
         return arc.to_model(search.chord());
     }
     const double chord = follow_chains(curve, arc, range, parts, allowed, params);
