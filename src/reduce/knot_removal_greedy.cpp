@@ -16,6 +16,7 @@ namespace nrb::reduce {
 namespace {
 
 constexpr int64_t work_of_a_node = 16; // of a list
+constexpr size_t most_in_heap = 8192;
 
 } // namespace
 
@@ -102,36 +103,67 @@ void GreedyKnotRemoval::push(int64_t knot) {
     at.key = key_of(knot);
     at.stale = false;
     if (at.key < infinity) {
-        heap_.push_back({at.key, knot});
-        std::push_heap(heap_.begin(), heap_.end());
+        std::vector<Candidate> &heap = heap_of(knot);
+        heap.push_back({at.key, knot});
+        std::push_heap(heap.begin(), heap.end());
     }
 }
 
+std::vector<GreedyKnotRemoval::Candidate> &GreedyKnotRemoval::heap_of(int64_t knot) noexcept {
+    const auto after = std::upper_bound(heap_starts_.begin(), heap_starts_.end(), knot);
+    return heaps_[static_cast<size_t>(after - heap_starts_.begin())];
+}
+
 void GreedyKnotRemoval::queue_all() {
-    heap_.clear();
+    heaps_.assign(1, {});
+    heap_starts_.clear();
     int64_t knot = head_;
     do {
         Knot &at = knots_[static_cast<size_t>(knot)];
         if (removable(knot)) {
             at.key = at.stale ? key_of(knot) : at.key;
             at.stale = false;
+            if (heaps_.back().size() == most_in_heap) {
+                heaps_.emplace_back();
+                heap_starts_.push_back(knot);
+            }
             if (at.key < infinity) {
-                heap_.push_back({at.key, knot});
+                heaps_.back().push_back({at.key, knot});
             }
         }
         knot = at.next;
     } while (knot != head_);
-    std::make_heap(heap_.begin(), heap_.end());
+    for (std::vector<Candidate> &heap : heaps_) {
+        std::make_heap(heap.begin(), heap.end());
+    }
 }
 
 int64_t GreedyKnotRemoval::run(double tolerance) {
+    constexpr double rise = 64; // so that the order is about that of one heap
+    int64_t removed = 0;
+    double dearest = tolerance / 0x1p42;
+    do {
+        const Phase phase;
+        dearest = heaps_.size() == 1 ? tolerance : std::min(rise * dearest, tolerance);
+        for (std::vector<Candidate> &heap : heaps_) {
+            removed += run(heap, dearest, tolerance);
+        }
+        if (dearest < tolerance) {
+            queue_all(); // in fewer heaps
+        }
+    } while (dearest < tolerance);
+    return removed;
+}
+
+// Those that cost no more than `dearest`.
+int64_t GreedyKnotRemoval::run(std::vector<Candidate> &heap, double dearest, double tolerance) {
     int64_t removed = 0;
     SearchSteps steps;
-    while (!heap_.empty() && heap_.front().key <= tolerance) {
-        const auto [key, knot] = heap_.front();
-        std::pop_heap(heap_.begin(), heap_.end());
-        heap_.pop_back();
-        steps.next(heap_.size());
+    while (!heap.empty() && heap.front().key <= dearest) {
+        const auto [key, knot] = heap.front();
+        std::pop_heap(heap.begin(), heap.end());
+        heap.pop_back();
+        steps.next(heap.size());
         Knot &at = knots_[static_cast<size_t>(knot)];
         if (!at.present || key != at.key) {
             continue;

@@ -21,7 +21,8 @@ public:
     GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding);
 
     // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of
-    // the domain stay.
+    // the domain stay. Of very many knots those of one part of the axis go before those of the next: all that a removal
+    // depends on is near, and stays in the cache.
     int64_t run(double tolerance);
     // Replaces the errors that were added up by measured ones: errors[i] belongs to [breaks[i], breaks[i +
     // 1]), where breaks are knots of the given spline over its domain.
@@ -94,6 +95,8 @@ private:
     bool clear_rounded_weights(const Window &window, double *layer) const noexcept;
     void unlink(int64_t knot, const Window &window) noexcept;
     void queue_all();
+    [[nodiscard]] std::vector<Candidate> &heap_of(int64_t knot) noexcept;
+    int64_t run(std::vector<Candidate> &heap, double dearest, double tolerance);
     [[nodiscard]] KnotVectorPtr remaining_axis() const;
 
     const Spline &spline_;
@@ -113,7 +116,9 @@ private:
     std::vector<char> inert_;
     std::vector<double> gap_;
     std::vector<double> trial_; // layers of a window, solved before they are known to be wanted
-    std::vector<Candidate> heap_;
+    // Of knots that follow each other, many in each, and the first knot of each but the first.
+    std::vector<std::vector<Candidate>> heaps_;
+    std::vector<int64_t> heap_starts_;
 };
 
 } // namespace nrb::reduce
