@@ -84,6 +84,20 @@ void add_operations(Rows &rows) {
               },
               pieces,
               {}});
+    rows.add({"length to 1e-10, of a new handle",
+              "SISL",
+              1,
+              [=] {
+                  const Handle fresh = c->coarse.make();
+                  double length = 0;
+                  require_ok(nurbs_curve_length(fresh.get(), nullptr, 1e-10, &length, nullptr));
+              },
+              [=] {
+                  double length = 0;
+                  int status = 0;
+                  s1240(c->sisl.get(), 1e-10, &length, &status);
+              },
+              {}});
     rows.add(
         {"elevate 1000 points",
          "SISL",
