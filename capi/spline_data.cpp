@@ -7,8 +7,6 @@
 
 namespace nrb::capi {
 
-namespace {
-
 bool decode_periodic(uint32_t flags, int32_t axes, int k) {
     const uint32_t known = NURBS_ON_ALL_AXES(axes, NURBS_PERIODIC);
     if ((flags & ~known) != 0) {
@@ -16,8 +14,6 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k) {
     }
     return (flags & NURBS_ON_AXIS(k, NURBS_PERIODIC)) != 0;
 }
-
-} // namespace
 
 std::vector<double> packed(ConstRecords view) {
     const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));

@@ -51,6 +51,9 @@ private:
     std::array<AxisData, max_axes> axes_{};
 };
 
+// Whether axis k is flagged NURBS_PERIODIC; other flags are NURBS_ERROR_FLAGS.
+bool decode_periodic(uint32_t flags, int32_t axes, int k);
+
 // The records one after the other, with memory after them for the padding of a spline.
 std::vector<double> packed(ConstRecords view);
 // 1 <= dim, and a homogeneous record still has a width; otherwise NURBS_ERROR_DIMENSION.

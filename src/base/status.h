@@ -68,6 +68,9 @@ enum class Status : int32_t {
     contradiction = 61,
     constraint = 62,
     off_polygon = 63,
+    rule = 64,
+    schoenberg_whitney = 65,
+    rank = 66,
     // domain
     outside_domain = 100,
     // numbers

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// Interpolation.
+#include "checks.h"
+#include "guard.h"
+
+#include "base/checked.h"
+#include "basis/generators.h"
+#include "fit/interpolate.h"
+#include "outputs.h"
+#include "spline_data.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+struct Points {
+    int32_t dim;
+    const double *data;
+    int64_t stride;
+    int64_t component_stride;
+};
+
+std::vector<int64_t> checked_counts(int32_t axes, const int64_t *counts) {
+    check_axes(axes);
+    require(counts, "counts");
+    for (int k = 0; k < axes; ++k) {
+        if (counts[k] < 1) {
+            fail(Status::count, "counts[%d] = %lld, expected at least 1", k, static_cast<long long>(counts[k]));
+        }
+    }
+    return {counts, counts + axes};
+}
+
+// All of the points, packed.
+std::vector<double> finite_points(const char *name, const Points &points, int64_t count) {
+    check_dimension(points.dim);
+    std::vector<double> values =
+        packed(input(name, points.data, count, points.dim, points.stride, points.component_stride));
+    for (size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) {
+            fail(Status::point_not_finite, "%s[%zu][%zu] = %s is not finite", name,
+                 i / static_cast<size_t>(points.dim), i % static_cast<size_t>(points.dim), Number(values[i]).text);
+        }
+    }
+    return values;
+}
+
+fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, uint32_t flags) {
+    fit::PointGrid grid{std::move(counts), points.dim, {}};
+    int64_t total = 1;
+    for (size_t k = 0; k < grid.counts.size(); ++k) {
+        total = checked_product(total, grid.counts[k], "points");
+        grid.periodic[k] = decode_periodic(flags, static_cast<int32_t>(grid.counts.size()), static_cast<int>(k));
+    }
+    grid.points = finite_points("points", points, total);
+    return grid;
+}
+
+// The sum of the counts, each of which is a factor of the number of points, so that it does not overflow.
+int64_t sum_of(const std::vector<int64_t> &counts) noexcept {
+    int64_t sum = 0;
+    for (const int64_t count : counts) {
+        sum += count;
+    }
+    return sum;
+}
+
+std::span<const double> checked_params(const double *params, int64_t n) {
+    require(params, "params");
+    return {params, static_cast<size_t>(n)};
+}
+
+std::vector<int> checked_degrees(int32_t axes, const int32_t *degrees) {
+    require(degrees, "degrees");
+    for (int k = 0; k < axes; ++k) {
+        check_degree(degrees[k], k);
+    }
+    return {degrees, degrees + axes};
+}
+
+std::vector<fit::Ends> checked_ends(int32_t axes, const int32_t *ends) {
+    std::vector<fit::Ends> result(static_cast<size_t>(axes), {fit::End::not_a_knot, fit::End::not_a_knot});
+    for (int i = 0; ends != nullptr && i < 2 * axes; ++i) {
+        if (ends[i] < NURBS_ENDS_NOT_A_KNOT || ends[i] > NURBS_ENDS_FREE) {
+            fail(Status::rule, "ends[%d][%d] = %d, expected a NURBS_ENDS_ constant", i / 2, i % 2, ends[i]);
+        }
+        result[static_cast<size_t>(i / 2)][static_cast<size_t>(i % 2)] = static_cast<fit::End>(ends[i]);
+    }
+    return result;
+}
+
+void check_rule(int32_t rule, double exponent) {
+    constexpr double largest = 8;
+    if (rule < NURBS_PARAMS_UNIFORM || rule > NURBS_PARAMS_FOLEY_NIELSON) {
+        fail(Status::rule, "rule = %d, expected a NURBS_PARAMS_ constant", rule);
+    }
+    if (rule == NURBS_PARAMS_POWER && !(exponent >= 0 && exponent <= largest)) {
+        fail(Status::factor, "exponent = %s, expected 0 to 8", Number(exponent).text);
+    }
+}
+
+// The full knot vectors of all axes, over which an axis has as many distinct layers as data.
+Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::PointGrid &grid, const double *knots,
+                          int64_t knot_count) {
+    std::vector<int64_t> sizes(degrees.size());
+    int64_t total = 0;
+    for (size_t k = 0; k < sizes.size(); ++k) {
+        const int64_t count = grid.counts[k] + (grid.periodic[k] ? degrees[k] : 0);
+        check_count(degrees[k], count, static_cast<int>(k));
+        sizes[k] = checked_sum(count, degrees[k] + 1, "knots");
+        total = checked_sum(total, sizes[k], "knots");
+    }
+    check_size(knot_count, total, "knot_count");
+    require(knots, "knots");
+    Spline::Axes axes;
+    int64_t offset = 0;
+    for (size_t k = 0; k < sizes.size(); ++k) {
+        axes.push_back(make_knot_vector(degrees[k], {knots + offset, knots + offset + sizes[k]}, grid.periodic[k],
+                                        static_cast<int>(k), offset));
+        offset += sizes[k];
+    }
+    return axes;
+}
+
+// Parameters that do not decrease, with orders that rise where they are equal.
+std::vector<fit::Condition> checked_conditions(int degree, int64_t n, const double *params, const int32_t *orders) {
+    std::vector<fit::Condition> conditions;
+    conditions.reserve(static_cast<size_t>(n));
+    for (int64_t i = 0; i < n; ++i) {
+        const long long at = i;
+        const fit::Condition next{params[i], orders == nullptr ? 0 : orders[i]};
+        if (!std::isfinite(next.param)) {
+            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(next.param).text);
+        }
+        if (next.order < 0 || next.order > degree) {
+            fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree", at, next.order, degree);
+        }
+        if (i > 0 && next.param < params[i - 1]) {
+            fail(Status::knots_decreasing, "params[%lld] = %s, expected at least params[%lld] = %s", at,
+                 Number(next.param).text, at - 1, Number(params[i - 1]).text);
+        }
+        if (i > 0 && next.param == params[i - 1] && next.order <= conditions.back().order) {
+            fail(Status::order, "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
+                 next.order, at - 1, conditions.back().order, Number(next.param).text);
+        }
+        conditions.push_back(next);
+    }
+    return conditions;
+}
+
+KnotVectorPtr knots_for(int degree, std::span<const double> params, const double *knots, int64_t knot_count,
+                        uint32_t flags) {
+    const bool periodic = decode_periodic(flags, 1, 0);
+    if (knots != nullptr) {
+        fit::PointGrid grid{{std::ssize(params)}, 1, {}};
+        grid.periodic[0] = periodic;
+        return checked_axes({degree}, grid, knots, knot_count)[0];
+    }
+    check_size(knot_count, 0, "knot_count");
+    if (periodic) {
+        fail(Status::flags, "flags = 0x%x: NURBS_PERIODIC needs knots", flags);
+    }
+    check_count(degree, std::ssize(params), -1);
+    std::vector<double> averages(params.size() + static_cast<size_t>(degree) + 1);
+    averaged_knots(degree, params, averages);
+    return make_knot_vector(degree, std::move(averages));
+}
+
+} // namespace
+
+nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim, const double *points,
+                               int64_t point_stride, int64_t point_component_stride, int32_t rule, double exponent,
+                               uint32_t flags, double *params) {
+    return guard([&] {
+        const fit::PointGrid grid =
+            checked_grid(checked_counts(axes, counts), {dim, points, point_stride, point_component_stride}, flags);
+        check_rule(rule, exponent);
+        require(params, "params");
+        const int64_t n = sum_of(grid.counts), total = std::ssize(grid.points) / dim;
+        check_overlap("params", output("params", params, n, 1, 1, 1), "points",
+                      input("points", points, total, dim, point_stride, point_component_stride));
+        const std::vector<double> made = fit::parametrize(grid, static_cast<fit::ParameterRule>(rule), exponent);
+        std::copy(made.begin(), made.end(), params);
+    });
+}
+
+nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *params,
+                               int32_t dim, const double *points, int64_t point_stride,
+                               int64_t point_component_stride, const int32_t *ends, uint32_t flags, double *residual,
+                               nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        fit::PointGrid grid =
+            checked_grid(checked_counts(axes, counts), {dim, points, point_stride, point_component_stride}, flags);
+        const std::span<const double> places = checked_params(params, sum_of(grid.counts));
+        const std::vector<int> orders = checked_degrees(axes, degrees);
+        SplinePtr made = fit::interpolate(orders, places, grid, checked_ends(axes, ends));
+        const double miss = residual == nullptr ? 0 : fit::largest_miss(*made, places, grid);
+        give(std::move(made), out);
+        put(residual, 0, miss);
+    });
+}
+
+nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                                          const double *params, const double *knots, int64_t knot_count, int32_t dim,
+                                          const double *points, int64_t point_stride, int64_t point_component_stride,
+                                          uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        fit::PointGrid grid =
+            checked_grid(checked_counts(axes, counts), {dim, points, point_stride, point_component_stride}, flags);
+        const std::span<const double> places = checked_params(params, sum_of(grid.counts));
+        const Spline::Axes over = checked_axes(checked_degrees(axes, degrees), grid, knots, knot_count);
+        give(fit::interpolate(over, places, std::move(grid)), out);
+    });
+}
+
+nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *params, const int32_t *orders,
+                                     int32_t dim, const double *targets, int64_t target_stride,
+                                     int64_t target_component_stride, const double *knots, int64_t knot_count,
+                                     uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_degree(degree, -1);
+        check_at_least(n, 1, "n");
+        std::vector<double> values =
+            finite_points("targets", {dim, targets, target_stride, target_component_stride}, n);
+        const std::span<const double> places = checked_params(params, n);
+        const std::vector<fit::Condition> conditions = checked_conditions(degree, n, params, orders);
+        KnotVectorPtr over = knots_for(degree, places, knots, knot_count, flags);
+        give(fit::interpolate_conditions(std::move(over), conditions, dim, std::move(values)), out);
+    });
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Interpolation along one axis: as many conditions as there are layers of control points.
+#pragma once
+
+#include "basis/knot_vector.h"
+#include "numeric/solvers/banded/banded_lu.h"
+
+#include <optional>
+#include <vector>
+
+namespace nrb::fit {
+
+// A derivative of some order at a parameter. On a knot, that of the span after it; at the end of the domain, of the
+// last one.
+struct Condition {
+    double param;
+    int order;
+};
+
+class AxisInterpolation {
+public:
+    // As many conditions as the axis has distinct layers, by rising parameters in the domain, the orders not above the
+    // degree; `axis` is for messages. Values alone are solved without an exchange of rows, after the condition of I.
+    // Schoenberg and A. Whitney has been checked (Trans. Amer. Math. Soc. 74 (1953)): condition i has to lie in the
+    // support of function i, else Status::schoenberg_whitney. Others, and those of a periodic axis, by rotations, which
+    // take several times as long.
+    AxisInterpolation(KnotVectorPtr knots, std::vector<Condition> conditions, int axis);
+
+    [[nodiscard]] const KnotVectorPtr &knots() const noexcept { return knots_; }
+    [[nodiscard]] int64_t conditions() const noexcept { return std::ssize(conditions_); }
+    // values: [conditions][width], replaced by the layers of control points; a value at a clamped end is its control
+    // point bit for bit. Throws Status::rank if the conditions do not determine them.
+    void solve(std::vector<double> &values, int64_t width) const;
+
+private:
+    // The first of the degree + 1 functions that are active at a condition, and what they contribute to it.
+    [[nodiscard]] int64_t first_function(int64_t i) const noexcept;
+    void read(int64_t i, int64_t first, double *values) const noexcept;
+    void factor();
+    void check_support(int64_t i, int64_t first) const;
+    void rotate(std::vector<double> &values, int64_t width) const;
+
+    KnotVectorPtr knots_;
+    std::vector<Condition> conditions_;
+    int axis_;
+    std::optional<BandedLu> direct_;
+};
+
+} // namespace nrb::fit

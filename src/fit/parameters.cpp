@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "fit/parameters.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace nrb::fit {
+
+namespace {
+
+constexpr int64_t work_of_a_step = 16;
+
+// Sums of equal steps are exact: i / last.
+std::vector<double> even(int64_t count) {
+    std::vector<double> params(static_cast<size_t>(count), 0.0);
+    for (int64_t i = 1; i < count; ++i) {
+        params[static_cast<size_t>(i)] = static_cast<double>(i) / static_cast<double>(count - 1);
+    }
+    return params;
+}
+
+// The angle between two vectors, from those of unit length (W. Kahan): accurate at all angles.
+double angle_between(const double *a, double a_length, const double *b, double b_length, int dim) noexcept {
+    const auto sum = norm_of(dim, [&](int c) { return a[c] / a_length + b[c] / b_length; });
+    const auto difference = norm_of(dim, [&](int c) { return a[c] / a_length - b[c] / b_length; });
+    return 2 * std::atan2(difference, sum);
+}
+
+// The steps of one line of the grid, and what the rule makes of them.
+class Line {
+public:
+    Line(int64_t count, int dim, bool closed)
+        : dim_(dim), closed_(closed), steps_(static_cast<size_t>((count - 1) * dim)),
+          chords_(static_cast<size_t>(count - 1)), lengths_(chords_) {}
+
+    // Points are `stride` doubles apart. The scale keeps chords from overflowing.
+    void set(const double *points, int64_t stride, double scale) noexcept {
+        for (size_t i = 0; i < chords_.size(); ++i, points += stride) {
+            double *const step = steps_.data() + i * static_cast<size_t>(dim_);
+            for (int c = 0; c < dim_; ++c) {
+                step[c] = points[stride + c] * scale - points[c] * scale;
+            }
+            chords_[i] = norm(step, dim_);
+        }
+    }
+
+    // Lengths in units of their largest chord, so that no rule leaves the range of doubles.
+    const std::vector<double> &lengths(ParameterRule rule, double exponent) noexcept {
+        const double largest = *std::max_element(chords_.begin(), chords_.end());
+        for (size_t i = 0; i < chords_.size(); ++i) {
+            const double chord = largest > 0 ? chords_[i] / largest : 0;
+            lengths_[i] = chord == 0                           ? 0
+                          : rule == ParameterRule::chord       ? chord
+                          : rule == ParameterRule::centripetal ? std::sqrt(chord)
+                          : rule == ParameterRule::power       ? std::pow(chord, exponent)
+                                                               : chord * turning(i);
+        }
+        return lengths_;
+    }
+
+private:
+    // How much longer a step counts for the angles at its ends (T. Foley, G. Nielson, "Knot selection for parametric
+    // spline interpolation", in: Mathematical Methods in Computer Aided Geometric Design, 1989), with Euclidean chords.
+    [[nodiscard]] double turning(size_t i) const noexcept {
+        const size_t n = chords_.size();
+        const bool before = closed_ || i > 0, after = closed_ || i + 1 < n;
+        return 1 + 1.5 * ((before ? part(i, (i + n - 1) % n) : 0) + (after ? part(i, (i + 1) % n) : 0));
+    }
+    // Of the angle between a step and one beside it: pi minus the inner angle, but at most a right one.
+    [[nodiscard]] double part(size_t i, size_t beside) const noexcept {
+        if (!(chords_[beside] > 0)) {
+            return 0;
+        }
+        const auto step = [&](size_t at) { return steps_.data() + at * static_cast<size_t>(dim_); };
+        const double turn = angle_between(step(i), chords_[i], step(beside), chords_[beside], dim_);
+        return std::min(turn, std::numbers::pi / 2) * (chords_[beside] / (chords_[beside] + chords_[i]));
+    }
+
+    int dim_;
+    bool closed_;
+    std::vector<double> steps_;
+    std::vector<double> chords_, lengths_;
+};
+
+// Adds the parameters of a line; false if it has no length.
+bool add(const std::vector<double> &lengths, std::vector<double> &params) {
+    const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    if (!(total > 0)) {
+        return false;
+    }
+    double sum = 0;
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        sum += lengths[i];
+        params[i + 1] += sum / total;
+    }
+    return true;
+}
+
+std::vector<double> of_axis(const PointGrid &grid, int k, ParameterRule rule, double exponent, double scale) {
+    const auto at = static_cast<size_t>(k);
+    const int64_t count = grid.counts[at];
+    if (rule == ParameterRule::uniform || count < 2) {
+        return even(count);
+    }
+    const auto product = [](auto first, auto last) {
+        return std::accumulate(first, last, int64_t{1}, std::multiplies<>());
+    };
+    const int64_t outer = product(grid.counts.begin(), grid.counts.begin() + k);
+    const int64_t inner = product(grid.counts.begin() + k + 1, grid.counts.end());
+    std::vector<double> params(static_cast<size_t>(count), 0.0);
+    Line line(count, grid.dim, grid.periodic[at]);
+    int64_t lines = 0;
+    for (int64_t o = 0; o < outer; ++o) {
+        for (int64_t i = 0; i < inner; ++i) {
+            count_work(work_of_a_step * count);
+            line.set(grid.points.data() + (o * count * inner + i) * grid.dim, inner * grid.dim, scale);
+            lines += add(line.lengths(rule, exponent), params) ? 1 : 0;
+        }
+    }
+    if (lines == 0) {
+        fail(Status::length, "points: no line along axis %d has a length", k);
+    }
+    const double last = params.back();
+    std::for_each(params.begin(), params.end(), [last](double &t) { t /= last; });
+    return params;
+}
+
+// A power of two that makes all coordinates less than 1/4.
+double scale_of(const std::vector<double> &points) noexcept {
+    double largest = 0;
+    for (const double x : points) {
+        largest = std::max(largest, std::abs(x));
+    }
+    return largest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(largest) - 3, -1022, 1022)) : 1;
+}
+
+} // namespace
+
+std::vector<double> parametrize(const PointGrid &grid, ParameterRule rule, double exponent) {
+    std::vector<double> all;
+    const double scale = scale_of(grid.points);
+    for (int k = 0; k < static_cast<int>(grid.counts.size()); ++k) {
+        const std::vector<double> params = of_axis(grid, k, rule, exponent, scale);
+        all.insert(all.end(), params.begin(), params.end());
+    }
+    return all;
+}
+
+} // namespace nrb::fit

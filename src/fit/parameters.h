@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Parameters of data points, from the distances between them.
+#pragma once
+
+#include "base/limits.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace nrb::fit {
+
+enum class ParameterRule : int32_t { uniform, chord, centripetal, power, foley_nielson };
+
+// Points on a grid of 1 to 3 axes, packed, last axis fastest.
+struct PointGrid {
+    std::vector<int64_t> counts;
+    int dim;
+    std::vector<double> points;
+    std::array<bool, max_axes> periodic{}; // axes whose last layer repeats the first
+};
+
+// For each axis in turn as many parameters as it has layers, from 0 to 1: with the steps of a line of the grid, of
+// which the rule makes lengths, the sums of the first ones divided by all of them; of many lines their mean. Lines of
+// no length do not count. Steps of no length give equal parameters. The exponent is for ParameterRule::power. Throws
+// Status::length where no line of an axis has a length, point_not_finite.
+std::vector<double> parametrize(const PointGrid &grid, ParameterRule rule, double exponent);
+
+} // namespace nrb::fit

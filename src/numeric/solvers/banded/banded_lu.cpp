@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "numeric/solvers/banded/banded_lu.h"
+
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::inline numeric {
+
+namespace {
+
+constexpr int64_t work_of_a_pivot = 8;
+constexpr int64_t rows_between_counts = 64;
+// Right-hand sides that are solved together: as many as keep a band of layers in the cache.
+constexpr int64_t most_together = 256;
+
+// target -= factor * source
+void subtract(double *target, double factor, const double *source, int64_t n) noexcept {
+    for (int64_t c = 0; c < n; ++c) {
+        target[c] -= factor * source[c];
+    }
+}
+
+} // namespace
+
+BandedLu::BandedLu(int64_t rows, int below, int above) : rows_(rows), below_(below), above_(above) {
+    grow_watched(band_, static_cast<size_t>(rows * stride()));
+    inverses_.resize(static_cast<size_t>(rows));
+}
+
+bool BandedLu::factor() {
+    for (int64_t i = 0; i < rows_; ++i) {
+        if (i % rows_between_counts == 0) {
+            count_work(rows_between_counts * (int64_t{below_} * above_ + work_of_a_pivot));
+        }
+        double *const target = row(i) + below_; // its diagonal
+        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
+            const double *const pivot = row(k) + below_;
+            double &factor = target[k - i];
+            factor *= inverses_[static_cast<size_t>(k)];
+            if (factor != 0) {
+                subtract(target + (k - i) + 1, factor, pivot + 1, std::min<int64_t>(above_, rows_ - 1 - k));
+            }
+        }
+        const double inverse = 1 / *target;
+        if (*target == 0 || !std::isfinite(inverse)) {
+            return false;
+        }
+        inverses_[static_cast<size_t>(i)] = inverse;
+    }
+    return true;
+}
+
+void BandedLu::solve(double *values, int64_t width) const {
+    for (int64_t first = 0; first < width; first += most_together) {
+        solve_some(values + first, width, std::min(most_together, width - first));
+        count_work(rows_ * (below_ + above_ + 1) * std::min(most_together, width - first));
+    }
+}
+
+void BandedLu::solve_some(double *values, int64_t width, int64_t some) const noexcept {
+    for (int64_t i = 0; i < rows_; ++i) {
+        const double *const from = band_.data() + i * stride() + below_;
+        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
+            subtract(values + i * width, from[k - i], values + k * width, some);
+        }
+    }
+    for (int64_t i = rows_; i-- > 0;) {
+        const double *const from = band_.data() + i * stride() + below_;
+        double *const target = values + i * width;
+        const int64_t last = std::min<int64_t>(i + above_, rows_ - 1);
+        for (int64_t k = i + 1; k <= last; ++k) {
+            subtract(target, from[k - i], values + k * width, some);
+        }
+        const double inverse = inverses_[static_cast<size_t>(i)];
+        std::for_each_n(target, some, [inverse](double &x) { x *= inverse; });
+    }
+}
+
+} // namespace nrb::inline numeric

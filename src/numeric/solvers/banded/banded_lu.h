@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Square systems whose rows have few neighbouring entries, for many right-hand sides.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace nrb::inline numeric {
+
+// L U without an exchange of rows. That is stable for totally positive matrices, such as those of B-splines at sites
+// in their supports, and keeps the band (C. de Boor, A. Pinkus, "Backward error analysis for totally positive
+// linear systems", Numer. Math. 27 (1977)). Memory: the band; cost: `below` times `above` for each row, `below +
+// above` for each of its right-hand sides.
+class BandedLu {
+public:
+    // Row i has its entries at columns i - below, ..., i + above; those outside the matrix are 0.
+    BandedLu(int64_t rows, int below, int above);
+
+    // Its first entry, and the next ones; 0 at first.
+    [[nodiscard]] double *row(int64_t i) noexcept { return band_.data() + i * stride(); }
+    // False if a pivot is 0 or not finite.
+    [[nodiscard]] bool factor();
+    // values: [rows][width], the right-hand sides, replaced by the solutions.
+    void solve(double *values, int64_t width) const;
+
+private:
+    [[nodiscard]] int64_t stride() const noexcept { return below_ + above_ + 1; }
+    void solve_some(double *values, int64_t width, int64_t some) const noexcept;
+
+    int64_t rows_;
+    int below_;
+    int above_;
+    std::vector<double> band_;     // after factor(): L, and U
+    std::vector<double> inverses_; // of the pivots
+};
+
+} // namespace nrb::inline numeric
