@@ -29,7 +29,8 @@ std::vector<int64_t> checked_counts(int32_t axes, const int64_t *counts) {
     require(counts, "counts");
     for (int k = 0; k < axes; ++k) {
         if (counts[k] < 1) {
-            fail(Status::count, "counts[%d] = %lld, expected at least 1", k, static_cast<long long>(counts[k]));
+            fail(Status::count, "counts[%d] = %lld, expected at least 1", k,
+                 static_cast<long long>(counts[k]));
         }
     }
     return {counts, counts + axes};
@@ -43,7 +44,8 @@ std::vector<double> finite_points(const char *name, const Points &points, int64_
     for (size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i])) {
             fail(Status::point_not_finite, "%s[%zu][%zu] = %s is not finite", name,
-                 i / static_cast<size_t>(points.dim), i % static_cast<size_t>(points.dim), Number(values[i]).text);
+                 i / static_cast<size_t>(points.dim), i % static_cast<size_t>(points.dim),
+                 Number(values[i]).text);
         }
     }
     return values;
@@ -54,7 +56,8 @@ fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, u
     int64_t total = 1;
     for (size_t k = 0; k < grid.counts.size(); ++k) {
         total = checked_product(total, grid.counts[k], "points");
-        grid.periodic[k] = decode_periodic(flags, static_cast<int32_t>(grid.counts.size()), static_cast<int>(k));
+        grid.periodic[k] =
+            decode_periodic(flags, static_cast<int32_t>(grid.counts.size()), static_cast<int>(k));
     }
     grid.points = finite_points("points", points, total);
     return grid;
@@ -119,22 +122,24 @@ Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::PointGrid 
     Spline::Axes axes;
     int64_t offset = 0;
     for (size_t k = 0; k < sizes.size(); ++k) {
-        axes.push_back(make_knot_vector(degrees[k], {knots + offset, knots + offset + sizes[k]}, grid.periodic[k],
-                                        static_cast<int>(k), offset));
+        axes.push_back(make_knot_vector(degrees[k], {knots + offset, knots + offset + sizes[k]},
+                                        grid.periodic[k], static_cast<int>(k), offset));
         offset += sizes[k];
     }
     return axes;
 }
 
 // Parameters that do not decrease, with orders that rise where they are equal.
-std::vector<fit::Condition> checked_conditions(int degree, int64_t n, const double *params, const int32_t *orders) {
+std::vector<fit::Condition> checked_conditions(int degree, int64_t n, const double *params,
+                                               const int32_t *orders) {
     std::vector<fit::Condition> conditions;
     conditions.reserve(static_cast<size_t>(n));
     for (int64_t i = 0; i < n; ++i) {
         const long long at = i;
         const fit::Condition next{params[i], orders == nullptr ? 0 : orders[i]};
         if (!std::isfinite(next.param)) {
-            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(next.param).text);
+            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at,
+                 Number(next.param).text);
         }
         if (next.order < 0 || next.order > degree) {
             fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree", at, next.order, degree);
@@ -144,7 +149,8 @@ std::vector<fit::Condition> checked_conditions(int degree, int64_t n, const doub
                  Number(next.param).text, at - 1, Number(params[i - 1]).text);
         }
         if (i > 0 && next.param == params[i - 1] && next.order <= conditions.back().order) {
-            fail(Status::order, "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
+            fail(Status::order,
+                 "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
                  next.order, at - 1, conditions.back().order, Number(next.param).text);
         }
         conditions.push_back(next);
@@ -173,46 +179,51 @@ KnotVectorPtr knots_for(int degree, std::span<const double> params, const double
 } // namespace
 
 nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim, const double *points,
-                               int64_t point_stride, int64_t point_component_stride, int32_t rule, double exponent,
-                               uint32_t flags, double *params) {
+                               int64_t point_stride, int64_t point_component_stride, int32_t rule,
+                               double exponent, uint32_t flags, double *params) {
     return guard([&] {
-        const fit::PointGrid grid =
-            checked_grid(checked_counts(axes, counts), {dim, points, point_stride, point_component_stride}, flags);
+        const fit::PointGrid grid = checked_grid(checked_counts(axes, counts),
+                                                 {dim, points, point_stride, point_component_stride}, flags);
         check_rule(rule, exponent);
         require(params, "params");
         const int64_t n = sum_of(grid.counts), total = std::ssize(grid.points) / dim;
         check_overlap("params", output("params", params, n, 1, 1, 1), "points",
                       input("points", points, total, dim, point_stride, point_component_stride));
-        const std::vector<double> made = fit::parametrize(grid, static_cast<fit::ParameterRule>(rule), exponent);
+        const std::vector<double> made =
+            fit::parametrize(grid, static_cast<fit::ParameterRule>(rule), exponent);
         std::copy(made.begin(), made.end(), params);
     });
 }
 
-nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *params,
-                               int32_t dim, const double *points, int64_t point_stride,
-                               int64_t point_component_stride, const int32_t *ends, uint32_t flags, double *residual,
-                               nurbs **out) {
+nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                               const double *params, int32_t dim, const double *points, int64_t point_stride,
+                               int64_t point_component_stride, const int32_t *ends, uint32_t flags,
+                               double *residual, nurbs **out) {
     return guard([&] {
         require_out(out);
-        fit::PointGrid grid =
-            checked_grid(checked_counts(axes, counts), {dim, points, point_stride, point_component_stride}, flags);
+        fit::PointGrid grid = checked_grid(checked_counts(axes, counts),
+                                           {dim, points, point_stride, point_component_stride}, flags);
         const std::span<const double> places = checked_params(params, sum_of(grid.counts));
         const std::vector<int> orders = checked_degrees(axes, degrees);
-        SplinePtr made = fit::interpolate(orders, places, grid, checked_ends(axes, ends));
-        const double miss = residual == nullptr ? 0 : fit::largest_miss(*made, places, grid);
+        const std::vector<fit::Ends> at_ends = checked_ends(axes, ends);
+        if (residual == nullptr) {
+            return give(fit::interpolate(orders, places, std::move(grid), at_ends), out);
+        }
+        SplinePtr made = fit::interpolate(orders, places, grid, at_ends);
+        const double miss = fit::largest_miss(*made, places, grid);
         give(std::move(made), out);
-        put(residual, 0, miss);
+        *residual = miss;
     });
 }
 
 nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t *degrees, const int64_t *counts,
-                                          const double *params, const double *knots, int64_t knot_count, int32_t dim,
-                                          const double *points, int64_t point_stride, int64_t point_component_stride,
-                                          uint32_t flags, nurbs **out) {
+                                          const double *params, const double *knots, int64_t knot_count,
+                                          int32_t dim, const double *points, int64_t point_stride,
+                                          int64_t point_component_stride, uint32_t flags, nurbs **out) {
     return guard([&] {
         require_out(out);
-        fit::PointGrid grid =
-            checked_grid(checked_counts(axes, counts), {dim, points, point_stride, point_component_stride}, flags);
+        fit::PointGrid grid = checked_grid(checked_counts(axes, counts),
+                                           {dim, points, point_stride, point_component_stride}, flags);
         const std::span<const double> places = checked_params(params, sum_of(grid.counts));
         const Spline::Axes over = checked_axes(checked_degrees(axes, degrees), grid, knots, knot_count);
         give(fit::interpolate(over, places, std::move(grid)), out);

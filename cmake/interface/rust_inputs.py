@@ -214,7 +214,7 @@ class Inputs:
             self.by_axis(argument)
         elif types.is_records(self.method, argument, value):
             self.records(value)
-        elif name in self.settled:
+        elif name in self.settled and not types.is_size(self.method, value):
             self.pointers[name] = self.packed(f"{self.reach[name]}.as_ptr()", value)
         else:
             self.slice(value, argument)
@@ -282,6 +282,11 @@ class Inputs:
             self.pointers[name] = [f"{name}.as_ptr()"]
             self.reach[name] = name
 
+    def listed_by_axis(self):
+        """The first array with an element for each axis, as the caller gives it or as sizes that C takes."""
+        source = self.method.sources("axes")[0][0]
+        return f"&{source.name}" if types.is_size(self.method, source) else self.reach[source.name]
+
     # What the C function gets.
 
     def passed(self, value):
@@ -303,5 +308,5 @@ class Inputs:
     def number(self, value):
         text, kind = self.numbers[value.name]
         if value.name == "axes" and value in self.method.computed:
-            return "axes_of(degrees)"
+            return f"axes_of({self.listed_by_axis()})"
         return f"{text} as i64" if kind == "usize" else text

@@ -20,9 +20,18 @@ AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, std::vector<Condition>
     }
 }
 
-int64_t AxisInterpolation::first_function(int64_t i) const noexcept {
+int64_t AxisInterpolation::next_function(int64_t i, int64_t first) const noexcept {
     const double t = conditions_[static_cast<size_t>(i)].param;
-    return knots_->spans().find(t, t >= knots_->domain().upper) - knots_->degree();
+    const int p = knots_->degree();
+    int64_t span = first + p;
+    const int64_t last = knots_->count() - 1;
+    while (span < last && ((*knots_)[span + 1] <= t || (*knots_)[span + 1] == (*knots_)[span])) {
+        ++span;
+    }
+    while (span > p && (*knots_)[span] == (*knots_)[span + 1]) { // the end of the domain
+        --span;
+    }
+    return span - p;
 }
 
 void AxisInterpolation::read(int64_t i, int64_t first, double *values) const noexcept {
@@ -45,7 +54,8 @@ void AxisInterpolation::check_support(int64_t i, int64_t first) const {
         return;
     }
     fail(Status::schoenberg_whitney,
-         "params[%lld] = %s on axis %d is outside (%s, %s), between knots %lld and %lld, the support of control point "
+         "params[%lld] = %s on axis %d is outside (%s, %s), between knots %lld and %lld, the support of "
+         "control point "
          "%lld",
          static_cast<long long>(i), Number(conditions_[static_cast<size_t>(i)].param).text, axis_,
          Number((*knots_)[i]).text, Number((*knots_)[i + p + 1]).text, static_cast<long long>(i),
@@ -54,9 +64,9 @@ void AxisInterpolation::check_support(int64_t i, int64_t first) const {
 
 void AxisInterpolation::factor() {
     const int p = knots_->degree();
-    int64_t below = 0, above = 0;
+    int64_t below = 0, above = 0, first = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
-        const int64_t first = first_function(i);
+        first = next_function(i, first);
         const bool on_knot = conditions_[static_cast<size_t>(i)].param == (*knots_)[first + p];
         if (i <= first || i >= first + p || on_knot) { // else it is inside the support for certain
             check_support(i, first);
@@ -65,9 +75,10 @@ void AxisInterpolation::factor() {
         above = std::max(above, first + p - i);
     }
     direct_.emplace(conditions(), static_cast<int>(below), static_cast<int>(above));
+    first = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{4} * (p + 1) * (p + 1));
-        const int64_t first = first_function(i);
+        first = next_function(i, first);
         read(i, first, direct_->row(i) + (first - (i - below)));
     }
     if (!direct_->factor()) {
@@ -77,7 +88,8 @@ void AxisInterpolation::factor() {
 
 void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const {
     const auto last = static_cast<size_t>((conditions() - 1) * width);
-    const std::vector<double> start(values.begin(), values.begin() + width), end(values.begin() + last, values.end());
+    const std::vector<double> start(values.begin(), values.begin() + width),
+        end(values.begin() + last, values.end());
     if (direct_.has_value()) {
         direct_->solve(values.data(), width);
     } else {
@@ -102,8 +114,9 @@ void AxisInterpolation::rotate(std::vector<double> &values, int64_t width) const
     const int border = knots_->periodic() ? static_cast<int>(std::min<int64_t>(p, columns)) : 0;
     BandedLeastSquares system(columns, p + 1, border, width);
     std::vector<double> right(static_cast<size_t>(width));
+    int64_t first = 0;
     for (int64_t i = 0; i < columns; ++i) {
-        const int64_t first = first_function(i);
+        first = next_function(i, first);
         double row[max_basis];
         read(i, first, row);
         double largest = 0;

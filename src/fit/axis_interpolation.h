@@ -33,8 +33,9 @@ public:
     void solve(std::vector<double> &values, int64_t width) const;
 
 private:
-    // The first of the degree + 1 functions that are active at a condition, and what they contribute to it.
-    [[nodiscard]] int64_t first_function(int64_t i) const noexcept;
+    // The first of the degree + 1 functions that are active at a condition, if that of the one before is known; and
+    // what they contribute to it.
+    [[nodiscard]] int64_t next_function(int64_t i, int64_t first) const noexcept;
     void read(int64_t i, int64_t first, double *values) const noexcept;
     void factor();
     void check_support(int64_t i, int64_t first) const;

@@ -61,10 +61,11 @@ void scatter(const std::vector<double> &values, const Layers &of, int64_t stored
     grid.points = std::move(points);
 }
 
-void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sources, size_t k, PointGrid &grid) {
+void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sources, size_t k,
+                PointGrid &grid) {
     const Layers of = layers_of(grid, k);
-    if (of.outer == 1 && axis.knots()->count() == of.count && std::ssize(sources) == of.count) {
-        return axis.solve(grid.points, of.inner);
+    if (of.outer == 1 && axis.knots()->count() == of.count && axis.conditions() == of.count) {
+        return axis.solve(grid.points, of.inner); // in place
     }
     std::vector<double> values = gathered(grid, of, sources);
     axis.solve(values, of.outer * of.inner);
@@ -79,7 +80,8 @@ void check_closed(const PointGrid &grid, size_t k) {
         const auto [one, other] = std::mismatch(first, first + of.inner, last);
         if (one != first + of.inner) {
             fail(Status::periodic_points,
-                 "points: the last layer on axis %zu has the coordinate %s where the first one has %s; expected a copy "
+                 "points: the last layer on axis %zu has the coordinate %s where the first one has %s; "
+                 "expected a copy "
                  "of the first layer on a periodic axis",
                  k, Number(*other).text, Number(*one).text);
         }
@@ -121,14 +123,11 @@ Conditions conditions_of(std::span<const double> params, int degree, Ends ends, 
     return all;
 }
 
-void check_inside(std::span<const double> params, const KnotVector &knots, size_t k, int64_t offset) {
-    const auto [lower, upper] = knots.domain();
-    for (size_t i = 0; i < params.size(); ++i) {
-        if (!(params[i] >= lower && params[i] <= upper)) {
-            fail(Status::outside_domain, "params[%lld] = %s on axis %zu is outside the domain [%s, %s]",
-                 static_cast<long long>(offset) + static_cast<long long>(i), Number(params[i]).text, k,
-                 Number(lower).text, Number(upper).text);
-        }
+void check_inside(double t, Interval domain, size_t k, int64_t index) {
+    if (!(t >= domain.lower && t <= domain.upper)) {
+        fail(Status::outside_domain, "params[%lld] = %s on axis %zu is outside the domain [%s, %s]",
+             static_cast<long long>(index), Number(t).text, k, Number(domain.lower).text,
+             Number(domain.upper).text);
     }
 }
 
@@ -150,12 +149,13 @@ void check_params(std::span<const double> params, const std::vector<int64_t> &co
         for (size_t i = 0; i < own.size(); ++i) {
             const long long at = offset + static_cast<long long>(i);
             if (!std::isfinite(own[i])) {
-                fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(own[i]).text);
+                fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at,
+                     Number(own[i]).text);
             }
             if (i > 0 && !(own[i] > own[i - 1])) {
                 fail(Status::knots_decreasing,
-                     "params[%lld] = %s on axis %zu, expected more than params[%lld] = %s", at, Number(own[i]).text,
-                     k, at - 1, Number(own[i - 1]).text);
+                     "params[%lld] = %s on axis %zu, expected more than params[%lld] = %s", at,
+                     Number(own[i]).text, k, at - 1, Number(own[i - 1]).text);
             }
         }
     });
@@ -175,7 +175,8 @@ SplinePtr interpolate(const std::vector<int> &degrees, std::span<const double> p
     Steps steps(std::ssize(axes));
     for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
         Conditions all = conditions_of(own, degrees[k], ends[k], grid.periodic[k]);
-        solve_axis(AxisInterpolation(axes[k], std::move(all.conditions), static_cast<int>(k)), all.sources, k, grid);
+        solve_axis(AxisInterpolation(axes[k], std::move(all.conditions), static_cast<int>(k)), all.sources, k,
+                   grid);
         steps.next();
     });
     check_representable(grid);
@@ -186,7 +187,9 @@ SplinePtr interpolate(const Spline::Axes &axes, std::span<const double> params, 
     check_params(params, grid.counts);
     const std::vector<int64_t> counts = grid.counts;
     for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t offset) {
-        check_inside(own, *axes[k], k, offset);
+        for (size_t i = 0; i < own.size(); ++i) {
+            check_inside(own[i], axes[k]->domain(), k, offset + static_cast<int64_t>(i));
+        }
     });
     Steps steps(std::ssize(axes));
     for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
@@ -204,6 +207,10 @@ SplinePtr interpolate(const Spline::Axes &axes, std::span<const double> params, 
 
 SplinePtr interpolate_conditions(KnotVectorPtr knots, const std::vector<Condition> &conditions, int dim,
                                  std::vector<double> targets) {
+    const auto [lower, upper] = knots->domain();
+    for (size_t i = 0; i < conditions.size(); ++i) {
+        check_inside(conditions[i].param, {lower, upper}, 0, static_cast<int64_t>(i));
+    }
     PointGrid grid{{std::ssize(conditions)}, dim, std::move(targets)};
     std::vector<int64_t> sources(conditions.size());
     std::iota(sources.begin(), sources.end(), 0);
@@ -219,14 +226,16 @@ double largest_miss(const Spline &spline, std::span<const double> params, const 
     });
     eval::AxisRules rules{};
     for (int k = 0; k < spline.axes(); ++k) {
-        rules[static_cast<size_t>(k)].outside = spline.axis(k).periodic() ? eval::Outside::wrap : eval::Outside::refuse;
+        rules[static_cast<size_t>(k)].outside =
+            spline.axis(k).periodic() ? eval::Outside::wrap : eval::Outside::refuse;
     }
     std::vector<double> values(grid.points.size());
     const int64_t dim = grid.dim, count = std::ssize(values) / dim;
     eval::evaluate_grid(spline, rules, 0, axes, {values.data(), count, dim, dim});
     double largest = 0;
     for (int64_t i = 0; i < count; ++i) {
-        largest = std::max(largest, distance(values.data() + i * dim, grid.points.data() + i * dim, grid.dim));
+        largest =
+            std::max(largest, distance(values.data() + i * dim, grid.points.data() + i * dim, grid.dim));
     }
     return largest;
 }

@@ -28,16 +28,12 @@ void check_ends(int degree, Ends ends, bool periodic, int axis) {
 
 void check_count(size_t count, int64_t least, int axis) {
     if (static_cast<int64_t>(count) < least) {
-        fail(Status::too_few_points, "counts[%d] = %zu, expected at least %lld for the degree and the ends", axis,
-             count, static_cast<long long>(least));
+        fail(Status::too_few_points, "counts[%d] = %zu, expected at least %lld for the degree and the ends",
+             axis, count, static_cast<long long>(least));
     }
 }
 
-// Where inner knots may stand: at the inner parameters or in the middles.
-std::vector<double> places_of(int degree, std::span<const double> params) {
-    if (degree % 2 != 0) {
-        return {params.begin() + 1, params.end() - 1};
-    }
+std::vector<double> middles_of(std::span<const double> params) {
     std::vector<double> middles(params.size() - 1);
     for (size_t i = 0; i < middles.size(); ++i) {
         middles[i] = params[i] + (params[i + 1] - params[i]) / 2;
@@ -49,9 +45,13 @@ std::vector<double> open_knots(int degree, std::span<const double> params, Ends 
     const auto skipped = [&](End end) { return end == End::natural ? 0 : degree / 2; };
     const int start = skipped(ends[0]), end = skipped(ends[1]);
     check_count(params.size(), std::max<int64_t>(2, start + end + (degree % 2 == 0 ? 1 : 2)), axis);
-    const std::vector<double> places = places_of(degree, params);
+    const std::vector<double> middles = degree % 2 == 0 ? middles_of(params) : std::vector<double>();
+    const std::span<const double> places =
+        degree % 2 == 0 ? std::span(middles) : params.subspan(1, params.size() - 2);
     const size_t clamped = static_cast<size_t>(degree) + 1;
-    std::vector<double> knots(clamped, params.front());
+    std::vector<double> knots;
+    knots.reserve(places.size() + 2 * clamped);
+    knots.insert(knots.end(), clamped, params.front());
     knots.insert(knots.end(), places.begin() + start, places.end() - end);
     knots.insert(knots.end(), clamped, params.back());
     return knots;
@@ -71,7 +71,7 @@ std::vector<double> closed_knots(int degree, std::span<const double> params, int
     if (degree % 2 == 0) {
         const double half = (params.back() - params[params.size() - 2]) / 2;
         const double period = params.back() - params.front();
-        breaks = places_of(degree, params);
+        breaks = middles_of(params);
         breaks.insert(breaks.begin(), params.front() - half);
         breaks.back() = breaks.front() + period;
     }
@@ -83,10 +83,11 @@ std::vector<double> closed_knots(int degree, std::span<const double> params, int
 
 } // namespace
 
-KnotVectorPtr interpolation_knots(int degree, std::span<const double> params, Ends ends, bool periodic, int axis) {
+KnotVectorPtr interpolation_knots(int degree, std::span<const double> params, Ends ends, bool periodic,
+                                  int axis) {
     check_degree(degree, axis);
     check_ends(degree, ends, periodic, axis);
-    std::vector<double> knots = periodic                     ? closed_knots(degree, params, axis)
+    std::vector<double> knots = periodic                   ? closed_knots(degree, params, axis)
                                 : ends[0] == End::averaged ? averaged(degree, params, axis)
                                                            : open_knots(degree, params, ends, axis);
     return make_knot_vector(degree, std::move(knots), periodic, axis);

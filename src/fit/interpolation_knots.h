@@ -22,7 +22,8 @@ using Ends = std::array<End, 2>;
 // - averaged (at both ends): knots averaged from `degree` consecutive parameters.
 // - periodic: the same with a knot for each parameter but the last, which ends the period.
 // Throws Status::too_few_points, degree, rule, and what make_knot_vector() does.
-KnotVectorPtr interpolation_knots(int degree, std::span<const double> params, Ends ends, bool periodic, int axis);
+KnotVectorPtr interpolation_knots(int degree, std::span<const double> params, Ends ends, bool periodic,
+                                  int axis);
 
 // How many conditions a natural end adds.
 constexpr int conditions_at(End end, int degree) noexcept {

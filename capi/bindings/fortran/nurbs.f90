@@ -31,6 +31,7 @@ module nurbs
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
     use nurbs_lists, only: nurbs_list
+    use nurbs_fits
     use nurbs_knot_vectors
     use nurbs_frames
     use nurbs_compatible

@@ -1011,6 +1011,61 @@ module nurbs_c
             real(c_double), intent(inout) :: matrix(*)
             integer(c_int32_t) :: r
         end function nurbs_basis_matrix
+        ! --- Interpolation
+        !> Parameters of points from the distances between them: along each axis from 0 to 1, steps in
+        !> proportion to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i,
+        !> sqrt(c_i), c_i^exponent, or for NURBS_PARAMS_FOLEY_NIELSON.
+        function nurbs_parametrize(axes, counts, dim, points, point_stride, point_component_stride, rule, &
+                exponent, flags, params) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, rule, flags
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride
+            real(c_double), value :: exponent
+            real(c_double), intent(inout) :: params(*)
+            integer(c_int32_t) :: r
+        end function nurbs_parametrize
+        !> The spline of given degrees through points on a grid of parameters.
+        function nurbs_interpolate(axes, degrees, counts, params, dim, points, point_stride, &
+                point_component_stride, ends, flags, residual, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*), points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride
+            integer(c_int32_t), intent(in), optional :: ends(*)
+            real(c_double), intent(inout), optional :: residual
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_interpolate
+        !> The spline over given knots through points on a grid of parameters: as many control points as data.
+        function nurbs_interpolate_over_knots(axes, degrees, counts, params, knots, knot_count, dim, points, &
+                point_stride, point_component_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*), knots(*), points(*)
+            integer(c_int64_t), value :: knot_count, point_stride, point_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_interpolate_over_knots
+        !> The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever
+        !> orders in whichever places, as long as they determine a curve (Hermite's problem if each parameter
+        !> has all orders up to its highest one, else Birkhoff's).
+        function nurbs_curve_interpolate(degree, n, params, orders, dim, targets, target_stride, &
+                target_component_stride, knots, knot_count, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree, dim, flags
+            integer(c_int64_t), value :: n, target_stride, target_component_stride, knot_count
+            real(c_double), intent(in) :: params(*), targets(*)
+            integer(c_int32_t), intent(in), optional :: orders(*)
+            real(c_double), intent(in), optional :: knots(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_interpolate
         ! --- Continuity
         !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
         !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

@@ -119,6 +119,11 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_CONTRADICTION = 61  ! constraints contradict each other
     integer(c_int32_t), parameter :: NURBS_ERROR_CONSTRAINT = 62  ! not one of the NURBS_CONSTRAIN_ constants
     integer(c_int32_t), parameter :: NURBS_ERROR_OFF_POLYGON = 63  ! a point is not on the control polygon
+    ! not one of the constants of a rule, or one that does not suit
+    integer(c_int32_t), parameter :: NURBS_ERROR_RULE = 64
+    ! data lie outside the support of the control point that they have to determine
+    integer(c_int32_t), parameter :: NURBS_ERROR_SCHOENBERG_WHITNEY = 65
+    integer(c_int32_t), parameter :: NURBS_ERROR_RANK = 66  ! data or conditions do not determine the result
     ! a parameter or knot lies outside the domain
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     ! a value of the result overflows double precision
@@ -198,6 +203,21 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_BASIS_HERMITE = 2
     ! control points over the knots -degree, ..., degree + 1
     integer(c_int32_t), parameter :: NURBS_BASIS_BSPLINE = 3
+
+    ! --- Rules for parameters, for nurbs_parametrize()
+    integer(c_int32_t), parameter :: NURBS_PARAMS_UNIFORM = 0  ! equal steps
+    integer(c_int32_t), parameter :: NURBS_PARAMS_CHORD = 1  ! steps as long as the chords
+    integer(c_int32_t), parameter :: NURBS_PARAMS_CENTRIPETAL = 2  ! their square roots (Lee 1989)
+    integer(c_int32_t), parameter :: NURBS_PARAMS_POWER = 3  ! a power of them
+    ! chords that count for more where the polygon turns
+    integer(c_int32_t), parameter :: NURBS_PARAMS_FOLEY_NIELSON = 4
+
+    ! --- Ends of an interpolating spline, for nurbs_interpolate()
+    integer(c_int32_t), parameter :: NURBS_ENDS_NOT_A_KNOT = 0  ! the parameters next to the end are no knots
+    ! derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
+    integer(c_int32_t), parameter :: NURBS_ENDS_NATURAL = 1
+    ! knots averaged from the parameters, nurbs_knots_averaged(); both ends
+    integer(c_int32_t), parameter :: NURBS_ENDS_FREE = 2
 
     ! --- Ends of an axis
     integer(c_int32_t), parameter :: NURBS_START = 0  ! the lower end of the domain

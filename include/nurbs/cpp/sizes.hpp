@@ -69,8 +69,9 @@ std::vector<T> room(Extents... extents) {
 }
 
 // For as many axes as a library takes, and then for too many.
-inline std::int32_t axes_of(View<std::int32_t> degrees) {
-    return degrees.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(degrees.size());
+template <class T>
+std::int32_t axes_of(View<T> by_axis) {
+    return by_axis.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(by_axis.size());
 }
 // Control points of one piece of these degrees; -1 if one is negative, as product() says it.
 inline std::int64_t piece_points(View<std::int32_t> degrees) {

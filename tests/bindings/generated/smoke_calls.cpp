@@ -65,6 +65,16 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("parametrize");
+        const auto found = n::parametrize({4}, 2, {0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0}, 4, 0.0, 0u);
+        show("params", found);
+    }
+    {
+        begin("parametrize surface");
+        const auto found = n::parametrize({2, 2}, 2, {0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0}, 1, 0.0, 0u);
+        show("params", found);
+    }
+    {
         begin("read");
         const auto found = n::List::read(std::as_bytes(std::span(file)));
         show("out", found);
@@ -285,6 +295,39 @@ void data(const Inputs &in) {
     {
         begin("create_bezier rational");
         const auto found = n::Spline::create_bezier({3}, 2, {0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0}, {1.0, 0.7071067811865476, 1.0, 0.7071067811865476});
+        show("out", found);
+    }
+    {
+        begin("interpolate");
+        const auto found = n::interpolate({3}, {5}, {0.0, 0.25, 0.5, 0.75, 1.0}, 2, {0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0, 5.0, 5.0}, {}, 0u);
+        show("out", found.spline);
+        show("residual", found.residual);
+    }
+    {
+        begin("interpolate natural");
+        const auto found = n::interpolate({3}, {3}, {0.0, 0.5, 1.0}, 2, {0.0, 0.0, 1.0, 2.0, 3.0, 2.0}, {1, 1}, 0u);
+        show("out", found.spline);
+        show("residual", found.residual);
+    }
+    {
+        begin("interpolate loop");
+        const auto found = n::interpolate({2}, {5}, {0.0, 0.25, 0.5, 0.75, 1.0}, 1, {0.0, 1.0, 0.0, -1.0, 0.0}, {}, 1u);
+        show("out", found.spline);
+        show("residual", found.residual);
+    }
+    {
+        begin("interpolate_over_knots");
+        const auto found = n::interpolate_over_knots({1, 2}, {2, 3}, {0.0, 1.0, 0.0, 0.5, 1.0}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 1, {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, 0u);
+        show("out", found);
+    }
+    {
+        begin("curve_interpolate");
+        const auto found = n::interpolate_curve(3, {0.0, 0.0, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0}, {0, 1, 0, 1}, {}, 0u);
+        show("out", found);
+    }
+    {
+        begin("curve_interpolate over knots");
+        const auto found = n::interpolate_curve(2, {0.0, 0.5, 1.0}, 1, {0.0, 1.0, 0.0}, {}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 0u);
         show("out", found);
     }
     {

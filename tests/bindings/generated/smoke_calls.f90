@@ -101,6 +101,22 @@ contains
                 tangents=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0], [2, 2], order=[2, 1]))
             call show('out', out_found)
         end block
+        call begin('parametrize')
+        block
+            real(c_double), allocatable :: params_found(:)
+            allocate (params_found(4))
+            call parametrize(counts=[4], points=reshape([0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 2.0d0, 4.0d0, 0.0d0], [4, &
+                2], order=[2, 1]), rule=4, params=params_found, exponent=0.0d0, flags=0)
+            call show('params', params_found)
+        end block
+        call begin('parametrize surface')
+        block
+            real(c_double), allocatable :: params_found(:)
+            allocate (params_found(4))
+            call parametrize(counts=[2, 2], points=reshape([0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 2.0d0, 4.0d0, 0.0d0], &
+                [4, 2], order=[2, 1]), rule=1, params=params_found, exponent=0.0d0, flags=0)
+            call show('params', params_found)
+        end block
         call begin('read')
         block
             type(nurbs_list) :: found
@@ -415,6 +431,61 @@ contains
             call found%create_bezier(degrees=[3], points=reshape([0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 2.0d0, 4.0d0, &
                 0.0d0], [4, 2], order=[2, 1]), weights=[1.0d0, 0.7071067811865476d0, 1.0d0, 0.7071067811865476d0])
             call show('out', found)
+        end block
+        call begin('interpolate')
+        block
+            type(nurbs_spline) :: out_found
+            real(c_double) :: residual_found
+            call interpolate(degrees=[3], counts=[5], params=[0.0d0, 0.25d0, 0.5d0, 0.75d0, 1.0d0], &
+                points=reshape([0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 2.0d0, 4.0d0, 0.0d0, 5.0d0, 5.0d0], [5, 2], &
+                order=[2, 1]), out=out_found, residual=residual_found, flags=0)
+            call show('out', out_found)
+            call show('residual', residual_found)
+        end block
+        call begin('interpolate natural')
+        block
+            type(nurbs_spline) :: out_found
+            real(c_double) :: residual_found
+            call interpolate(degrees=[3], counts=[3], params=[0.0d0, 0.5d0, 1.0d0], &
+                points=reshape([0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 2.0d0], [3, 2], order=[2, 1]), out=out_found, &
+                ends=reshape([1, 1], [1, 2], order=[2, 1]), residual=residual_found, flags=0)
+            call show('out', out_found)
+            call show('residual', residual_found)
+        end block
+        call begin('interpolate loop')
+        block
+            type(nurbs_spline) :: out_found
+            real(c_double) :: residual_found
+            call interpolate(degrees=[2], counts=[5], params=[0.0d0, 0.25d0, 0.5d0, 0.75d0, 1.0d0], &
+                points=reshape([0.0d0, 1.0d0, 0.0d0, -1.0d0, 0.0d0], [5, 1], order=[2, 1]), out=out_found, &
+                residual=residual_found, flags=1)
+            call show('out', out_found)
+            call show('residual', residual_found)
+        end block
+        call begin('interpolate_over_knots')
+        block
+            type(nurbs_spline) :: out_found
+            call interpolate_over_knots(degrees=[1, 2], counts=[2, 3], params=[0.0d0, 1.0d0, 0.0d0, 0.5d0, 1.0d0], &
+                knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0], &
+                points=reshape([0.0d0, 1.0d0, 2.0d0, 3.0d0, 4.0d0, 5.0d0], [6, 1], order=[2, 1]), out=out_found, &
+                flags=0)
+            call show('out', out_found)
+        end block
+        call begin('curve_interpolate')
+        block
+            type(nurbs_spline) :: out_found
+            call interpolate_curve(degree=3, params=[0.0d0, 0.0d0, 1.0d0, 1.0d0], &
+                targets=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0], [4, 2], order=[2, 1]), &
+                out=out_found, orders=[0, 1, 0, 1], flags=0)
+            call show('out', out_found)
+        end block
+        call begin('curve_interpolate over knots')
+        block
+            type(nurbs_spline) :: out_found
+            call interpolate_curve(degree=2, params=[0.0d0, 0.5d0, 1.0d0], &
+                targets=reshape([0.0d0, 1.0d0, 0.0d0], [3, 1], order=[2, 1]), out=out_found, knots=[0.0d0, 0.0d0, &
+                0.0d0, 1.0d0, 1.0d0, 1.0d0], flags=0)
+            call show('out', out_found)
         end block
         call begin('read_with')
         block

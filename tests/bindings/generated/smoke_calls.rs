@@ -176,6 +176,30 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Spline::hermite(&[0.3, 0.6], 2, &[0.1, 0.9, 0.3, 0.7], &[0.1, 0.9, 0.3, 0.7])?;
         show("out", &found);
     }
+    begin("parametrize");
+    {
+        let found = nurbs::parametrize(
+            &[4],
+            2,
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0],
+            4,
+            0.0,
+            0,
+        )?;
+        show("params", &found);
+    }
+    begin("parametrize surface");
+    {
+        let found = nurbs::parametrize(
+            &[2, 2],
+            2,
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0],
+            1,
+            0.0,
+            0,
+        )?;
+        show("params", &found);
+    }
     begin("read");
     {
         let found = List::read(FILE.as_bytes(), None)?;
@@ -503,6 +527,87 @@ fn data(given: &Given) -> nurbs::Result<()> {
             2,
             &[0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0],
             Some(&[1.0, 0.7071067811865476, 1.0, 0.7071067811865476]),
+        )?;
+        show("out", &found);
+    }
+    begin("interpolate");
+    {
+        let found = Spline::interpolate(
+            &[3],
+            &[5],
+            &[0.0, 0.25, 0.5, 0.75, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0, 5.0, 5.0],
+            None,
+            0,
+        )?;
+        show("out", &found.spline);
+        show("residual", &found.residual);
+    }
+    begin("interpolate natural");
+    {
+        let found = Spline::interpolate(
+            &[3],
+            &[3],
+            &[0.0, 0.5, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 2.0],
+            Some(&[1, 1]),
+            0,
+        )?;
+        show("out", &found.spline);
+        show("residual", &found.residual);
+    }
+    begin("interpolate loop");
+    {
+        let found = Spline::interpolate(
+            &[2],
+            &[5],
+            &[0.0, 0.25, 0.5, 0.75, 1.0],
+            1,
+            &[0.0, 1.0, 0.0, -1.0, 0.0],
+            None,
+            1,
+        )?;
+        show("out", &found.spline);
+        show("residual", &found.residual);
+    }
+    begin("interpolate_over_knots");
+    {
+        let found = Spline::interpolate_over_knots(
+            &[1, 2],
+            &[2, 3],
+            &[0.0, 1.0, 0.0, 0.5, 1.0],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            1,
+            &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
+            0,
+        )?;
+        show("out", &found);
+    }
+    begin("curve_interpolate");
+    {
+        let found = Spline::interpolate_curve(
+            3,
+            &[0.0, 0.0, 1.0, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0],
+            Some(&[0, 1, 0, 1]),
+            None,
+            0,
+        )?;
+        show("out", &found);
+    }
+    begin("curve_interpolate over knots");
+    {
+        let found = Spline::interpolate_curve(
+            2,
+            &[0.0, 0.5, 1.0],
+            1,
+            &[0.0, 1.0, 0.0],
+            None,
+            Some(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]),
+            0,
         )?;
         show("out", &found);
     }

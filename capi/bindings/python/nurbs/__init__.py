@@ -51,6 +51,7 @@ from ._deform import *  # noqa: F403
 from ._edit import *  # noqa: F403
 from ._evaluation import *  # noqa: F403
 from ._files import *  # noqa: F403
+from ._fit import *  # noqa: F403
 from ._frames import *  # noqa: F403
 from ._knots import *  # noqa: F403
 from ._linear import *  # noqa: F403

@@ -71,6 +71,9 @@ NURBS_ERROR_INFLUENCE = 60  # a control point has no influence at the parameter
 NURBS_ERROR_CONTRADICTION = 61  # constraints contradict each other
 NURBS_ERROR_CONSTRAINT = 62  # not one of the NURBS_CONSTRAIN_ constants
 NURBS_ERROR_OFF_POLYGON = 63  # a point is not on the control polygon
+NURBS_ERROR_RULE = 64  # not one of the constants of a rule, or one that does not suit
+NURBS_ERROR_SCHOENBERG_WHITNEY = 65  # data lie outside the support of the control point that they have to determine
+NURBS_ERROR_RANK = 66  # data or conditions do not determine the result
 NURBS_ERROR_OUTSIDE_DOMAIN = 100  # a parameter or knot lies outside the domain
 NURBS_ERROR_NOT_REPRESENTABLE = 200  # a value of the result overflows double precision
 NURBS_ERROR_KNOTS_MERGE = 202  # knots that differ would become equal or change their order
@@ -124,6 +127,18 @@ NURBS_BASIS_POWER = 0  # 1, t, t^2, ...
 NURBS_BASIS_BERNSTEIN = 1  # the Bezier points over [0, 1]
 NURBS_BASIS_HERMITE = 2  # f(0), f'(0), ..., then f(1), f'(1), ...; odd degrees
 NURBS_BASIS_BSPLINE = 3  # control points over the knots -degree, ..., degree + 1
+
+# --- Rules for parameters, for nurbs_parametrize()
+NURBS_PARAMS_UNIFORM = 0  # equal steps
+NURBS_PARAMS_CHORD = 1  # steps as long as the chords
+NURBS_PARAMS_CENTRIPETAL = 2  # their square roots (Lee 1989)
+NURBS_PARAMS_POWER = 3  # a power of them
+NURBS_PARAMS_FOLEY_NIELSON = 4  # chords that count for more where the polygon turns
+
+# --- Ends of an interpolating spline, for nurbs_interpolate()
+NURBS_ENDS_NOT_A_KNOT = 0  # the parameters next to the end are no knots
+NURBS_ENDS_NATURAL = 1  # derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
+NURBS_ENDS_FREE = 2  # knots averaged from the parameters, nurbs_knots_averaged(); both ends
 
 # --- Ends of an axis
 NURBS_START = 0  # the lower end of the domain

@@ -25,8 +25,8 @@ pub(crate) fn sum(counts: &[i64]) -> usize {
 }
 
 /// Number of axes that degrees stand for. More than the library takes is as good as any number of them.
-pub(crate) fn axes_of(degrees: &[i32]) -> i32 {
-    degrees.len().min(sys::NURBS_MAX_AXES as usize + 1) as i32
+pub(crate) fn axes_of<T>(by_axis: &[T]) -> i32 {
+    by_axis.len().min(sys::NURBS_MAX_AXES as usize + 1) as i32
 }
 
 /// Control points of one Bezier piece.

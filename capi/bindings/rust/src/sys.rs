@@ -295,6 +295,12 @@ pub const NURBS_ERROR_CONTRADICTION: nurbs_status = 61;
 pub const NURBS_ERROR_CONSTRAINT: nurbs_status = 62;
 /// a point is not on the control polygon
 pub const NURBS_ERROR_OFF_POLYGON: nurbs_status = 63;
+/// not one of the constants of a rule, or one that does not suit
+pub const NURBS_ERROR_RULE: nurbs_status = 64;
+/// data lie outside the support of the control point that they have to determine
+pub const NURBS_ERROR_SCHOENBERG_WHITNEY: nurbs_status = 65;
+/// data or conditions do not determine the result
+pub const NURBS_ERROR_RANK: nurbs_status = 66;
 /// a parameter or knot lies outside the domain
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 /// a value of the result overflows double precision
@@ -382,6 +388,26 @@ pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
 pub const NURBS_BASIS_HERMITE: i32 = 2;
 /// control points over the knots -degree, ..., degree + 1
 pub const NURBS_BASIS_BSPLINE: i32 = 3;
+
+// --- Rules for parameters, for nurbs_parametrize()
+/// equal steps
+pub const NURBS_PARAMS_UNIFORM: i32 = 0;
+/// steps as long as the chords
+pub const NURBS_PARAMS_CHORD: i32 = 1;
+/// their square roots (Lee 1989)
+pub const NURBS_PARAMS_CENTRIPETAL: i32 = 2;
+/// a power of them
+pub const NURBS_PARAMS_POWER: i32 = 3;
+/// chords that count for more where the polygon turns
+pub const NURBS_PARAMS_FOLEY_NIELSON: i32 = 4;
+
+// --- Ends of an interpolating spline, for nurbs_interpolate()
+/// the parameters next to the end are no knots
+pub const NURBS_ENDS_NOT_A_KNOT: i32 = 0;
+/// derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
+pub const NURBS_ENDS_NATURAL: i32 = 1;
+/// knots averaged from the parameters, nurbs_knots_averaged(); both ends
+pub const NURBS_ENDS_FREE: i32 = 2;
 
 // --- Ends of an axis
 /// the lower end of the domain
@@ -1326,6 +1352,73 @@ extern "C" {
     /// The matrix that takes the coefficients of a polynomial over \[0, 1\] in one basis to those in another:
     /// coefficient i of `to` is sum_j M_ij \* coefficient j of `from`.
     pub fn nurbs_basis_matrix(from: i32, to: i32, degree: i32, size: i64, matrix: *mut f64) -> nurbs_status;
+    // --- Interpolation
+    /// Parameters of points from the distances between them: along each axis from 0 to 1, steps in proportion
+    /// to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i, sqrt(c_i),
+    /// c_i^exponent, or for NURBS_PARAMS_FOLEY_NIELSON.
+    pub fn nurbs_parametrize(
+        axes: i32,
+        counts: *const i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        rule: i32,
+        exponent: f64,
+        flags: u32,
+        params: *mut f64,
+    ) -> nurbs_status;
+    /// The spline of given degrees through points on a grid of parameters.
+    ///
+    /// May be null: `ends`, `residual`.
+    pub fn nurbs_interpolate(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        params: *const f64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        ends: *const i32,
+        flags: u32,
+        residual: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The spline over given knots through points on a grid of parameters: as many control points as data.
+    pub fn nurbs_interpolate_over_knots(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        params: *const f64,
+        knots: *const f64,
+        knot_count: i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The curve of given points and derivatives: derivative orders\[i\] at params\[i\] is target i,
+    /// whichever orders in whichever places, as long as they determine a curve (Hermite's problem if each
+    /// parameter has all orders up to its highest one, else Birkhoff's).
+    ///
+    /// May be null: `orders`, `knots`.
+    pub fn nurbs_curve_interpolate(
+        degree: i32,
+        n: i64,
+        params: *const f64,
+        orders: *const i32,
+        dim: i32,
+        targets: *const f64,
+        target_stride: i64,
+        target_component_stride: i64,
+        knots: *const f64,
+        knot_count: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     // --- Continuity
     /// Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
     /// named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace nrb::inline numeric {
 
@@ -16,7 +17,8 @@ constexpr int64_t rows_between_counts = 64;
 constexpr int64_t most_together = 256;
 
 // target -= factor * source
-void subtract(double *target, double factor, const double *source, int64_t n) noexcept {
+template <class Size>
+void subtract(double *target, double factor, const double *source, Size n) noexcept {
     for (int64_t c = 0; c < n; ++c) {
         target[c] -= factor * source[c];
     }
@@ -26,7 +28,6 @@ void subtract(double *target, double factor, const double *source, int64_t n) no
 
 BandedLu::BandedLu(int64_t rows, int below, int above) : rows_(rows), below_(below), above_(above) {
     grow_watched(band_, static_cast<size_t>(rows * stride()));
-    inverses_.resize(static_cast<size_t>(rows));
 }
 
 bool BandedLu::factor() {
@@ -38,28 +39,45 @@ bool BandedLu::factor() {
         for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
             const double *const pivot = row(k) + below_;
             double &factor = target[k - i];
-            factor *= inverses_[static_cast<size_t>(k)];
             if (factor != 0) {
+                factor *= *pivot;
                 subtract(target + (k - i) + 1, factor, pivot + 1, std::min<int64_t>(above_, rows_ - 1 - k));
             }
         }
-        const double inverse = 1 / *target;
-        if (*target == 0 || !std::isfinite(inverse)) {
+        *target = 1 / *target;
+        if (!std::isfinite(*target)) {
             return false;
         }
-        inverses_[static_cast<size_t>(i)] = inverse;
     }
     return true;
 }
 
+// Records of points of few coordinates have loops of their own.
 void BandedLu::solve(double *values, int64_t width) const {
+    const auto all_at_once = [&]<int64_t n>(std::integral_constant<int64_t, n> size) {
+        count_work(rows_ * (below_ + above_ + 1) * n);
+        solve_some(values, n, size);
+    };
+    switch (width) {
+    case 1:
+        return all_at_once(std::integral_constant<int64_t, 1>());
+    case 2:
+        return all_at_once(std::integral_constant<int64_t, 2>());
+    case 3:
+        return all_at_once(std::integral_constant<int64_t, 3>());
+    case 4:
+        return all_at_once(std::integral_constant<int64_t, 4>());
+    default:
+        break;
+    }
     for (int64_t first = 0; first < width; first += most_together) {
         solve_some(values + first, width, std::min(most_together, width - first));
         count_work(rows_ * (below_ + above_ + 1) * std::min(most_together, width - first));
     }
 }
 
-void BandedLu::solve_some(double *values, int64_t width, int64_t some) const noexcept {
+template <class Size>
+void BandedLu::solve_some(double *values, int64_t width, Size some) const noexcept {
     for (int64_t i = 0; i < rows_; ++i) {
         const double *const from = band_.data() + i * stride() + below_;
         for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
@@ -73,8 +91,8 @@ void BandedLu::solve_some(double *values, int64_t width, int64_t some) const noe
         for (int64_t k = i + 1; k <= last; ++k) {
             subtract(target, from[k - i], values + k * width, some);
         }
-        const double inverse = inverses_[static_cast<size_t>(i)];
-        std::for_each_n(target, some, [inverse](double &x) { x *= inverse; });
+        const double inverse = *from;
+        std::for_each_n(target, static_cast<int64_t>(some), [inverse](double &x) { x *= inverse; });
     }
 }
 

@@ -26,13 +26,13 @@ public:
 
 private:
     [[nodiscard]] int64_t stride() const noexcept { return below_ + above_ + 1; }
-    void solve_some(double *values, int64_t width, int64_t some) const noexcept;
+    template <class Size>
+    void solve_some(double *values, int64_t width, Size some) const noexcept;
 
     int64_t rows_;
     int below_;
     int above_;
-    std::vector<double> band_;     // after factor(): L, and U
-    std::vector<double> inverses_; // of the pivots
+    std::vector<double> band_; // after factor(): L, the inverses of the pivots, and U
 };
 
 } // namespace nrb::inline numeric

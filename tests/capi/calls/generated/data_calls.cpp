@@ -45,6 +45,18 @@ const Call group[] = {
          static constexpr double tangents[] = {0.1, 0.9, 0.3, 0.7};
          return nurbs_create_hermite(2, arrays::new_knots, 2, points, 0, 0, tangents, 0, 0, &o.out);
      }},
+    {"parametrize",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int64_t counts[] = {4};
+         static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
+         return nurbs_parametrize(1, counts, 2, points, 0, 0, NURBS_PARAMS_FOLEY_NIELSON, 0, 0, o.values);
+     }},
+    {"parametrize surface",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int64_t counts[] = {2, 2};
+         static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
+         return nurbs_parametrize(2, counts, 2, points, 0, 0, NURBS_PARAMS_CHORD, 0, 0, o.values);
+     }},
     {"read",
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_read(texts::file, 1134, nullptr, &o.list);
@@ -263,6 +275,56 @@ const Call group[] = {
          static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
          static constexpr double weights[] = {1, 0.7071067811865476, 1, 0.7071067811865476};
          return nurbs_create_bezier(1, degrees, 2, points, 0, 0, weights, 0, &o.out);
+     }},
+    {"interpolate",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3};
+         static constexpr int64_t counts[] = {5};
+         static constexpr double params[] = {0, 0.25, 0.5, 0.75, 1};
+         static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0, 5, 5};
+         return nurbs_interpolate(1, degrees, counts, params, 2, points, 0, 0, nullptr, 0, o.values, &o.out);
+     }},
+    {"interpolate natural",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3};
+         static constexpr int64_t counts[] = {3};
+         static constexpr double params[] = {0, 0.5, 1};
+         static constexpr double points[] = {0, 0, 1, 2, 3, 2};
+         static constexpr int32_t ends[] = {1, 1};
+         return nurbs_interpolate(1, degrees, counts, params, 2, points, 0, 0, ends, 0, o.values, &o.out);
+     }},
+    {"interpolate loop",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {5};
+         static constexpr double params[] = {0, 0.25, 0.5, 0.75, 1};
+         static constexpr double points[] = {0, 1, 0, -1, 0};
+         return nurbs_interpolate(1, degrees, counts, params, 1, points, 0, 0, nullptr, NURBS_PERIODIC,
+             o.values, &o.out);
+     }},
+    {"interpolate_over_knots",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {1, 2};
+         static constexpr int64_t counts[] = {2, 3};
+         static constexpr double params[] = {0, 1, 0, 0.5, 1};
+         static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 0, 1, 1, 1};
+         static constexpr double points[] = {0, 1, 2, 3, 4, 5};
+         return nurbs_interpolate_over_knots(2, degrees, counts, params, knots, 10, 1, points, 0, 0, 0,
+             &o.out);
+     }},
+    {"curve_interpolate",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1, 1};
+         static constexpr int32_t orders[] = {0, 1, 0, 1};
+         static constexpr double targets[] = {0, 0, 1, 0, 2, 1, 1, 1};
+         return nurbs_curve_interpolate(3, 4, params, orders, 2, targets, 0, 0, nullptr, 0, 0, &o.out);
+     }},
+    {"curve_interpolate over knots",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0.5, 1};
+         static constexpr double targets[] = {0, 1, 0};
+         static constexpr double knots[] = {0, 0, 0, 1, 1, 1};
+         return nurbs_curve_interpolate(2, 3, params, nullptr, 1, targets, 0, 0, knots, 6, 0, &o.out);
      }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {

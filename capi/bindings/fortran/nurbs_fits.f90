@@ -1,0 +1,98 @@
+! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+!> Parameters of data, and splines through them. Conventions: see the module nurbs.
+module nurbs_fits
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c, only: nurbs_parametrize, nurbs_interpolate, nurbs_interpolate_over_knots, nurbs_curve_interpolate
+    use nurbs_support
+    use nurbs_splines
+    implicit none
+    private
+    public :: parametrize, interpolate, interpolate_over_knots, interpolate_curve
+
+contains
+
+    !> params of points on a grid from the distances between them, those of each axis from 0 to 1.
+    subroutine parametrize(counts, points, rule, params, exponent, flags, status)
+        integer(c_int32_t), intent(in) :: counts(:), rule
+        real(c_double), intent(in) :: points(:, :)
+        real(c_double), intent(inout) :: params(:)
+        real(c_double), intent(in), optional :: exponent
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: dim
+        dim = size(points, 2, c_int64_t)
+        code = fitting([fits(points, product(int(counts, c_int64_t)), dim), fits(params, sum(int(counts, c_int64_t)))])
+        if (code == NURBS_OK) code = nurbs_parametrize(size(counts), int(counts, c_int64_t), int(dim), points, &
+            step(points), column(points), rule, given(exponent, 1d0), given(flags, 0), params)
+        call settle(code, status)
+    end subroutine parametrize
+
+    !> The spline through points on a grid of parameters; without ends, not-a-knot.
+    subroutine interpolate(degrees, counts, params, points, out, ends, residual, flags, status)
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: params(:), points(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: ends(:, :), flags
+        real(c_double), intent(inout), optional :: residual
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim
+        integer(c_int32_t), allocatable :: ends_c(:, :)
+        type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(counts, axes), fits(params, sum(int(counts, c_int64_t))), &
+            fits(points, product(int(counts, c_int64_t)), dim), fits(ends, axes, 2_c_int64_t)])
+        if (present(ends)) ends_c = transpose(ends)
+        if (code == NURBS_OK) code = nurbs_interpolate(int(axes), degrees, int(counts, c_int64_t), params, int(dim), &
+            points, step(points), column(points), ends_c, given(flags, 0), residual, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine interpolate
+
+    !> The spline over full knot vectors, all axes one after the other, through points on a grid of parameters.
+    subroutine interpolate_over_knots(degrees, counts, params, knots, points, out, flags, status)
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: params(:), knots(:), points(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim
+        type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(counts, axes), fits(params, sum(int(counts, c_int64_t))), &
+            fits(points, product(int(counts, c_int64_t)), dim)])
+        if (code == NURBS_OK) code = nurbs_interpolate_over_knots(int(axes), degrees, int(counts, c_int64_t), params, &
+            knots, size(knots, kind=c_int64_t), int(dim), points, step(points), column(points), given(flags, 0), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine interpolate_over_knots
+
+    !> The curve with given points and derivatives; without orders, points; without knots, averaged ones.
+    subroutine interpolate_curve(degree, params, targets, out, orders, knots, flags, status)
+        integer(c_int32_t), intent(in) :: degree
+        real(c_double), intent(in) :: params(:), targets(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: orders(:), flags
+        real(c_double), intent(in), optional :: knots(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n, dim
+        type(c_ptr) :: made
+        n = size(params, kind=c_int64_t)
+        dim = size(targets, 2, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(targets, n, dim), fits(orders, n)])
+        if (code == NURBS_OK) code = nurbs_curve_interpolate(degree, n, params, orders, int(dim), targets, &
+            step(targets), column(targets), knots, size(knots, kind=c_int64_t), given(flags, 0), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine interpolate_curve
+end module nurbs_fits

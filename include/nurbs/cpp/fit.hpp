@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
+/// \file fit.hpp
+/// \brief Parameters of data, and splines through them.
+#ifndef NURBS_CPP_FIT_HPP
+#define NURBS_CPP_FIT_HPP
+
+#include <nurbs/cpp/spline.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
+
+/// Rules for parameters of points.
+inline constexpr std::int32_t params_uniform = NURBS_PARAMS_UNIFORM;
+inline constexpr std::int32_t params_chord = NURBS_PARAMS_CHORD;
+inline constexpr std::int32_t params_centripetal = NURBS_PARAMS_CENTRIPETAL;
+inline constexpr std::int32_t params_power = NURBS_PARAMS_POWER;
+inline constexpr std::int32_t params_foley_nielson = NURBS_PARAMS_FOLEY_NIELSON;
+
+/// Ends of interpolating splines.
+inline constexpr std::int32_t ends_not_a_knot = NURBS_ENDS_NOT_A_KNOT;
+inline constexpr std::int32_t ends_natural = NURBS_ENDS_NATURAL;
+inline constexpr std::int32_t ends_free = NURBS_ENDS_FREE;
+
+/// Parameters of points on a grid from the distances between them, those of each axis from 0 to 1.
+inline Returned<std::vector<double>> parametrize(View<std::int64_t> counts, std::int32_t dim, Input points,
+                                                 std::int32_t rule, double exponent = 1,
+                                                 std::uint32_t flags = 0) {
+    points.require(detail::product<std::int64_t>(counts), dim, "points");
+    std::vector<double> values = detail::room(detail::sum(counts));
+    detail::call(nurbs_parametrize, detail::axes_of(counts), counts.data(), dim, points.data(),
+                 points.stride(), points.component_stride(), rule, exponent, flags, values.data());
+    return values;
+}
+
+/// The spline, and the largest distance of a point from it.
+struct Interpolated {
+    Spline spline;   ///< The spline.
+    double residual; ///< The largest distance of a point from the spline at its parameter.
+};
+
+/// The spline through points on a grid of parameters; without ends, not-a-knot.
+inline Returned<Interpolated> interpolate(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                          View<double> params, std::int32_t dim, Input points,
+                                          View<std::int32_t> ends = {}, std::uint32_t flags = 0) {
+    const std::int64_t axes = detail::length(degrees);
+    detail::require(counts, axes, "counts");
+    detail::require_given(ends, 2 * axes, "ends");
+    detail::require(params, detail::sum(counts), "params");
+    points.require(detail::product<std::int64_t>(counts), dim, "points");
+    Interpolated made{};
+    made.spline =
+        detail::made<Spline>(nurbs_interpolate, detail::axes_of(degrees), degrees.data(), counts.data(),
+                             params.data(), dim, points.data(), points.stride(), points.component_stride(),
+                             detail::pointer(ends), flags, &made.residual);
+    return made;
+}
+
+/// The spline over full knot vectors, all axes one after the other, through points on a grid of parameters.
+inline Returned<Spline> interpolate_over_knots(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                               View<double> params, View<double> knots, std::int32_t dim,
+                                               Input points, std::uint32_t flags = 0) {
+    detail::require(counts, detail::length(degrees), "counts");
+    detail::require(params, detail::sum(counts), "params");
+    points.require(detail::product<std::int64_t>(counts), dim, "points");
+    return detail::made<Spline>(nurbs_interpolate_over_knots, detail::axes_of(degrees), degrees.data(),
+                                counts.data(), params.data(), knots.data(), detail::length(knots), dim,
+                                points.data(), points.stride(), points.component_stride(), flags);
+}
+
+/// The curve with given points and derivatives; without orders, points; without knots, averaged ones.
+inline Returned<Spline> interpolate_curve(std::int32_t degree, View<double> params, std::int32_t dim,
+                                          Input targets, View<std::int32_t> orders = {},
+                                          View<double> knots = {}, std::uint32_t flags = 0) {
+    const std::int64_t n = detail::length(params);
+    targets.require(n, dim, "targets");
+    detail::require_given(orders, n, "orders");
+    return detail::made<Spline>(nurbs_curve_interpolate, degree, n, params.data(), detail::pointer(orders),
+                                dim, targets.data(), targets.stride(), targets.component_stride(),
+                                detail::pointer(knots), detail::length(knots), flags);
+}
+
+} // namespace NURBS_CPP_POLICY
+} // namespace libnurbs
+
+#endif // NURBS_CPP_FIT_HPP
