@@ -161,7 +161,7 @@ std::vector<fit::Condition> checked_conditions(int degree, int64_t n, const doub
 KnotVectorPtr knots_for(int degree, std::span<const double> params, const double *knots, int64_t knot_count,
                         uint32_t flags) {
     const bool periodic = decode_periodic(flags, 1, 0);
-    if (knots != nullptr) {
+    if (knots != nullptr && knot_count != 0) {
         fit::PointGrid grid{{std::ssize(params)}, 1, {}};
         grid.periodic[0] = periodic;
         return checked_axes({degree}, grid, knots, knot_count)[0];

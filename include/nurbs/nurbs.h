@@ -337,7 +337,7 @@ enum {
     NURBS_ERROR_OFF_POLYGON = 63,   /**< a point is not on the control polygon */
     NURBS_ERROR_RULE = 64,          /**< not one of the constants of a rule, or one that does not suit */
     NURBS_ERROR_SCHOENBERG_WHITNEY =
-        65,                /**< data lie outside the support of the control point that they have to determine */
+        65, /**< data lie outside the support of the control point that they have to determine */
     NURBS_ERROR_RANK = 66, /**< data or conditions do not determine the result */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
@@ -442,8 +442,8 @@ enum {
 /** \name Ends of an interpolating spline, for nurbs_interpolate()
  * @{ */
 #define NURBS_ENDS_NOT_A_KNOT 0 /**< the parameters next to the end are no knots */
-#define NURBS_ENDS_NATURAL 1    /**< derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees */
-#define NURBS_ENDS_FREE 2       /**< knots averaged from the parameters, nurbs_knots_averaged(); both ends */
+#define NURBS_ENDS_NATURAL 1 /**< derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees */
+#define NURBS_ENDS_FREE 2    /**< knots averaged from the parameters, nurbs_knots_averaged(); both ends */
 /** @} */
 
 /** \name Ends of an axis
@@ -2084,28 +2084,30 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * const int32_t degree = 3;
  * const int64_t count = 5;
  * const double points[5][2] = {{0, 0}, {1, 2}, {3, 3}, {5, 1}, {6, 0}};
- * double params[5], miss;
- * nurbs *curve = NULL;
+ * double params[5], residual;
+ * nurbs *through = NULL;
  * nurbs_parametrize(1, &count, 2, points[0], 0, 0, NURBS_PARAMS_CENTRIPETAL, 0, 0, params);
- * nurbs_interpolate(1, &degree, &count, params, 2, points[0], 0, 0, NULL, 0, &miss, &curve);
- * nurbs_destroy(curve);
+ * nurbs_interpolate(1, &degree, &count, params, 2, points[0], 0, 0, NULL, 0, &residual, &through);
+ * nurbs_destroy(through);
  * \endcode
- * Splines through given points: on a grid along each of its axes in turn (C. de Boor, "Efficient computer manipulation
- * of tensor products", ACM Trans. Math. Softw. 5 (1979)), in a time that grows with the number of points. Coordinates
- * of any dimension take part alike; what is left to choose are the parameters and the knots.
+ * Splines through given points: on a grid along each of its axes in turn (C. de Boor, "Efficient computer
+ * manipulation of tensor products", ACM Trans. Math. Softw. 5 (1979)), in a time that grows with the number
+ * of points. Coordinates of any dimension take part alike; what is left to choose are the parameters and the
+ * knots.
  * @{ */
 
-/** \brief Parameters of points from the distances between them: along each axis from 0 to 1, steps in proportion
- * to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i, sqrt(c_i), c_i^exponent, or for
- * NURBS_PARAMS_FOLEY_NIELSON
+/** \brief Parameters of points from the distances between them: along each axis from 0 to 1, steps in
+ * proportion to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i, sqrt(c_i),
+ * c_i^exponent, or for NURBS_PARAMS_FOLEY_NIELSON
  *
  *     d_i = c_i (1 + 3/2 a_i c_(i-1) / (c_(i-1) + c_i) + 3/2 a_(i+1) c_(i+1) / (c_i + c_(i+1)))
  *
- * with a_i the angle by which the polygon turns at P_i, but at most a right one (Foley & Nielson 1989, with Euclidean
- * chords). On a grid the parameters of an axis are the means of those of its lines; lines of no length do not count.
- * Repeated points have equal parameters, which nurbs_interpolate() refuses. Parameters of another kind: lengths along a
- * curve that is known already, by nurbs_curve_lengths(). Nothing changes beyond rounding if the points are moved,
- * turned, mirrored or scaled, and nothing at all if they are scaled by a power of two.
+ * with a_i the angle by which the polygon turns at P_i, but at most a right one (Foley & Nielson 1989, with
+ * Euclidean chords). On a grid the parameters of an axis are the means of those of its lines; lines of no
+ * length do not count. Repeated points have equal parameters, which nurbs_interpolate() refuses. Parameters
+ * of another kind: lengths along a curve that is known already, by nurbs_curve_lengths(). Nothing changes
+ * beyond rounding if the points are moved, turned, mirrored or scaled, and nothing at all if they are scaled
+ * by a power of two.
  * \param[in] axes 1 to 3.
  * \param[in] counts [axes] number of points along each axis, >= 1.
  * \param[in] dim dimension of the points.
@@ -2117,53 +2119,56 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  *   NURBS_PARAMS_FOLEY_NIELSON sees the angle there.
  * \param[out] params [sum of counts] those of axis 0, then those of axis 1 and 2.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _OVERLAP, _FLAGS,
- *   _POINT_NOT_FINITE; _RULE for another rule, _FACTOR for an exponent that is not allowed, _LENGTH if no line of an axis
- *   has a length.
+ *   _POINT_NOT_FINITE; _RULE for another rule, _FACTOR for an exponent that is not allowed, _LENGTH if no
+ *   line of an axis has a length.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim, const double *points,
-                                         int64_t point_stride, int64_t point_component_stride, int32_t rule,
-                                         double exponent, uint32_t flags, double *params);
+NURBS_API nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim,
+                                         const double *points, int64_t point_stride,
+                                         int64_t point_component_stride, int32_t rule, double exponent,
+                                         uint32_t flags, double *params);
 
-/** \brief The spline of given degrees through points on a grid of parameters. Knots stand at the parameters, for even
- * degrees in the middle between two of them, with degree + 1 at each end. At an end that is NURBS_ENDS_NOT_A_KNOT the
- * first degree / 2 of these inner knots are left out; at one that is NURBS_ENDS_NATURAL none, and the derivatives of
- * orders (degree + 1) / 2 to degree - 1 vanish, as for the interpolating spline of least energy. NURBS_ENDS_FREE at both
- * ends takes averaged knots. A periodic axis has a knot for each parameter but the last, and no ends. A data point at
- * a clamped end is the control point there, bit for bit. Every polynomial spline over these knots, with these ends, is
- * found again up to rounding.
+/** \brief The spline of given degrees through points on a grid of parameters. Knots stand at the parameters,
+ * for even degrees in the middle between two of them, with degree + 1 at each end. At an end that is
+ * NURBS_ENDS_NOT_A_KNOT the first degree / 2 of these inner knots are left out; at one that is
+ * NURBS_ENDS_NATURAL none, and the derivatives of orders (degree + 1) / 2 to degree - 1 vanish, as for the
+ * interpolating spline of least energy. NURBS_ENDS_FREE at both ends takes averaged knots. A periodic axis
+ * has a knot for each parameter but the last, and no ends. A data point at a clamped end is the control point
+ * there, bit for bit. Every polynomial spline over these knots, with these ends, is found again up to
+ * rounding.
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
- * \param[in] counts [axes] number of points along each axis: at least 2, and degree + 1 unless ends are natural, on a
- *   periodic axis 2.
+ * \param[in] counts [axes] number of points along each axis: at least 2, and degree + 1 unless ends are
+ *   natural, on a periodic axis 2.
  * \param[in] params [sum of counts] strictly increasing along each axis: those of axis 0, then the others.
  * \param[in] dim dimension of the points.
- * \param[in] points [counts[0]]...[counts[axes-1]][dim]; on a periodic axis the last layer repeats the first one bit for
- *   bit, and its parameter ends the period.
+ * \param[in] points [counts[0]]...[counts[axes-1]][dim]; on a periodic axis the last layer repeats the first
+ *   one bit for bit, and its parameter ends the period.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] ends [axes][2] or NULL for NURBS_ENDS_NOT_A_KNOT: NURBS_ENDS_ constants for the start and the end of each
- *   axis, 0 on periodic ones.
+ * \param[in] ends [axes][2] or NULL for NURBS_ENDS_NOT_A_KNOT: NURBS_ENDS_ constants for the start and the
+ *   end of each axis, 0 on periodic ones.
  * \param[in] flags NURBS_PERIODIC for axes that are to be periodic.
- * \param[out] residual or NULL: the largest distance of a point from the spline at its parameter, as it is evaluated.
+ * \param[out] residual or NULL: the largest distance of a point from the spline at its parameter, as it is
+ *   evaluated.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS, _POINT_NOT_FINITE,
- *   _PARAMETER_NOT_FINITE; _TOO_FEW_POINTS, _KNOTS_DECREASING for parameters that do not increase, naming both,
- *   _PERIODIC_POINTS if the last layer of a periodic axis differs from the first, _RULE for other ends or ends that do not
- *   go together, _DEGREE also for natural ends of an even degree, _PERIODIC_KNOTS, _NOT_REPRESENTABLE if parameters are too
- *   near each other or a control point overflows; _SCHOENBERG_WHITNEY or _RANK where rounding makes the conditions
- *   dependent.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS,
+ *   _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE; _TOO_FEW_POINTS, _KNOTS_DECREASING for parameters that do not
+ *   increase, naming both, _PERIODIC_POINTS if the last layer of a periodic axis differs from the first,
+ *   _RULE for other ends or ends that do not go together, _DEGREE also for natural ends of an even degree,
+ *   _PERIODIC_KNOTS, _NOT_REPRESENTABLE if parameters are too near each other or a control point overflows;
+ *   _SCHOENBERG_WHITNEY or _RANK where rounding makes the conditions dependent.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                          const double *params, int32_t dim, const double *points,
-                                         int64_t point_stride, int64_t point_component_stride, const int32_t *ends,
-                                         uint32_t flags, double *residual, nurbs **out);
+                                         int64_t point_stride, int64_t point_component_stride,
+                                         const int32_t *ends, uint32_t flags, double *residual, nurbs **out);
 
-/** \brief The spline over given knots through points on a grid of parameters: as many control points as data. There is
- * one, and only one, if parameter i of each axis lies in the support of its control point i, between knots i and i +
- * degree + 1 (Schoenberg & Whitney 1953).
+/** \brief The spline over given knots through points on a grid of parameters: as many control points as data.
+ * There is one, and only one, if parameter i of each axis lies in the support of its control point i, between
+ * knots i and i + degree + 1 (Schoenberg & Whitney 1953).
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
- * \param[in] counts [axes] number of points along each axis; an axis has as many control points, a periodic one degree
- *   more, the last of which repeat the first ones.
+ * \param[in] counts [axes] number of points along each axis; an axis has as many control points, a periodic
+ *   one degree more, the last of which repeat the first ones.
  * \param[in] params [sum of counts] in the domain, strictly increasing along each axis.
  * \param[in] knots [knot_count] full knot vectors of all axes, one after the other.
  * \param[in] knot_count sum of (number of control points + degree + 1).
@@ -2172,20 +2177,23 @@ NURBS_API nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, c
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] flags NURBS_PERIODIC for periodic axes.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE, _OVERFLOW,
- *   _FLAGS, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN,
- *   _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _KNOTS_DECREASING for knots, and for parameters that do not increase;
- *   _SCHOENBERG_WHITNEY naming a parameter, its control point and its knots, _RANK where a periodic axis has no solution,
- *   _NOT_REPRESENTABLE if a control point overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE,
+ *   _OVERFLOW, _FLAGS, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY,
+ *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _KNOTS_DECREASING for knots, and for
+ *   parameters that do not increase; _SCHOENBERG_WHITNEY naming a parameter, its control point and its knots,
+ *   _RANK where a periodic axis has no solution, _NOT_REPRESENTABLE if a control point overflows.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t *degrees, const int64_t *counts,
-                                                    const double *params, const double *knots, int64_t knot_count,
-                                                    int32_t dim, const double *points, int64_t point_stride,
-                                                    int64_t point_component_stride, uint32_t flags, nurbs **out);
+NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t *degrees,
+                                                    const int64_t *counts, const double *params,
+                                                    const double *knots, int64_t knot_count, int32_t dim,
+                                                    const double *points, int64_t point_stride,
+                                                    int64_t point_component_stride, uint32_t flags,
+                                                    nurbs **out);
 
-/** \brief The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever orders in
- * whichever places, as long as they determine a curve (Hermite's problem if each parameter has all orders up to its
- * highest one, else Birkhoff's). Clamped ends are derivatives at the first and last parameter.
+/** \brief The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever
+ * orders in whichever places, as long as they determine a curve (Hermite's problem if each parameter has all
+ * orders up to its highest one, else Birkhoff's). Clamped ends are derivatives at the first and last
+ * parameter.
  * \param[in] degree of the curve.
  * \param[in] n number of conditions, and of control points, > degree.
  * \param[in] params [n] that do not decrease, in the domain of the knots.
@@ -2193,20 +2201,23 @@ NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t 
  * \param[in] dim dimension of the targets.
  * \param[in] targets [n][dim] points and derivatives.
  * \param[in] target_stride,target_component_stride layout of targets, 0 = packed.
- * \param[in] knots [knot_count] or NULL: a full knot vector; NULL for nurbs_knots_averaged() of the parameters.
- * \param[in] knot_count n + degree + 1, with NURBS_PERIODIC n + 2 degree + 1; 0 without knots.
+ * \param[in] knots [knot_count] or NULL: a full knot vector; NULL for nurbs_knots_averaged() of the
+ *   parameters.
+ * \param[in] knot_count n + degree + 1, with NURBS_PERIODIC n + 2 degree + 1; 0 for none.
  * \param[in] flags NURBS_PERIODIC for a periodic curve over the given knots, or 0.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS,
- *   _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN,
- *   _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _ORDER for one that is negative, above the degree or not more than the one before
- *   at the same parameter, _KNOTS_DECREASING for knots or parameters that decrease, _SCHOENBERG_WHITNEY, _RANK if the
- *   conditions do not determine the curve, _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE,
+ *   _OVERFLOW, _FLAGS, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY,
+ *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _ORDER for one that is negative, above
+ *   the degree or not more than the one before at the same parameter, _KNOTS_DECREASING for knots or
+ *   parameters that decrease, _SCHOENBERG_WHITNEY, _RANK if the conditions do not determine the curve,
+ *   _NOT_REPRESENTABLE.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *params, const int32_t *orders,
-                                               int32_t dim, const double *targets, int64_t target_stride,
-                                               int64_t target_component_stride, const double *knots,
-                                               int64_t knot_count, uint32_t flags, nurbs **out);
+NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *params,
+                                               const int32_t *orders, int32_t dim, const double *targets,
+                                               int64_t target_stride, int64_t target_component_stride,
+                                               const double *knots, int64_t knot_count, uint32_t flags,
+                                               nurbs **out);
 /** @} */
 
 /** \defgroup continuity Continuity

@@ -140,6 +140,10 @@ class LayerCall:
     def by_axis(self, value, array):
         """Knots of several axes, one after the other."""
         degrees, counts = self.numbers("degrees"), self.numbers("counts")
+        extent = value.extents[0] if value.extents else None
+        if (self.step.method.made and extent and (extent.op, extent.name) == ("call", "sum")
+                and len(counts) > 1):  # parameters of a grid
+            return numpy.split(array, numpy.cumsum(counts)[:-1])
         if value.name != "knots" or len(degrees) < 2:
             return None
         ends = numpy.cumsum([degree + count + 1 for degree, count in zip(degrees, counts)])
@@ -148,7 +152,8 @@ class LayerCall:
     def net(self, value):
         """The shape of an array of the control points of a new spline, or nothing."""
         counts = self.numbers("counts") or [degree + 1 for degree in self.numbers("degrees")]
-        if value.name not in ("points", "weights") or not counts or not self.step.method.made:
+        of_data = bool(value.extents) and (value.extents[0].op, value.extents[0].name) == ("call", "product")
+        if value.name not in ("points", "weights") or not counts or not (self.step.method.made or of_data):
             return None
         return counts if value.name == "weights" else [*counts, -1]
 

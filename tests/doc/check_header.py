@@ -22,7 +22,7 @@ SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "comp
                   "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries", "error", "factor",
                   "form", "gap", "geometric", "homogeneous", "index", "knot", "length", "line", "metres", "moved", "openness",
                   "optimality", "order", "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason",
-                  "removed", "result", "shape", "size", "slots", "status", "type", "value", "volume", "weight")
+                  "removed", "residual", "result", "shape", "size", "slots", "status", "type", "value", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]
 
 

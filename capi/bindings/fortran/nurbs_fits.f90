@@ -9,7 +9,7 @@ module nurbs_fits
     use nurbs_splines
     implicit none
     private
-    public :: parametrize, interpolate, interpolate_over_knots, interpolate_curve
+    public :: parametrize, interpolate, interpolate_over_knots, curve_interpolate
 
 contains
 
@@ -76,7 +76,7 @@ contains
     end subroutine interpolate_over_knots
 
     !> The curve with given points and derivatives; without orders, points; without knots, averaged ones.
-    subroutine interpolate_curve(degree, params, targets, out, orders, knots, flags, status)
+    subroutine curve_interpolate(degree, params, targets, out, orders, knots, flags, status)
         integer(c_int32_t), intent(in) :: degree
         real(c_double), intent(in) :: params(:), targets(:, :)
         type(nurbs_spline), intent(inout) :: out
@@ -91,8 +91,8 @@ contains
         made = c_null_ptr
         code = fitting([fits(targets, n, dim), fits(orders, n)])
         if (code == NURBS_OK) code = nurbs_curve_interpolate(degree, n, params, orders, int(dim), targets, &
-            step(targets), column(targets), knots, size(knots, kind=c_int64_t), given(flags, 0), made)
+            step(targets), column(targets), knots, size_if_given(knots), given(flags, 0), made)
         call out%replace(made)
         call settle(code, status)
-    end subroutine interpolate_curve
+    end subroutine curve_interpolate
 end module nurbs_fits

@@ -10,6 +10,7 @@ module nurbs_support
     private
     public :: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     public :: shape_error, full_turn, any_size, given, settle, string, infinity, dimension_of, step, column, fits
+    public :: size_if_given
     public :: fitting, held, axes_of, dim_of, points_of, rational_of, count_of, degree_of, slots_of, active_of, net_size
     public :: knot_count, bezier_count, periodic_count, matrix_size, homogeneous
 
@@ -27,6 +28,14 @@ module nurbs_support
     end interface given
 
 contains
+
+    !> Of an optional array; 0 if it is absent.
+    pure function size_if_given(values) result(n)
+        real(c_double), intent(in), optional :: values(:)
+        integer(c_int64_t) :: n
+        n = 0
+        if (present(values)) n = size(values, kind=c_int64_t)
+    end function size_if_given
 
     !> Message of the last failed call in this thread.
     function nurbs_message() result(text)

@@ -116,6 +116,8 @@ class Sizes:
         if value.kind == "bytes":
             return f"len({name}, c_int64_t)", f"len({name})"
         rank = len(value.extents)
+        if rank == 1 and value.nullable and self.by_parameter[value.name].optional:
+            return f"size_if_given({name})", f"int(size_if_given({name}))"
         if rank == 1 or value.name == self.flat:
             return f"size({name}, kind=c_int64_t)", f"size({name})"
         order = [self.words.extents(value).index(extent) + 1 for extent in value.extents]

@@ -72,7 +72,7 @@ inline Returned<Spline> interpolate_over_knots(View<std::int32_t> degrees, View<
 }
 
 /// The curve with given points and derivatives; without orders, points; without knots, averaged ones.
-inline Returned<Spline> interpolate_curve(std::int32_t degree, View<double> params, std::int32_t dim,
+inline Returned<Spline> curve_interpolate(std::int32_t degree, View<double> params, std::int32_t dim,
                                           Input targets, View<std::int32_t> orders = {},
                                           View<double> knots = {}, std::uint32_t flags = 0) {
     const std::int64_t n = detail::length(params);

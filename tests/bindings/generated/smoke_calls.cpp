@@ -322,12 +322,12 @@ void data(const Inputs &in) {
     }
     {
         begin("curve_interpolate");
-        const auto found = n::interpolate_curve(3, {0.0, 0.0, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0}, {0, 1, 0, 1}, {}, 0u);
+        const auto found = n::curve_interpolate(3, {0.0, 0.0, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0}, {0, 1, 0, 1}, {}, 0u);
         show("out", found);
     }
     {
         begin("curve_interpolate over knots");
-        const auto found = n::interpolate_curve(2, {0.0, 0.5, 1.0}, 1, {0.0, 1.0, 0.0}, {}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 0u);
+        const auto found = n::curve_interpolate(2, {0.0, 0.5, 1.0}, 1, {0.0, 1.0, 0.0}, {}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 0u);
         show("out", found);
     }
     {

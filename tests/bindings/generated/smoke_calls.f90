@@ -474,7 +474,7 @@ contains
         call begin('curve_interpolate')
         block
             type(nurbs_spline) :: out_found
-            call interpolate_curve(degree=3, params=[0.0d0, 0.0d0, 1.0d0, 1.0d0], &
+            call curve_interpolate(degree=3, params=[0.0d0, 0.0d0, 1.0d0, 1.0d0], &
                 targets=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0], [4, 2], order=[2, 1]), &
                 out=out_found, orders=[0, 1, 0, 1], flags=0)
             call show('out', out_found)
@@ -482,7 +482,7 @@ contains
         call begin('curve_interpolate over knots')
         block
             type(nurbs_spline) :: out_found
-            call interpolate_curve(degree=2, params=[0.0d0, 0.5d0, 1.0d0], &
+            call curve_interpolate(degree=2, params=[0.0d0, 0.5d0, 1.0d0], &
                 targets=reshape([0.0d0, 1.0d0, 0.0d0], [3, 1], order=[2, 1]), out=out_found, knots=[0.0d0, 0.0d0, &
                 0.0d0, 1.0d0, 1.0d0, 1.0d0], flags=0)
             call show('out', out_found)

@@ -587,26 +587,26 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_interpolate");
     {
-        let found = Spline::interpolate_curve(
+        let found = Spline::curve_interpolate(
             3,
             &[0.0, 0.0, 1.0, 1.0],
             2,
             &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0],
-            Some(&[0, 1, 0, 1]),
-            None,
+            &[0, 1, 0, 1],
+            &[],
             0,
         )?;
         show("out", &found);
     }
     begin("curve_interpolate over knots");
     {
-        let found = Spline::interpolate_curve(
+        let found = Spline::curve_interpolate(
             2,
             &[0.0, 0.5, 1.0],
             1,
             &[0.0, 1.0, 0.0],
-            None,
-            Some(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]),
+            &[],
+            &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
             0,
         )?;
         show("out", &found);

@@ -21,7 +21,6 @@ from ._continuation import Continuation
 from ._deform import Deformations
 from ._edit import Edits
 from ._evaluation import Evaluation
-from ._fit import Fitting
 from ._forms import Forms, Transformations
 from ._frames import Frames
 from ._linear import Linear
@@ -38,8 +37,8 @@ if TYPE_CHECKING:
 __all__ = ["Spline"]
 
 
-class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Fitting,
-             Sweeps, Frames, Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Linear, Plots):
+class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Sweeps,
+             Frames, Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Linear, Plots):
     """A curve, surface or volume: C(t) = sum_i w_i N_i(t) P_i / sum_j w_j N_j(t).
 
         s = nurbs.Spline(2, [0, 0, 0, 1, 1, 1], [[1, 0], [1, 1], [0, 1]], [1, 0.5**0.5, 1])

@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Parameters of data, and splines through them.
 
-use crate::arrays::{counts_of, exactly, optional, Records};
+use crate::arrays::{counts_of, exactly, if_given, optional, Records};
 use crate::error::{check, Result};
 use crate::sizes::{axes_of, positive, product, sum};
 use crate::spline::Spline;
@@ -129,18 +129,18 @@ impl Spline {
     }
 
     /// The curve with given points and derivatives; without orders, points; without knots, averaged ones.
-    pub fn interpolate_curve<'a>(
+    pub fn curve_interpolate<'a>(
         degree: i32,
         params: &[f64],
         dim: i32,
         targets: impl Into<Records<'a>>,
-        orders: Option<&[i32]>,
-        knots: Option<&[f64]>,
+        orders: &[i32],
+        knots: &[f64],
         flags: u32,
     ) -> Result<Spline> {
         let targets = targets.into();
         let n = params.len();
-        let orders = optional(orders, n, "orders")?;
+        let orders = if_given(orders, n, "orders")?;
         targets.require(n, positive(dim), "targets")?;
         Spline::made(|out| unsafe {
             sys::nurbs_curve_interpolate(
