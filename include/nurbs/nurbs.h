@@ -2134,8 +2134,8 @@ NURBS_API nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, in
  * interpolating spline of least energy. NURBS_ENDS_FREE at both ends takes averaged knots. A periodic axis
  * has a knot for each parameter but the last, and no ends. A data point at a clamped end is the control point
  * there, bit for bit. Every polynomial spline over these knots, with these ends, is found again up to
- * rounding. A data point is within 4 eps of the largest magnitude of a control point from the spline at its
- * parameter (tested).
+ * rounding. At its parameter the spline is within 4 eps of the largest magnitude of a control point of a
+ * point (tested).
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
  * \param[in] counts [axes] number of points along each axis: at least 2, and degree + 1 unless ends are
