@@ -4,8 +4,10 @@
 #include "guard.h"
 
 #include "base/checked.h"
+#include "base/representable.h"
 #include "basis/generators.h"
 #include "fit/interpolate.h"
+#include "fit/tangents.h"
 #include "outputs.h"
 #include "spline_data.h"
 
@@ -244,5 +246,33 @@ nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *pa
         const std::vector<fit::Condition> conditions = checked_conditions(degree, n, params, orders);
         KnotVectorPtr over = knots_for(degree, places, knots, knot_count, flags);
         give(fit::interpolate_conditions(std::move(over), conditions, dim, std::move(values)), out);
+    });
+}
+
+nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *params, int32_t dim, const double *points,
+                            int64_t point_stride, int64_t point_component_stride, uint32_t flags,
+                            double *tangents, int64_t tangent_stride, int64_t tangent_component_stride) {
+    return guard([&] {
+        if (rule < NURBS_TANGENTS_CATMULL_ROM || rule > NURBS_TANGENTS_MONOTONE) {
+            fail(Status::rule, "rule = %d, expected a NURBS_TANGENTS_ constant", rule);
+        }
+        check_at_least(n, 2, "n");
+        const fit::PointGrid data =
+            checked_grid({n}, {dim, points, point_stride, point_component_stride}, flags);
+        const std::span<const double> places = checked_params(params, n);
+        fit::check_params(places, data.counts);
+        fit::check_closed(data);
+        const Records out = output("tangents", tangents, n, dim, tangent_stride, tangent_component_stride);
+        check_overlap("tangents", out, "points",
+                      input("points", points, n, dim, point_stride, point_component_stride));
+        check_overlap("tangents", out, "params", input("params", params, n, 1));
+        const std::vector<double> made =
+            fit::tangents_of(static_cast<fit::TangentRule>(rule), places, dim, data.points, data.periodic[0]);
+        require_representable(made, "tangents");
+        for (int64_t i = 0; i < n; ++i) {
+            for (int64_t c = 0; c < dim; ++c) {
+                out(i, c) = made[static_cast<size_t>(i * dim + c)];
+            }
+        }
     });
 }

@@ -446,6 +446,15 @@ enum {
 #define NURBS_ENDS_FREE 2    /**< knots averaged from the parameters, nurbs_knots_averaged(); both ends */
 /** @} */
 
+/** \name Rules for tangents, for nurbs_tangents()
+ * @{ */
+#define NURBS_TANGENTS_CATMULL_ROM 0 /**< the slope between the neighbours */
+#define NURBS_TANGENTS_BESSEL 1      /**< of the parabola through a point and its neighbours */
+#define NURBS_TANGENTS_AKIMA 2       /**< chords by how little they change (Akima 1970) */
+#define NURBS_TANGENTS_MONOTONE                                                                              \
+    3 /**< each coordinate rises and falls as the data do (Fritsch & Butland 1984) */
+/** @} */
+
 /** \name Ends of an axis
  * @{ */
 #define NURBS_START 0 /**< the lower end of the domain */
@@ -2219,6 +2228,39 @@ NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const 
                                                int64_t target_stride, int64_t target_component_stride,
                                                const double *knots, int64_t knot_count, uint32_t flags,
                                                nurbs **out);
+/** \brief Derivatives at the points of a curve, each from a few points near it, so that nurbs_create_hermite()
+ * makes a C^1 cubic that changes only near a point that moves. With the chords' slopes d_i = (P_(i+1) - P_i)
+ * / h_i the tangent at P_i is
+ *
+ *     (h_(i-1) d_(i-1) + h_i d_i) / (h_(i-1) + h_i)                     NURBS_TANGENTS_CATMULL_ROM
+ *     (h_i d_(i-1) + h_(i-1) d_i) / (h_(i-1) + h_i)                     NURBS_TANGENTS_BESSEL
+ *     (|d_(i+1) - d_i| d_(i-1) + |d_(i-1) - d_(i-2)| d_i) / (the sum)   NURBS_TANGENTS_AKIMA
+ *
+ * (of Akima's two weights that are 0 both count alike), and for NURBS_TANGENTS_MONOTONE, coordinate by
+ * coordinate, 0 where the slopes have not one sign, else their harmonic mean with the weights 2 h_i + h_(i-1)
+ * and h_i + 2 h_(i-1), less 2^-40 of it. The cubics of these points and tangents are monotone between the
+ * data in each coordinate, and flat where the data are. (Splines of Catmull and Rom over centripetal
+ * parameters are those of NURBS_TANGENTS_BESSEL.) At the ends of open data: the chord's slope, the
+ * parabola's, Akima's extrapolation, and the parabola's as far as the curve stays monotone.
+ * \param[in] rule a NURBS_TANGENTS_ constant.
+ * \param[in] n number of points, at least 2.
+ * \param[in] params [n] strictly increasing.
+ * \param[in] dim dimension of the points.
+ * \param[in] points [n][dim].
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] flags NURBS_PERIODIC if the last point is the first one again, bit for bit: so are then the
+ *   tangents; or 0.
+ * \param[out] tangents [n][dim].
+ * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _OVERLAP, _FLAGS,
+ *   _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE; _RULE for another rule, _KNOTS_DECREASING for parameters that
+ *   do not increase, naming both, _PERIODIC_POINTS if the last point differs from the first,
+ *   _NOT_REPRESENTABLE if a tangent overflows.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *params, int32_t dim,
+                                      const double *points, int64_t point_stride,
+                                      int64_t point_component_stride, uint32_t flags, double *tangents,
+                                      int64_t tangent_stride, int64_t tangent_component_stride);
 /** @} */
 
 /** \defgroup continuity Continuity

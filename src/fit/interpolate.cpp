@@ -72,7 +72,7 @@ void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sourc
     scatter(values, of, axis.knots()->count(), axis.knots()->distinct_layers(), k, grid);
 }
 
-void check_closed(const PointGrid &grid, size_t k) {
+void check_closed_along(const PointGrid &grid, size_t k) {
     const Layers of = layers_of(grid, k);
     for (int64_t o = 0; o < of.outer; ++o) {
         const double *const first = grid.points.data() + o * of.count * of.inner;
@@ -161,6 +161,14 @@ void check_params(std::span<const double> params, const std::vector<int64_t> &co
     });
 }
 
+void check_closed(const PointGrid &grid) {
+    for (size_t k = 0; k < grid.counts.size(); ++k) {
+        if (grid.periodic[k]) {
+            check_closed_along(grid, k);
+        }
+    }
+}
+
 SplinePtr interpolate(const std::vector<int> &degrees, std::span<const double> params, PointGrid grid,
                       const std::vector<Ends> &ends) {
     check_params(params, grid.counts);
@@ -168,10 +176,8 @@ SplinePtr interpolate(const std::vector<int> &degrees, std::span<const double> p
     const std::vector<int64_t> counts = grid.counts;
     for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
         axes[k] = interpolation_knots(degrees[k], own, ends[k], grid.periodic[k], static_cast<int>(k));
-        if (grid.periodic[k]) {
-            check_closed(grid, k);
-        }
     });
+    check_closed(grid);
     Steps steps(std::ssize(axes));
     for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
         Conditions all = conditions_of(own, degrees[k], ends[k], grid.periodic[k]);

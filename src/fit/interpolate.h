@@ -13,6 +13,9 @@ namespace nrb::fit {
 // Status::parameter_not_finite, knots_decreasing.
 void check_params(std::span<const double> params, const std::vector<int64_t> &counts);
 
+// Of periodic axes: the last layer repeats the first one, else Status::periodic_points.
+void check_closed(const PointGrid &grid);
+
 // The spline of the given degrees through the points at the parameters, over interpolation_knots(); `ends` are those
 // of all axes. The last layer of a periodic axis has to repeat the first one, else Status::periodic_points.
 SplinePtr interpolate(const std::vector<int> &degrees, std::span<const double> params, PointGrid grid,

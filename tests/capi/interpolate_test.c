@@ -224,6 +224,54 @@ static void loops(void) {
     }
 }
 
+/* Slopes 1, 3, 0 over steps 1, 2, 1. */
+static void tangents_at_points(void) {
+    const double *t = VALUES(0, 1, 3, 4), *y = VALUES(0, 1, 7, 7);
+    double made[4];
+    CHECK_OK(nurbs_tangents(NURBS_TANGENTS_CATMULL_ROM, 4, t, 1, y, 0, 0, 0, made, 0, 0));
+    CHECK_NEAR(made, VALUES(1, 7 / 3.0, 2, 0), 4, 1e-15);
+    CHECK_OK(nurbs_tangents(NURBS_TANGENTS_BESSEL, 4, t, 1, y, 0, 0, 0, made, 0, 0));
+    CHECK_NEAR(made, VALUES(1 / 3.0, 5 / 3.0, 1, -1), 4, 1e-15);
+    /* Slopes beyond the ends: -3, -1 and -3, -6. */
+    CHECK_OK(nurbs_tangents(NURBS_TANGENTS_AKIMA, 4, t, 1, y, 0, 0, 0, made, 0, 0));
+    CHECK_NEAR(made, VALUES(0, (3 * 1 + 2 * 3) / 5.0, (3 * 3 + 2 * 0) / 5.0, -1.5), 4, 1e-15);
+    CHECK_OK(nurbs_tangents(NURBS_TANGENTS_MONOTONE, 4, t, 1, y, 0, 0, 0, made, 0, 0));
+    CHECK_NEAR(made, VALUES(1 / 3.0, 9 / (5 + 4 / 3.0), 0, 0), 4, 1e-11);
+    CHECK_OK(nurbs_tangents(NURBS_TANGENTS_BESSEL, 2, t, 1, y, 0, 0, 0, made, 0, 0));
+    CHECK_DOUBLES(made, VALUES(1, 1), 2);
+}
+
+/* Slopes 1, -1 over steps 1, 1, round and round; columns of a table. */
+static void tangents_of_loops(void) {
+    static const double rows[3][2] = {{0, 5}, {1, 5}, {0, 5}};
+    double made[3][2] = {{9, 9}, {9, 9}, {9, 9}};
+    for (int32_t rule = NURBS_TANGENTS_CATMULL_ROM; rule <= NURBS_TANGENTS_MONOTONE; ++rule) {
+        CHECK_OK(nurbs_tangents(rule, 3, VALUES(0, 1, 2), 1, rows[0], 2, 0, NURBS_PERIODIC, made[0], 2, 0));
+        CHECK_DOUBLES(made[0], VALUES(0, 9, 0, 9, 0, 9), 6);
+    }
+}
+
+static void refused_tangents(void) {
+    const double *t = VALUES(0, 1, 2), *y = VALUES(0, 1, 3);
+    double made[3] = {-7, -7, -7};
+    CHECK_FAILS(nurbs_tangents(4, 3, t, 1, y, 0, 0, 0, made, 0, 0), NURBS_ERROR_RULE, "rule = 4");
+    CHECK_FAILS(nurbs_tangents(0, 1, t, 1, y, 0, 0, 0, made, 0, 0), NURBS_ERROR_COUNT, "n = 1|2");
+    CHECK_FAILS(nurbs_tangents(0, 3, NULL, 1, y, 0, 0, 0, made, 0, 0), NURBS_ERROR_NULL, "params");
+    CHECK_FAILS(nurbs_tangents(0, 3, t, 1, NULL, 0, 0, 0, made, 0, 0), NURBS_ERROR_NULL, "points");
+    CHECK_FAILS(nurbs_tangents(0, 3, t, 1, y, 0, 0, 0, NULL, 0, 0), NURBS_ERROR_NULL, "tangents");
+    CHECK_FAILS(nurbs_tangents(0, 3, VALUES(0, 0, 1), 1, y, 0, 0, 0, made, 0, 0),
+                NURBS_ERROR_KNOTS_DECREASING, "params[1] = 0|params[0] = 0");
+    CHECK_FAILS(nurbs_tangents(0, 3, t, 1, y, 0, 0, NURBS_PERIODIC, made, 0, 0), NURBS_ERROR_PERIODIC_POINTS,
+                "3|0");
+    CHECK_FAILS(nurbs_tangents(0, 3, t, 1, y, 0, 0, 2, made, 0, 0), NURBS_ERROR_FLAGS, "0x2");
+    CHECK_FAILS(nurbs_tangents(0, 3, t, 1, VALUES(0, INFINITY, 1), 0, 0, 0, made, 0, 0),
+                NURBS_ERROR_POINT_NOT_FINITE, "points[1][0]");
+    CHECK_FAILS(nurbs_tangents(0, 3, VALUES(0, 1e-300, 1), 1, VALUES(0, 1e200, 1), 0, 0, 0, made, 0, 0),
+                NURBS_ERROR_NOT_REPRESENTABLE, "tangents");
+    CHECK_FAILS(nurbs_tangents(0, 3, made, 1, y, 0, 0, 0, made, 0, 0), NURBS_ERROR_KNOTS_DECREASING, "");
+    CHECK_DOUBLES(made, VALUES(-7, -7, -7), 3);
+}
+
 int main(void) {
     parameters();
     angles();
@@ -236,5 +284,8 @@ int main(void) {
     refused_interpolations();
     the_condition_of_schoenberg_and_whitney();
     loops();
+    tangents_at_points();
+    tangents_of_loops();
+    refused_tangents();
     return check_summary("interpolate");
 }

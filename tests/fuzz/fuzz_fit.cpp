@@ -80,6 +80,14 @@ void parametrize(Input &in, const Grid &grid) {
     }
 }
 
+void tangents(Input &in, const Grid &grid) {
+    std::vector<double> made(grid.points.size(), -7);
+    const int32_t rule = in.rarely() ? in.bad_int() : in.below(4);
+    const bool ok = FUZZ_OK(nurbs_tangents(rule, grid.counts[0], grid.params.data(), grid.dim,
+                                           grid.points.data(), 0, 0, grid.flags, made.data(), 0, 0));
+    FUZZ_REQUIRE(std::all_of(made.begin(), made.end(), [ok](double x) { return ok || x == -7; }));
+}
+
 void interpolate(Input &in, const Grid &grid) {
     std::vector<int32_t> ends;
     for (int i = 0; i < 2 * grid.axes(); ++i) {
@@ -136,6 +144,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     Input in(data, size);
     const Grid grid = any_grid(in);
     parametrize(in, grid);
+    tangents(in, grid);
     interpolate(in, grid);
     over_knots(in, grid);
     conditions(in, grid);

@@ -280,6 +280,42 @@ TEST(Interpolation, converges_with_the_order) {
     }
 }
 
+// The derivative of the cubic between two points as a quadratic Bernstein polynomial, exactly: it has no sign but that
+// of the data.
+TEST(Interpolation, monotone_tangents_make_monotone_cubics) {
+    int64_t flat = 0, steep = 0;
+    for_each_case(890000, 1500, [&](Random &random, uint64_t seed) {
+        std::vector<double> params{random.between(-1, 1)}, points{random.between(-1, 1)};
+        for (int i = random.whole(1, 12); i > 0; --i) {
+            params.push_back(params.back() + random.magnitude(1e-3, 1));
+            const double step =
+                random.chance(20) ? 0 : random.magnitude(1e-12, 1e3) * (random.chance(30) ? -1 : 1);
+            points.push_back(points.back() + step);
+        }
+        const auto n = std::ssize(params);
+        std::vector<double> tangents(params.size());
+        require_ok(nurbs_tangents(NURBS_TANGENTS_MONOTONE, n, params.data(), 1, points.data(), 0, 0, 0,
+                                  tangents.data(), 0, 0));
+        for (size_t i = 0; i + 1 < params.size(); ++i) {
+            const int sign = points[i + 1] > points[i] ? 1 : -1;
+            const auto exact = [&](const std::vector<double> &x, size_t j) -> Rational {
+                return sign * reference::exact(x[j]);
+            };
+            const Rational h = reference::exact(params[i + 1]) - reference::exact(params[i]);
+            const Rational q0 = h * exact(tangents, i) / 3, q2 = h * exact(tangents, i + 1) / 3;
+            const Rational q1 = exact(points, i + 1) - exact(points, i) - q0 - q2;
+            flat += points[i + 1] == points[i] ? 1 : 0;
+            steep += 2 * q1 < q0 + q2 ? 1 : 0;
+            ASSERT_GE(q0, 0) << "seed " << seed << " piece " << i;
+            ASSERT_GE(q2, 0) << "seed " << seed << " piece " << i;
+            ASSERT_TRUE(q1 >= 0 || q1 * q1 <= q0 * q2) << "seed " << seed << " piece " << i;
+            ASSERT_TRUE(points[i + 1] != points[i] || (q0 == 0 && q1 == 0 && q2 == 0)) << "seed " << seed;
+        }
+    });
+    EXPECT_GE(flat, of_whole_run(500));
+    EXPECT_GE(steep, of_whole_run(50));
+}
+
 // Hermite's and Birkhoff's conditions are met, as derivatives are evaluated.
 TEST(Interpolation, meets_conditions_of_any_order) {
     for_each_case(888000, 600, [](Random &random, uint64_t seed) {

@@ -1066,6 +1066,18 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_interpolate
+        !> Derivatives at the points of a curve, each from a few points near it, so that
+        !> nurbs_create_hermite() makes a C^1 cubic that changes only near a point that moves.
+        function nurbs_tangents(rule, n, params, dim, points, point_stride, point_component_stride, flags, &
+                tangents, tangent_stride, tangent_component_stride) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: rule, dim, flags
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, tangent_stride, &
+                tangent_component_stride
+            real(c_double), intent(in) :: params(*), points(*)
+            real(c_double), intent(inout) :: tangents(*)
+            integer(c_int32_t) :: r
+        end function nurbs_tangents
         ! --- Continuity
         !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
         !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

@@ -219,6 +219,14 @@ module nurbs_constants
     ! knots averaged from the parameters, nurbs_knots_averaged(); both ends
     integer(c_int32_t), parameter :: NURBS_ENDS_FREE = 2
 
+    ! --- Rules for tangents, for nurbs_tangents()
+    integer(c_int32_t), parameter :: NURBS_TANGENTS_CATMULL_ROM = 0  ! the slope between the neighbours
+    ! of the parabola through a point and its neighbours
+    integer(c_int32_t), parameter :: NURBS_TANGENTS_BESSEL = 1
+    integer(c_int32_t), parameter :: NURBS_TANGENTS_AKIMA = 2  ! chords by how little they change (Akima 1970)
+    ! each coordinate rises and falls as the data do (Fritsch & Butland 1984)
+    integer(c_int32_t), parameter :: NURBS_TANGENTS_MONOTONE = 3
+
     ! --- Ends of an axis
     integer(c_int32_t), parameter :: NURBS_START = 0  ! the lower end of the domain
     integer(c_int32_t), parameter :: NURBS_END = 1  ! the upper end of the domain

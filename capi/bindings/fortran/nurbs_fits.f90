@@ -4,12 +4,13 @@
 module nurbs_fits
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_parametrize, nurbs_interpolate, nurbs_interpolate_over_knots, nurbs_curve_interpolate
+    use nurbs_c, only: nurbs_parametrize, nurbs_interpolate, nurbs_interpolate_over_knots, nurbs_curve_interpolate, &
+        nurbs_tangents
     use nurbs_support
     use nurbs_splines
     implicit none
     private
-    public :: parametrize, interpolate, interpolate_over_knots, curve_interpolate
+    public :: parametrize, interpolate, interpolate_over_knots, curve_interpolate, tangents
 
 contains
 
@@ -95,4 +96,21 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine curve_interpolate
+
+    !> tangents(n, dim) at points(n, dim) from the points near them, as create_hermite_spline() takes them.
+    subroutine tangents(rule, params, points, tangents, flags, status)
+        integer(c_int32_t), intent(in) :: rule
+        real(c_double), intent(in) :: params(:), points(:, :)
+        real(c_double), intent(inout) :: tangents(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n, dim
+        n = size(params, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        code = fitting([fits(points, n, dim), fits(tangents, n, dim)])
+        if (code == NURBS_OK) code = nurbs_tangents(rule, n, params, int(dim), points, step(points), column(points), &
+            given(flags, 0), tangents, step(tangents), column(tangents))
+        call settle(code, status)
+    end subroutine tangents
 end module nurbs_fits

@@ -25,6 +25,12 @@ inline constexpr std::int32_t ends_not_a_knot = NURBS_ENDS_NOT_A_KNOT;
 inline constexpr std::int32_t ends_natural = NURBS_ENDS_NATURAL;
 inline constexpr std::int32_t ends_free = NURBS_ENDS_FREE;
 
+/// Rules for tangents at points.
+inline constexpr std::int32_t tangents_catmull_rom = NURBS_TANGENTS_CATMULL_ROM;
+inline constexpr std::int32_t tangents_bessel = NURBS_TANGENTS_BESSEL;
+inline constexpr std::int32_t tangents_akima = NURBS_TANGENTS_AKIMA;
+inline constexpr std::int32_t tangents_monotone = NURBS_TANGENTS_MONOTONE;
+
 /// Parameters of points on a grid from the distances between them, those of each axis from 0 to 1.
 inline Returned<std::vector<double>> parametrize(View<std::int64_t> counts, std::int32_t dim, Input points,
                                                  std::int32_t rule, double exponent = 1,
@@ -81,6 +87,17 @@ inline Returned<Spline> curve_interpolate(std::int32_t degree, View<double> para
     return detail::made<Spline>(nurbs_curve_interpolate, degree, n, params.data(), detail::pointer(orders),
                                 dim, targets.data(), targets.stride(), targets.component_stride(),
                                 detail::pointer(knots), detail::length(knots), flags);
+}
+
+/// Derivatives at the points of a curve from the points near them, as create_hermite() takes them.
+inline Returned<std::vector<double>> tangents(std::int32_t rule, View<double> params, std::int32_t dim,
+                                              Input points, std::uint32_t flags = 0) {
+    const std::int64_t n = detail::length(params);
+    points.require(n, dim, "points");
+    std::vector<double> values = detail::room(n, dim);
+    detail::call(nurbs_tangents, rule, n, params.data(), dim, points.data(), points.stride(),
+                 points.component_stride(), flags, values.data(), 0, 0);
+    return values;
 }
 
 } // namespace NURBS_CPP_POLICY

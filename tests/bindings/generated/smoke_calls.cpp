@@ -70,6 +70,16 @@ void data(const Inputs &in) {
         show("params", found);
     }
     {
+        begin("tangents");
+        const auto found = n::tangents(2, {0.0, 1.0, 3.0, 4.0}, 1, {0.0, 1.0, 2.0, 4.0}, 0u);
+        show("tangents", found);
+    }
+    {
+        begin("tangents monotone");
+        const auto found = n::tangents(3, {0.0, 1.0, 3.0, 4.0}, 1, {0.0, 1.0, 2.0, 0.0}, 1u);
+        show("tangents", found);
+    }
+    {
         begin("parametrize surface");
         const auto found = n::parametrize({2, 2}, 2, {0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0}, 1, 0.0, 0u);
         show("params", found);

@@ -188,6 +188,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("params", &found);
     }
+    begin("tangents");
+    {
+        let found = nurbs::tangents(2, &[0.0, 1.0, 3.0, 4.0], 1, &[0.0, 1.0, 2.0, 4.0], 0)?;
+        show("tangents", &found);
+    }
+    begin("tangents monotone");
+    {
+        let found = nurbs::tangents(3, &[0.0, 1.0, 3.0, 4.0], 1, &[0.0, 1.0, 2.0, 0.0], 1)?;
+        show("tangents", &found);
+    }
     begin("parametrize surface");
     {
         let found = nurbs::parametrize(

@@ -17,6 +17,8 @@ inline constexpr Slot slots[] = {
     {"create_bezier", "out", "out", 0, 1},
     {"create_hermite", "out", "out", 0, 1},
     {"parametrize", "params", "values", 0, 4},
+    {"tangents", "tangents", "values", 0, 4},
+    {"tangents monotone", "tangents", "values", 0, 4},
     {"parametrize surface", "params", "values", 0, 4},
     {"read", "out", "list", 0, 1},
     {"read in millimetres", "out", "list", 0, 1},

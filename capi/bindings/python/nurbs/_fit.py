@@ -12,7 +12,7 @@ from ._arrays import if_given, packed, vector
 from ._library import call, lib
 from ._net import Net, concatenated
 from ._spline import Spline
-from .constants import NURBS_PARAMS_CENTRIPETAL
+from .constants import NURBS_PARAMS_CENTRIPETAL, NURBS_TANGENTS_BESSEL
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     #: A vector of a curve, or one for each axis.
     ByAxis = Union[ArrayLike, Sequence[ArrayLike]]
 
-__all__ = ["Interpolated", "parametrize", "interpolate", "interpolate_over_knots", "curve_interpolate"]
+__all__ = ["Interpolated", "parametrize", "interpolate", "interpolate_over_knots", "curve_interpolate",
+           "tangents"]
 
 
 class Interpolated(NamedTuple):
@@ -98,3 +99,16 @@ def curve_interpolate(degree: int, params: ArrayLike, targets: ArrayLike, orders
     return Spline._made(lib.nurbs_curve_interpolate, degree, at.size, at.ctypes.data,
                         None if order is None else order.ctypes.data, values.shape[1], values.ctypes.data, 0, 0,
                         None if given is None else given.ctypes.data, 0 if given is None else given.size, flags)
+
+
+def tangents(params: ArrayLike, points: ArrayLike, rule: int = NURBS_TANGENTS_BESSEL, flags: int = 0) -> Floats:
+    """Derivatives (n, dimension) at points (n, dimension) with parameters (n,), each from the points near it, as
+    Spline.hermite() takes them. `rule` is a NURBS_TANGENTS_ constant; with NURBS_PERIODIC the last point is the first one
+    again."""
+    at, values = vector(params), packed(points)
+    if values.ndim != 2 or len(values) != at.size:
+        raise ValueError(f"points of shape {values.shape} for {at.size} parameters")
+    found = numpy.empty(values.shape)
+    call(lib.nurbs_tangents, rule, at.size, at.ctypes.data, values.shape[1], values.ctypes.data, 0, 0, flags,
+         found.ctypes.data, 0, 0)
+    return found

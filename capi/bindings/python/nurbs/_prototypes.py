@@ -101,6 +101,7 @@ PROTOTYPES = {
     "nurbs_interpolate": "i ipppipllpupp",
     "nurbs_interpolate_over_knots": "i ipppplipllup",
     "nurbs_curve_interpolate": "i ilppipllplup",
+    "nurbs_tangents": "i ilpipllupll",
     "nurbs_continuity": "i pidddlpppppppp",
     "nurbs_continuity_between": "i pipidddppppp",
     "nurbs_deviation": "i pppp",

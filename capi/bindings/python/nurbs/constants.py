@@ -140,6 +140,12 @@ NURBS_ENDS_NOT_A_KNOT = 0  # the parameters next to the end are no knots
 NURBS_ENDS_NATURAL = 1  # derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
 NURBS_ENDS_FREE = 2  # knots averaged from the parameters, nurbs_knots_averaged(); both ends
 
+# --- Rules for tangents, for nurbs_tangents()
+NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours
+NURBS_TANGENTS_BESSEL = 1  # of the parabola through a point and its neighbours
+NURBS_TANGENTS_AKIMA = 2  # chords by how little they change (Akima 1970)
+NURBS_TANGENTS_MONOTONE = 3  # each coordinate rises and falls as the data do (Fritsch & Butland 1984)
+
 # --- Ends of an axis
 NURBS_START = 0  # the lower end of the domain
 NURBS_END = 1  # the upper end of the domain

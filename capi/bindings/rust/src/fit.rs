@@ -51,6 +51,36 @@ pub fn parametrize<'a>(
     Ok(params)
 }
 
+/// Derivatives at the points of a curve from the points near them, as `Spline::hermite` takes them.
+pub fn tangents<'a>(
+    rule: i32,
+    params: &[f64],
+    dim: i32,
+    points: impl Into<Records<'a>>,
+    flags: u32,
+) -> Result<Vec<f64>> {
+    let points = points.into();
+    let n = params.len();
+    points.require(n, positive(dim), "points")?;
+    let mut tangents = vec![0.0; n * positive(dim)];
+    check(unsafe {
+        sys::nurbs_tangents(
+            rule,
+            n as i64,
+            params.as_ptr(),
+            dim,
+            points.pointer(),
+            points.stride(),
+            points.component_stride(),
+            flags,
+            tangents.as_mut_ptr(),
+            0,
+            0,
+        )
+    })?;
+    Ok(tangents)
+}
+
 /// Parameters of data, and splines through them.
 impl Spline {
     /// The spline through points on a grid of parameters; without ends, not-a-knot.

@@ -409,6 +409,16 @@ pub const NURBS_ENDS_NATURAL: i32 = 1;
 /// knots averaged from the parameters, nurbs_knots_averaged(); both ends
 pub const NURBS_ENDS_FREE: i32 = 2;
 
+// --- Rules for tangents, for nurbs_tangents()
+/// the slope between the neighbours
+pub const NURBS_TANGENTS_CATMULL_ROM: i32 = 0;
+/// of the parabola through a point and its neighbours
+pub const NURBS_TANGENTS_BESSEL: i32 = 1;
+/// chords by how little they change (Akima 1970)
+pub const NURBS_TANGENTS_AKIMA: i32 = 2;
+/// each coordinate rises and falls as the data do (Fritsch & Butland 1984)
+pub const NURBS_TANGENTS_MONOTONE: i32 = 3;
+
 // --- Ends of an axis
 /// the lower end of the domain
 pub const NURBS_START: i32 = 0;
@@ -1418,6 +1428,21 @@ extern "C" {
         knot_count: i64,
         flags: u32,
         out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Derivatives at the points of a curve, each from a few points near it, so that nurbs_create_hermite()
+    /// makes a C^1 cubic that changes only near a point that moves.
+    pub fn nurbs_tangents(
+        rule: i32,
+        n: i64,
+        params: *const f64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+        tangents: *mut f64,
+        tangent_stride: i64,
+        tangent_component_stride: i64,
     ) -> nurbs_status;
     // --- Continuity
     /// Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,

@@ -51,6 +51,19 @@ const Call group[] = {
          static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
          return nurbs_parametrize(1, counts, 2, points, 0, 0, NURBS_PARAMS_FOLEY_NIELSON, 0, 0, o.values);
      }},
+    {"tangents",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 1, 3, 4};
+         static constexpr double points[] = {0, 1, 2, 4};
+         return nurbs_tangents(NURBS_TANGENTS_AKIMA, 4, params, 1, points, 0, 0, 0, o.values, 0, 0);
+     }},
+    {"tangents monotone",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 1, 3, 4};
+         static constexpr double points[] = {0, 1, 2, 0};
+         return nurbs_tangents(NURBS_TANGENTS_MONOTONE, 4, params, 1, points, 0, 0, NURBS_PERIODIC, o.values,
+             0, 0);
+     }},
     {"parametrize surface",
      [](const Inputs &, Output &o) -> nurbs_status {
          static constexpr int64_t counts[] = {2, 2};
