@@ -10,7 +10,7 @@ module nurbs_fits
     use nurbs_splines
     implicit none
     private
-    public :: parametrize, interpolate, interpolate_over_knots, curve_interpolate, tangents
+    public :: parametrize, interpolate, interpolate_over_knots, curve_interpolate, tangents_at
 
 contains
 
@@ -98,7 +98,7 @@ contains
     end subroutine curve_interpolate
 
     !> tangents(n, dim) at points(n, dim) from the points near them, as create_hermite_spline() takes them.
-    subroutine tangents(rule, params, points, tangents, flags, status)
+    subroutine tangents_at(rule, params, points, tangents, flags, status)
         integer(c_int32_t), intent(in) :: rule
         real(c_double), intent(in) :: params(:), points(:, :)
         real(c_double), intent(inout) :: tangents(:, :)
@@ -112,5 +112,5 @@ contains
         if (code == NURBS_OK) code = nurbs_tangents(rule, n, params, int(dim), points, step(points), column(points), &
             given(flags, 0), tangents, step(tangents), column(tangents))
         call settle(code, status)
-    end subroutine tangents
+    end subroutine tangents_at
 end module nurbs_fits

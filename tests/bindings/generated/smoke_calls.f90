@@ -113,7 +113,7 @@ contains
         block
             real(c_double), allocatable :: tangents_found(:, :)
             allocate (tangents_found(4, 1))
-            call tangents(rule=2, params=[0.0d0, 1.0d0, 3.0d0, 4.0d0], &
+            call tangents_at(rule=2, params=[0.0d0, 1.0d0, 3.0d0, 4.0d0], &
                 points=reshape([0.0d0, 1.0d0, 2.0d0, 4.0d0], [4, 1], order=[2, 1]), tangents=tangents_found, flags=0)
             call show('tangents', flat(reshape(tangents_found, [size(tangents_found, 2), size(tangents_found, 1)], &
                 order=[2, 1])))
@@ -122,7 +122,7 @@ contains
         block
             real(c_double), allocatable :: tangents_found(:, :)
             allocate (tangents_found(4, 1))
-            call tangents(rule=3, params=[0.0d0, 1.0d0, 3.0d0, 4.0d0], &
+            call tangents_at(rule=3, params=[0.0d0, 1.0d0, 3.0d0, 4.0d0], &
                 points=reshape([0.0d0, 1.0d0, 2.0d0, 0.0d0], [4, 1], order=[2, 1]), tangents=tangents_found, flags=1)
             call show('tangents', flat(reshape(tangents_found, [size(tangents_found, 2), size(tangents_found, 1)], &
                 order=[2, 1])))
