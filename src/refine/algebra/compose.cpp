@@ -3,6 +3,7 @@
 
 #include "base/watch.h"
 #include "numeric/sum.h"
+#include "refine/algebra/composed_cell.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/span_cells.h"
 #include "refine/forms/homogeneous.h"
@@ -123,7 +124,7 @@ class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
         : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
-          cells_(span_cells(axes_, pieces_)) {
+          cells_(span_cells(axes_, pieces_)), whole_(axes_, f.axis(0).degree(), g.width()) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
         for (size_t i = 1; i < cells_.size(); ++i) {
@@ -197,17 +198,61 @@ private:
 
     void append_layer(int64_t layer, std::vector<double> &records) {
         cell_ = &cell_for(layer);
+        const Window around = window(layer);
+        if (f_.axis(0).degree() > 1 && around.size == 2 && is_cell(window_knots_[0], window_knots_[1])) {
+            return append_coefficient(around.copies[1], records);
+        }
         load_block(0, 0, block_.data());
         std::ranges::fill(sums_, CompensatedSum{});
         total_ = {};
         terms_ = 0;
-        next_axis(0, window(layer), block_.data(), 1);
+        next_axis(0, around, block_.data(), 1);
         for (size_t c = 0; c < sums_.size(); ++c) {
             records.push_back(terms_ == 1 ? only_weight_ * only_[c] : sums_[c].value() / total_.value());
             if (!std::isfinite(records.back())) {
                 fail(Status::not_representable, "a new control point overflows double precision");
             }
         }
+    }
+
+    // Whether the present cell is that between two knots of the result.
+    [[nodiscard]] bool is_cell(double start, double end) const noexcept {
+        const SpanCell *const next = cell_ + 1;
+        const bool last = next == cells_.data() + cells_.size();
+        return cell_->start == start && (last ? f_.axis(0).domain().upper : next->start) == end;
+    }
+
+    // Most layers are Bernstein coefficients of their cell, all of which are made at once. Those at the ends of the cell
+    // are values of the composition.
+    void append_coefficient(int i, std::vector<double> &records) {
+        if (made_ != cell_) {
+            make_cell();
+        }
+        for (int c = 0; c < g_.width(); ++c) {
+            records.push_back((*coefficients_)[static_cast<size_t>(i * g_.width() + c)]);
+            if (!std::isfinite(records.back())) {
+                fail(Status::not_representable, "a new control point overflows double precision");
+            }
+        }
+    }
+
+    void make_cell() {
+        const int q = f_.axis(0).degree();
+        CellArguments arguments;
+        for (int k = 0; k < g_.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            arguments.weights[at].fill(1);
+            for (int j = 0; j <= q; ++j) {
+                const int chosen[2] = {q - j, j};
+                arguments.values[at][static_cast<size_t>(j)] = argument_of(k, j, 2, chosen);
+                if (weighted_) {
+                    arguments.weights[at][static_cast<size_t>(j)] = weights_[at][static_cast<size_t>(j)];
+                }
+            }
+        }
+        load_block(0, 0, block_.data());
+        coefficients_ = &whole_.make(block_.data(), cell_->spans, arguments);
+        made_ = cell_;
     }
 
     // The control points of g that are active in the cell; they repeat with the periods of an axis.
@@ -373,6 +418,11 @@ private:
     std::vector<SpanCell> cells_;
     std::vector<double> knots_;      // of the result
     std::vector<size_t> cell_after_; // of each knot
+
+    // All of a cell.
+    ComposedCell whole_;
+    const SpanCell *made_ = nullptr;
+    const std::vector<double> *coefficients_ = nullptr;
 
     // Data of the layer that is being made.
     const SpanCell *cell_ = nullptr;
