@@ -26,14 +26,14 @@ const Spline &named(const nurbs *g, const char *name) {
     return *g->spline;
 }
 
-// The limit where the caller has none; half of it for each of two searches.
+// The limit where the caller has none; a third of it for each of two searches, which go in small steps.
 int64_t work_of(int64_t budget, const Spline &a, const Spline &b) noexcept {
     return budget == 0 ? usual_work(a.point_count() + b.point_count())
                        : std::numeric_limits<int64_t>::max() / 2;
 }
 
 closest::FarthestPoint farthest(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
-    const UsualLimit usual(work_of(budget, from, to) / 2);
+    const UsualLimit usual(work_of(budget, from, to) / 3);
     return closest::one_sided_distance(from, to, tolerance, checked_budget(budget, default_far_budget));
 }
 

@@ -49,6 +49,7 @@ void Source::begin(uint64_t seed) {
     (void)madvise(rooms_, room_size * rooms_taken_, MADV_DONTNEED);
     rooms_taken_ = 0;
     drawn_ = 0;
+    batch_ = 1;
     hostile_at_ = random_.one_in(4) ? random_.below(10) : -1;
     facts_ = {};
 }
@@ -146,6 +147,9 @@ int64_t Source::integer(const char *name, int64_t usual) {
     }
     const int64_t drawn = hostile() ? random_.any_of(extremes) : likely(name, usual);
     tell(name, static_cast<double>(drawn));
+    if (std::strcmp(name, "n") == 0) {
+        batch_ = std::clamp<int64_t>(drawn, 1, 60);
+    }
     return drawn;
 }
 

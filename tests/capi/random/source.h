@@ -40,6 +40,9 @@ public:
     // Makes a result an input of later steps, or destroys it.
     void keep(nurbs *made);
 
+    // The number n of points that was drawn for a batch, or 1.
+    [[nodiscard]] int64_t batch() const noexcept { return batch_; }
+
     bool tells = false; // prints what is drawn
 
 private:
@@ -63,6 +66,7 @@ private:
 
     Random random_{0};
     int drawn_ = 0, hostile_at_ = -1;
+    int64_t batch_ = 1;
     Facts facts_;                        // of the last spline
     std::vector<nurbs *> pool_, shapes_; // results, and what this step was given
     std::vector<std::vector<double>> reals_;
