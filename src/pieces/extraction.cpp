@@ -22,7 +22,7 @@ std::span<const double> active_knots(const KnotVector &axis, double lower, doubl
 
 } // namespace
 
-PieceRows::PieceRows(const KnotVector &axis, const std::vector<double> &breaks) noexcept
+PieceRows::PieceRows(const KnotVector &axis, const std::vector<double> &breaks)
     : axis_(axis), breaks_(breaks), own_(std::ranges::equal(breaks, axis.spans().breaks())) {}
 
 LayerTable PieceRows::rows(int64_t first, int64_t end) const {

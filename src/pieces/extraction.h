@@ -13,7 +13,7 @@ namespace nrb::pieces {
 // this.
 class PieceRows {
 public:
-    PieceRows(const KnotVector &axis, const std::vector<double> &breaks) noexcept;
+    PieceRows(const KnotVector &axis, const std::vector<double> &breaks);
 
     // Rows [(e - first) * (degree + 1), ...) give the Bezier points of the piece after break e, first <= e < end.
     [[nodiscard]] LayerTable rows(int64_t first, int64_t end) const;
