@@ -15,8 +15,8 @@ AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, std::vector<Condition>
     : knots_(std::move(knots)), conditions_(std::move(conditions)), axis_(axis) {
     const bool values_only =
         std::ranges::all_of(conditions_, [](const Condition &condition) { return condition.order == 0; });
-    if (values_only && !knots_->periodic()) {
-        factor();
+    if (!knots_->periodic()) {
+        values_only ? factor() : factor_derivatives();
     }
 }
 
@@ -62,20 +62,27 @@ void AxisInterpolation::check_support(int64_t i, int64_t first) const {
          static_cast<long long>(i + p + 1), static_cast<long long>(i));
 }
 
-void AxisInterpolation::factor() {
+// Wide enough for all conditions, after each has been seen to lie in the support of its function, if that is asked for.
+BandedLu AxisInterpolation::empty_band(bool check, int64_t &below) const {
     const int p = knots_->degree();
-    int64_t below = 0, above = 0, first = 0;
+    int64_t above = 0, first = 0;
+    below = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
         first = next_function(i, first);
         const bool on_knot = conditions_[static_cast<size_t>(i)].param == (*knots_)[first + p];
-        if (i <= first || i >= first + p || on_knot) { // else it is inside the support for certain
+        if (check && (i <= first || i >= first + p || on_knot)) { // else it is inside the support for certain
             check_support(i, first);
         }
         below = std::max(below, i - first);
         above = std::max(above, first + p - i);
     }
-    direct_.emplace(conditions(), static_cast<int>(below), static_cast<int>(above));
-    first = 0;
+    return {conditions(), static_cast<int>(below), static_cast<int>(above)};
+}
+
+void AxisInterpolation::factor() {
+    const int p = knots_->degree();
+    int64_t below = 0, first = 0;
+    direct_.emplace(empty_band(true, below));
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{4} * (p + 1) * (p + 1));
         first = next_function(i, first);
@@ -86,11 +93,41 @@ void AxisInterpolation::factor() {
     }
 }
 
+void AxisInterpolation::factor_derivatives() {
+    constexpr double most = 16; // rows of values of a B-spline of some degree have as much
+    const int p = knots_->degree();
+    int64_t below = 0, first = 0;
+    direct_.emplace(empty_band(false, below));
+    scales_.reserve(conditions_.size());
+    for (int64_t i = 0; i < conditions(); ++i) {
+        count_work(int64_t{8} * (p + 1) * (p + 1));
+        first = next_function(i, first);
+        scales_.push_back(read_scaled(i, first, direct_->row(i) + (first - (i - below))));
+    }
+    if (!direct_->factor_checked(most)) {
+        direct_.reset();
+    }
+}
+
+double AxisInterpolation::read_scaled(int64_t i, int64_t first, double *values) const noexcept {
+    read(i, first, values);
+    double largest = 0;
+    std::for_each_n(values, knots_->degree() + 1,
+                    [&](double x) { largest = std::max(largest, std::abs(x)); });
+    const double scale = largest > 0 ? 1 / largest : 1;
+    std::for_each_n(values, knots_->degree() + 1, [scale](double &x) { x *= scale; });
+    return scale;
+}
+
 void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const {
     const auto last = static_cast<size_t>((conditions() - 1) * width);
     const std::vector<double> start(values.begin(), values.begin() + width),
         end(values.begin() + last, values.end());
     if (direct_.has_value()) {
+        for (size_t i = 0; i < scales_.size(); ++i) {
+            std::for_each_n(values.begin() + static_cast<std::ptrdiff_t>(i) * width, width,
+                            [&](double &x) { x *= scales_[i]; });
+        }
         direct_->solve(values.data(), width);
     } else {
         rotate(values, width);
@@ -107,7 +144,6 @@ void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const 
     }
 }
 
-// Rows are divided by their largest entry: derivatives of high order would outweigh the values else.
 void AxisInterpolation::rotate(std::vector<double> &values, int64_t width) const {
     const int p = knots_->degree();
     const int64_t columns = conditions();
@@ -118,12 +154,9 @@ void AxisInterpolation::rotate(std::vector<double> &values, int64_t width) const
     for (int64_t i = 0; i < columns; ++i) {
         first = next_function(i, first);
         double row[max_basis];
-        read(i, first, row);
-        double largest = 0;
-        std::for_each_n(row, p + 1, [&](double x) { largest = std::max(largest, std::abs(x)); });
-        const double scale = largest > 0 ? 1 / largest : 1;
+        const double scale = read_scaled(i, first, row);
         for (int j = 0; j <= p; ++j) {
-            system.enter((first + j) % columns, row[j] * scale);
+            system.enter((first + j) % columns, row[j]);
         }
         std::transform(values.begin() + i * width, values.begin() + (i + 1) * width, right.begin(),
                        [scale](double x) { return x * scale; });

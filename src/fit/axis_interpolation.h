@@ -22,8 +22,8 @@ public:
     // As many conditions as the axis has distinct layers, by rising parameters in the domain, the orders not above the
     // degree; `axis` is for messages. Values alone are solved without an exchange of rows, after the condition of I.
     // Schoenberg and A. Whitney has been checked (Trans. Amer. Math. Soc. 74 (1953)): condition i has to lie in the
-    // support of function i, else Status::schoenberg_whitney. Others, and those of a periodic axis, by rotations, which
-    // take several times as long.
+    // support of function i, else Status::schoenberg_whitney. So are derivatives where that turns out to be as accurate.
+    // All else, and what belongs to a periodic axis, goes by rotations, which take several times as long.
     AxisInterpolation(KnotVectorPtr knots, std::vector<Condition> conditions, int axis);
 
     [[nodiscard]] const KnotVectorPtr &knots() const noexcept { return knots_; }
@@ -37,7 +37,11 @@ private:
     // what they contribute to it.
     [[nodiscard]] int64_t next_function(int64_t i, int64_t first) const noexcept;
     void read(int64_t i, int64_t first, double *values) const noexcept;
+    // Divided by the largest entry, because derivatives of high order would outweigh the values; returns the factor.
+    double read_scaled(int64_t i, int64_t first, double *values) const noexcept;
     void factor();
+    void factor_derivatives();
+    [[nodiscard]] BandedLu empty_band(bool check, int64_t &below) const;
     void check_support(int64_t i, int64_t first) const;
     void rotate(std::vector<double> &values, int64_t width) const;
 
@@ -45,6 +49,7 @@ private:
     std::vector<Condition> conditions_;
     int axis_;
     std::optional<BandedLu> direct_;
+    std::vector<double> scales_; // of the rows of direct_, if there are derivatives
 };
 
 } // namespace nrb::fit

@@ -35,17 +35,49 @@ bool BandedLu::factor() {
         if (i % rows_between_counts == 0) {
             count_work(rows_between_counts * (int64_t{below_} * above_ + work_of_a_pivot));
         }
-        double *const target = row(i) + below_; // its diagonal
-        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
-            const double *const pivot = row(k) + below_;
-            double &factor = target[k - i];
-            if (factor != 0) {
-                factor *= *pivot;
-                subtract(target + (k - i) + 1, factor, pivot + 1, std::min<int64_t>(above_, rows_ - 1 - k));
-            }
+        if (!eliminate(i)) {
+            return false;
         }
-        *target = 1 / *target;
-        if (!std::isfinite(*target)) {
+    }
+    return true;
+}
+
+// Row i of both factors; false if the pivot is 0 or not finite.
+bool BandedLu::eliminate(int64_t i) noexcept {
+    double *const target = row(i) + below_; // its diagonal
+    for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
+        const double *const pivot = row(k) + below_;
+        double &factor = target[k - i];
+        if (factor != 0) {
+            factor *= *pivot;
+            subtract(target + (k - i) + 1, factor, pivot + 1, std::min<int64_t>(above_, rows_ - 1 - k));
+        }
+    }
+    *target = 1 / *target;
+    return std::isfinite(*target);
+}
+
+double BandedLu::largest_of_upper(int64_t i) const noexcept {
+    const double *const diagonal = band_.data() + i * stride() + below_;
+    double largest = std::abs(1 / *diagonal);
+    for (int64_t j = 1; j <= std::min<int64_t>(above_, rows_ - 1 - i); ++j) {
+        largest = std::max(largest, std::abs(diagonal[j]));
+    }
+    return largest;
+}
+
+bool BandedLu::factor_checked(double most) {
+    std::vector<double> largest(static_cast<size_t>(rows_));
+    for (int64_t i = 0; i < rows_; ++i) {
+        count_work(2 * (int64_t{below_} * above_ + work_of_a_pivot));
+        if (!eliminate(i)) {
+            return false;
+        }
+        double product = largest[static_cast<size_t>(i)] = largest_of_upper(i);
+        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
+            product += std::abs(row(i)[below_ + k - i]) * largest[static_cast<size_t>(k)];
+        }
+        if (!(product <= most)) {
             return false;
         }
     }

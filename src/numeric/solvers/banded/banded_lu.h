@@ -21,11 +21,16 @@ public:
     [[nodiscard]] double *row(int64_t i) noexcept { return band_.data() + i * stride(); }
     // False if a pivot is 0 or not finite.
     [[nodiscard]] bool factor();
+    // The same for a matrix that is not totally positive, whose rows have a largest entry of 1: false too if |L| |U| has an
+    // entry above `most`, which tells how much larger the backward error is than that of rounding the matrix.
+    [[nodiscard]] bool factor_checked(double most);
     // values: [rows][width], the right-hand sides, replaced by the solutions.
     void solve(double *values, int64_t width) const;
 
 private:
     [[nodiscard]] int64_t stride() const noexcept { return below_ + above_ + 1; }
+    [[nodiscard]] bool eliminate(int64_t i) noexcept;
+    [[nodiscard]] double largest_of_upper(int64_t i) const noexcept;
     template <class Size>
     void solve_some(double *values, int64_t width, Size some) const noexcept;
 

@@ -1,0 +1,77 @@
+// Banded systems: solutions, widths, and matrices that are refused.
+#include "numeric/solvers/banded/banded_lu.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace banded_lu_test {
+
+using nrb::BandedLu;
+
+namespace {
+
+// 1 4 1 in every row, whose factors are far from 0.
+BandedLu spline_matrix(int64_t rows) {
+    BandedLu matrix(rows, 1, 1);
+    for (int64_t i = 0; i < rows; ++i) {
+        double *const row = matrix.row(i);
+        row[0] = i == 0 ? 0 : 1;
+        row[1] = 4;
+        row[2] = i + 1 == rows ? 0 : 1;
+    }
+    return matrix;
+}
+
+TEST(BandedLu, solves_and_treats_every_column_alike) {
+    constexpr int64_t rows = 40;
+    BandedLu matrix = spline_matrix(rows);
+    ASSERT_TRUE(matrix.factor());
+    const auto solution = [](int64_t i, int64_t c) { return static_cast<double>((i * 7 + c * 3) % 11) - 5; };
+    std::vector<double> narrow;
+    for (const int64_t width : {1, 2, 3, 4, 5, 300}) {
+        std::vector<double> values;
+        for (int64_t i = 0; i < rows; ++i) {
+            for (int64_t c = 0; c < width; ++c) {
+                const double before = i > 0 ? solution(i - 1, c) : 0,
+                             after = i + 1 < rows ? solution(i + 1, c) : 0;
+                values.push_back(before + 4 * solution(i, c) + after);
+            }
+        }
+        matrix.solve(values.data(), width);
+        for (int64_t i = 0; i < rows; ++i) {
+            for (int64_t c = 0; c < width; ++c) {
+                ASSERT_NEAR(values[static_cast<size_t>(i * width + c)], solution(i, c), 1e-14) << width;
+            }
+            if (width == 1) {
+                narrow.push_back(values[static_cast<size_t>(i)]);
+            }
+            ASSERT_EQ(values[static_cast<size_t>(i * width)], narrow[static_cast<size_t>(i)]) << width;
+        }
+    }
+}
+
+TEST(BandedLu, refuses_what_it_cannot_solve) {
+    BandedLu zero(2, 1, 1);
+    zero.row(0)[1] = 0;
+    EXPECT_FALSE(zero.factor());
+    BandedLu dependent(2, 1, 1); // 1 1, 1 1
+    dependent.row(0)[1] = dependent.row(0)[2] = dependent.row(1)[0] = dependent.row(1)[1] = 1;
+    EXPECT_FALSE(dependent.factor());
+}
+
+// 2^-40 1, 1 1: without an exchange of rows nothing is left of the second one.
+TEST(BandedLu, sees_a_growth_that_loses_digits) {
+    const auto make = [] {
+        BandedLu matrix(2, 1, 1);
+        matrix.row(0)[1] = 0x1p-40;
+        matrix.row(0)[2] = matrix.row(1)[0] = matrix.row(1)[1] = 1;
+        return matrix;
+    };
+    EXPECT_TRUE(make().factor());
+    EXPECT_FALSE(make().factor_checked(16));
+    EXPECT_TRUE(spline_matrix(9).factor_checked(16));
+}
+
+} // namespace
+
+} // namespace banded_lu_test
