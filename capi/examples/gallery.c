@@ -4,10 +4,11 @@
  * Compile: cc -std=c99 gallery.c $(pkg-config --cflags --libs nurbs) -lm -o gallery */
 #include "gallery/boundaries.h"
 #include "gallery/curves.h"
+#include "gallery/fits.h"
 #include "gallery/quadrics.h"
 #include "gallery/sweeps.h"
 
-enum { COLUMNS = 7, ROWS = 7 };
+enum { COLUMNS = 7, ROWS = 8 };
 
 int main(int argc, char **argv) {
     static gallery picture;
@@ -20,6 +21,7 @@ int main(int argc, char **argv) {
     show_sweeps(&picture);
     show_quadrics(&picture);
     show_boundaries(&picture);
+    show_fits(&picture);
     close_picture(&picture);
     printf("%d constructions\n", picture.cells);
     return 0;

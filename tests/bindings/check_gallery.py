@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "cmake/inte
 
 import header  # noqa: E402 - from the project
 
-CHAPTERS = ("curves", "shapes", "coons", "recognize")
+CHAPTERS = ("curves", "shapes", "coons", "recognize", "fit")
 SVG = "{http://www.w3.org/2000/svg}"
 
 
