@@ -120,7 +120,7 @@ double AxisInterpolation::read_scaled(int64_t i, int64_t first, double *values) 
 }
 
 void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const {
-    const auto last = static_cast<size_t>((conditions() - 1) * width);
+    const int64_t last = (conditions() - 1) * width;
     const std::vector<double> start(values.begin(), values.begin() + width),
         end(values.begin() + last, values.end());
     if (direct_.has_value()) {
