@@ -128,7 +128,7 @@ void conditions(Input &in, const Grid &grid) {
     for (int64_t i = 0; i < n; ++i) {
         const bool again = i > 0 && in.coin();
         params.push_back(again ? params.back() : grid.params[static_cast<size_t>(i)]);
-        orders.push_back(in.rarely() ? in.bad_int() : again ? orders.back() + 1 : in.below(2));
+        orders.push_back(in.rarely() ? in.bad_int() : again ? std::min(orders.back(), 40) + 1 : in.below(2));
     }
     nurbs *out = fuzz::poison();
     const fuzz::Handle made(
