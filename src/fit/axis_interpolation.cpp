@@ -45,33 +45,26 @@ void AxisInterpolation::read(int64_t i, int64_t first, double *values) const noe
     std::copy_n(derivatives + order * (p + 1), p + 1, values);
 }
 
-// A function is 0 at the first knot of its support, but for the first one of a clamped end.
-void AxisInterpolation::check_support(int64_t i, int64_t first) const {
-    const int p = knots_->degree();
-    double values[max_basis];
-    read(i, first, values);
-    if (i >= first && i <= first + p && values[i - first] > 0) {
-        return;
-    }
+void AxisInterpolation::fail_outside_support(int64_t i) const {
+    const int64_t end = i + knots_->degree() + 1;
     fail(Status::schoenberg_whitney,
          "params[%lld] = %s on axis %d is outside (%s, %s), between knots %lld and %lld, the support of "
          "control point "
          "%lld",
          static_cast<long long>(i), Number(conditions_[static_cast<size_t>(i)].param).text, axis_,
-         Number((*knots_)[i]).text, Number((*knots_)[i + p + 1]).text, static_cast<long long>(i),
-         static_cast<long long>(i + p + 1), static_cast<long long>(i));
+         Number((*knots_)[i]).text, Number((*knots_)[end]).text, static_cast<long long>(i),
+         static_cast<long long>(end), static_cast<long long>(i));
 }
 
-// Wide enough for all conditions, after each has been seen to lie in the support of its function, if that is asked for.
-BandedLu AxisInterpolation::empty_band(bool check, int64_t &below) const {
+// Wide enough for all conditions.
+BandedLu AxisInterpolation::empty_band(bool in_support, int64_t &below) const {
     const int p = knots_->degree();
     int64_t above = 0, first = 0;
     below = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
         first = next_function(i, first);
-        const bool on_knot = conditions_[static_cast<size_t>(i)].param == (*knots_)[first + p];
-        if (check && (i <= first || i >= first + p || on_knot)) { // else it is inside the support for certain
-            check_support(i, first);
+        if (in_support && (i < first || i > first + p)) {
+            fail_outside_support(i);
         }
         below = std::max(below, i - first);
         above = std::max(above, first + p - i);
@@ -79,6 +72,7 @@ BandedLu AxisInterpolation::empty_band(bool check, int64_t &below) const {
     return {conditions(), static_cast<int>(below), static_cast<int>(above)};
 }
 
+// A function is 0 at the first knot of its support, but for the first one of a clamped end.
 void AxisInterpolation::factor() {
     const int p = knots_->degree();
     int64_t below = 0, first = 0;
@@ -86,7 +80,11 @@ void AxisInterpolation::factor() {
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{4} * (p + 1) * (p + 1));
         first = next_function(i, first);
-        read(i, first, direct_->row(i) + (first - (i - below)));
+        double *const row = direct_->row(i);
+        read(i, first, row + (first - (i - below)));
+        if (!(row[below] > 0)) {
+            fail_outside_support(i);
+        }
     }
     if (!direct_->factor()) {
         fail(Status::rank, "params: the interpolation on axis %d is singular to working precision", axis_);

@@ -41,8 +41,8 @@ private:
     double read_scaled(int64_t i, int64_t first, double *values) const noexcept;
     void factor();
     void factor_derivatives();
-    [[nodiscard]] BandedLu empty_band(bool check, int64_t &below) const;
-    void check_support(int64_t i, int64_t first) const;
+    [[nodiscard]] BandedLu empty_band(bool in_support, int64_t &below) const;
+    [[noreturn]] void fail_outside_support(int64_t i) const;
     void rotate(std::vector<double> &values, int64_t width) const;
 
     KnotVectorPtr knots_;

@@ -30,5 +30,6 @@ void add_points(Rows &rows);
 void add_first_calls(Rows &rows);
 void add_forms(Rows &rows);
 void add_operations(Rows &rows);
+void add_fits(Rows &rows);
 
 } // namespace bench
