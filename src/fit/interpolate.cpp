@@ -110,6 +110,9 @@ struct Conditions {
 
 Conditions conditions_of(std::span<const double> params, int degree, Ends ends, bool periodic) {
     Conditions all;
+    const auto count = params.size() + 2 * static_cast<size_t>(degree);
+    all.conditions.reserve(count);
+    all.sources.reserve(count);
     const auto last = std::ssize(params) - 1;
     all.add(params.front(), 0, 0);
     all.add_natural(params.front(), ends[0], degree);
