@@ -197,6 +197,18 @@ nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim,
     });
 }
 
+nurbs_status nurbs_params_universal(int32_t degree, int64_t count, double *params) {
+    return guard([&] {
+        check_degree(degree, -1);
+        check_at_least(count, 2, "count");
+        check_count(degree, count, -1);
+        checked_array(count, "params");
+        require(params, "params");
+        const std::vector<double> made = fit::universal_params(degree, count);
+        std::copy(made.begin(), made.end(), params);
+    });
+}
+
 nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                const double *params, int32_t dim, const double *points, int64_t point_stride,
                                int64_t point_component_stride, const int32_t *ends, uint32_t flags,

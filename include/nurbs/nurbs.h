@@ -2136,6 +2136,17 @@ NURBS_API nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, in
                                          int64_t point_component_stride, int32_t rule, double exponent,
                                          uint32_t flags, double *params);
 
+/** \brief Parameters that do not depend on the points: where the basis functions over the knots of
+ * nurbs_knots_open_uniform() from 0 to 1 are largest. For nurbs_interpolate_over_knots() with those knots,
+ * the curve then is mapped as its points are by any affine map (Lim 1999).
+ * \param[in] degree of the curve.
+ * \param[in] count number of points, > degree, at least 2.
+ * \param[out] params [count] from 0 to 1; symmetric: params[count - 1 - i] is 1 - params[i], i < count / 2.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _OVERFLOW; _NOT_REPRESENTABLE if
+ *   there are not so many doubles.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_params_universal(int32_t degree, int64_t count, double *params);
+
 /** \brief The spline of given degrees through points on a grid of parameters. Knots stand at the parameters,
  * for even degrees in the middle between two of them, with degree + 1 at each end. At an end that is
  * NURBS_ENDS_NOT_A_KNOT the first degree / 2 of these inner knots are left out; at one that is

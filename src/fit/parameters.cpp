@@ -4,6 +4,9 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "basis/bspline.h"
+#include "basis/generators.h"
+#include "basis/knot_vector.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -151,6 +154,54 @@ std::vector<double> parametrize(const PointGrid &grid, ParameterRule rule, doubl
         all.insert(all.end(), params.begin(), params.end());
     }
     return all;
+}
+
+namespace {
+
+// Whether a function over the knots still rises at t, which lies inside a span.
+bool rises(const KnotVector &axis, int64_t function, double t) noexcept {
+    const int p = axis.degree();
+    const int64_t span = axis.find_span(t, false);
+    const int64_t place = function - (span - p);
+    if (place < 0 || place > p) {
+        return place > p; // its support comes later
+    }
+    double values[2 * max_basis];
+    basis_derivs(axis.knots().data(), p, span, t, 1, values);
+    return values[p + 1 + place] > 0;
+}
+
+// A B-spline rises to its only maximum and falls after it.
+double largest_at(const KnotVector &axis, int64_t function) noexcept {
+    double lower = axis[function], upper = axis[function + axis.degree() + 1];
+    for (;;) {
+        const double middle = lower + (upper - lower) / 2;
+        if (!(middle > lower && middle < upper)) {
+            return middle;
+        }
+        (rises(axis, function, middle) ? lower : upper) = middle;
+    }
+}
+
+} // namespace
+
+std::vector<double> universal_params(int degree, int64_t count) {
+    std::vector<double> knots(static_cast<size_t>(count + degree + 1));
+    open_uniform_knots(degree, count, 0, 1, knots);
+    const KnotVector axis(degree, std::move(knots));
+    std::vector<double> params(static_cast<size_t>(count));
+    for (int64_t i = 0; i < (count + 1) / 2; ++i) {
+        count_work(work_of_a_step);
+        // Away from the ends, and at low degrees, a function is symmetric.
+        const double first = axis[i], last = axis[i + degree + 1];
+        const bool symmetric = degree <= 1 || i >= degree || 2 * i + 1 == count;
+        const double t = symmetric ? first + (last - first) / 2 : largest_at(axis, i);
+        params[static_cast<size_t>(i)] = degree > 0 && i == 0 ? 0 : degree == 1 ? axis[i + 1] : t;
+    }
+    for (int64_t i = 0; i < count / 2; ++i) {
+        params[static_cast<size_t>(count - 1 - i)] = 1 - params[static_cast<size_t>(i)];
+    }
+    return params;
 }
 
 } // namespace nrb::fit

@@ -27,4 +27,9 @@ struct PointGrid {
 // Status::length where no line of an axis has a length, point_not_finite.
 std::vector<double> parametrize(const PointGrid &grid, ParameterRule rule, double exponent);
 
+// Where the basis functions over clamped, evenly spaced knots from 0 to 1 are largest (C.-G. Lim, "A universal
+// parametrization in B-spline curve and surface interpolation", CAGD 16 (1999)): symmetric bit for bit. Precondition: 0 <=
+// degree < count, count > 1.
+std::vector<double> universal_params(int degree, int64_t count);
+
 } // namespace nrb::fit

@@ -44,6 +44,30 @@ static void angles(void) {
     CHECK_NEAR(params, VALUES(0, 0.25, 0.5, 0.75, 1), 5, 2e-16);
 }
 
+/* Of quadratics: the maxima of 2 t (1 - t) + t (1 - t / 2), that is 2 / 3 of the first span, and of symmetric functions. */
+static void universal_parameters(void) {
+    double params[7] = {-7, -7, -7, -7, -7, -7, -7}, mirrored;
+    CHECK_OK(nurbs_params_universal(2, 5, params));
+    CHECK_NEAR(params, VALUES(0, 2 / 9.0, 0.5, 7 / 9.0, 1), 5, 1e-15);
+    CHECK_OK(nurbs_params_universal(1, 5, params));
+    CHECK_DOUBLES(params, VALUES(0, 0.25, 0.5, 0.75, 1), 5);
+    CHECK_OK(nurbs_params_universal(0, 2, params));
+    CHECK_DOUBLES(params, VALUES(0.25, 0.75), 2);
+    CHECK_OK(nurbs_params_universal(3, 7, params));
+    for (int i = 0; i < 3; ++i) {
+        mirrored = 1 - params[i];
+        CHECK_DOUBLES(params + 6 - i, &mirrored, 1);
+    }
+    CHECK(params[1] > 0 && params[1] < params[2] && params[2] < params[3]);
+    CHECK_DOUBLES(params + 3, VALUES(0.5), 1);
+    params[0] = -7;
+    CHECK_FAILS(nurbs_params_universal(32, 40, params), NURBS_ERROR_DEGREE, "32");
+    CHECK_FAILS(nurbs_params_universal(0, 1, params), NURBS_ERROR_COUNT, "count = 1|2");
+    CHECK_FAILS(nurbs_params_universal(3, 3, params), NURBS_ERROR_TOO_FEW_POINTS, "3");
+    CHECK_FAILS(nurbs_params_universal(3, 7, NULL), NURBS_ERROR_NULL, "params");
+    CHECK_DOUBLES(params, VALUES(-7), 1);
+}
+
 /* Lines along axis 0 have chords 1 : 3 and no length; along axis 1 only the last one has a length. */
 static void parameters_of_grids(void) {
     static const double points[3][2] = {{0, 7}, {1, 7}, {4, 7}};
@@ -276,6 +300,7 @@ int main(void) {
     parameters();
     angles();
     parameters_of_grids();
+    universal_parameters();
     refused_parameters();
     a_parabola();
     a_natural_cubic();

@@ -80,6 +80,17 @@ void parametrize(Input &in, const Grid &grid) {
     }
 }
 
+void universal(Input &in) {
+    std::vector<double> params(40, -7);
+    const int32_t degree = in.rarely() ? in.bad_int() : in.below(33);
+    const int64_t count = in.rarely() ? in.bad_size() : in.below(40);
+    if (FUZZ_OK(nurbs_params_universal(degree, count, params.data()))) {
+        FUZZ_REQUIRE(std::is_sorted(params.begin(), params.begin() + count));
+    } else {
+        FUZZ_REQUIRE(std::all_of(params.begin(), params.end(), [](double t) { return t == -7; }));
+    }
+}
+
 void tangents(Input &in, const Grid &grid) {
     std::vector<double> made(grid.points.size(), -7);
     const int32_t rule = in.rarely() ? in.bad_int() : in.below(4);
@@ -144,6 +155,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     Input in(data, size);
     const Grid grid = any_grid(in);
     parametrize(in, grid);
+    universal(in);
     tangents(in, grid);
     interpolate(in, grid);
     over_knots(in, grid);

@@ -1026,6 +1026,15 @@ module nurbs_c
             real(c_double), intent(inout) :: params(*)
             integer(c_int32_t) :: r
         end function nurbs_parametrize
+        !> Parameters that do not depend on the points: where the basis functions over the knots of
+        !> nurbs_knots_open_uniform() from 0 to 1 are largest.
+        function nurbs_params_universal(degree, count, params) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree
+            integer(c_int64_t), value :: count
+            real(c_double), intent(inout) :: params(*)
+            integer(c_int32_t) :: r
+        end function nurbs_params_universal
         !> The spline of given degrees through points on a grid of parameters.
         function nurbs_interpolate(axes, degrees, counts, params, dim, points, point_stride, &
                 point_component_stride, ends, flags, residual, out) bind(c) result(r)

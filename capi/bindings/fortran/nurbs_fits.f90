@@ -4,13 +4,13 @@
 module nurbs_fits
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_parametrize, nurbs_interpolate, nurbs_interpolate_over_knots, nurbs_curve_interpolate, &
-        nurbs_tangents
+    use nurbs_c, only: nurbs_parametrize, nurbs_params_universal, nurbs_interpolate, nurbs_interpolate_over_knots, &
+        nurbs_curve_interpolate, nurbs_tangents
     use nurbs_support
     use nurbs_splines
     implicit none
     private
-    public :: parametrize, interpolate, interpolate_over_knots, curve_interpolate, tangents_at
+    public :: parametrize, params_universal, interpolate, interpolate_over_knots, curve_interpolate, tangents_at
 
 contains
 
@@ -30,6 +30,14 @@ contains
             step(points), column(points), rule, given(exponent, 1d0), given(flags, 0), params)
         call settle(code, status)
     end subroutine parametrize
+
+    !> params(count) where the basis functions over evenly spaced knots are largest, for interpolation over these.
+    subroutine params_universal(degree, params, status)
+        integer(c_int32_t), intent(in) :: degree
+        real(c_double), intent(inout) :: params(:)
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_params_universal(degree, size(params, kind=c_int64_t), params), status)
+    end subroutine params_universal
 
     !> The spline through points on a grid of parameters; without ends, not-a-knot.
     subroutine interpolate(degrees, counts, params, points, out, ends, residual, flags, status)

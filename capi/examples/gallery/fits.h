@@ -107,9 +107,23 @@ static void over_knots(gallery *p) {
     show_through(p, "interpolate_over_knots", GIVEN, given_points[0], g);
 }
 
+/* The same points over even knots. */
+static void over_even_knots(gallery *p) {
+    const int32_t degree = 3;
+    const int64_t count = GIVEN;
+    double params[GIVEN], knots[GIVEN + 4];
+    nurbs *g;
+    check(nurbs_params_universal(degree, count, params));
+    check(nurbs_knots_open_uniform(degree, count, 0, 1, GIVEN + 4, knots));
+    check(nurbs_interpolate_over_knots(1, &degree, &count, params, knots, GIVEN + 4, 2, given_points[0], 0, 0,
+                                       0, &g));
+    show_through(p, "params_universal", GIVEN, given_points[0], g);
+}
+
 static void show_fits(gallery *p) {
     through_points(p);
     over_knots(p);
+    over_even_knots(p);
     through_conditions(p);
     by_tangents(p);
     through_heights(p);

@@ -42,6 +42,13 @@ inline Returned<std::vector<double>> parametrize(View<std::int64_t> counts, std:
     return values;
 }
 
+/// Parameters where the basis functions over evenly spaced knots are largest, for interpolation over these.
+inline Returned<std::vector<double>> params_universal(std::int32_t degree, std::int64_t count) {
+    std::vector<double> values = detail::room(count);
+    detail::call(nurbs_params_universal, degree, count, values.data());
+    return values;
+}
+
 /// The spline, and the largest distance of a point from it.
 struct Interpolated {
     Spline spline;   ///< The spline.

@@ -70,6 +70,11 @@ void data(const Inputs &in) {
         show("params", found);
     }
     {
+        begin("params_universal");
+        const auto found = n::params_universal(3, 7);
+        show("params", found);
+    }
+    {
         begin("tangents");
         const auto found = n::tangents(2, {0.0, 1.0, 3.0, 4.0}, 1, {0.0, 1.0, 2.0, 4.0}, 0u);
         show("tangents", found);

@@ -109,6 +109,13 @@ contains
                 2], order=[2, 1]), rule=4, params=params_found, exponent=0.0d0, flags=0)
             call show('params', params_found)
         end block
+        call begin('params_universal')
+        block
+            real(c_double), allocatable :: params_found(:)
+            allocate (params_found(7))
+            call params_universal(degree=3, params=params_found)
+            call show('params', params_found)
+        end block
         call begin('tangents')
         block
             real(c_double), allocatable :: tangents_found(:, :)

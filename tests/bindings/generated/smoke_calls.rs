@@ -188,6 +188,11 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("params", &found);
     }
+    begin("params_universal");
+    {
+        let found = nurbs::params_universal(3, 7)?;
+        show("params", &found);
+    }
     begin("tangents");
     {
         let found = nurbs::tangents(2, &[0.0, 1.0, 3.0, 4.0], 1, &[0.0, 1.0, 2.0, 4.0], 0)?;

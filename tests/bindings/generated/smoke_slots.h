@@ -17,6 +17,7 @@ inline constexpr Slot slots[] = {
     {"create_bezier", "out", "out", 0, 1},
     {"create_hermite", "out", "out", 0, 1},
     {"parametrize", "params", "values", 0, 4},
+    {"params_universal", "params", "values", 0, 7},
     {"tangents", "tangents", "values", 0, 4},
     {"tangents monotone", "tangents", "values", 0, 4},
     {"parametrize surface", "params", "values", 0, 4},

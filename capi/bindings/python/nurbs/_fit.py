@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     #: A vector of a curve, or one for each axis.
     ByAxis = Union[ArrayLike, Sequence[ArrayLike]]
 
-__all__ = ["Interpolated", "parametrize", "interpolate", "interpolate_over_knots", "curve_interpolate",
+__all__ = ["Interpolated", "parametrize", "params_universal", "interpolate", "interpolate_over_knots", "curve_interpolate",
            "tangents"]
 
 
@@ -46,6 +46,14 @@ def parametrize(points: ArrayLike, rule: int = NURBS_PARAMS_CENTRIPETAL, exponen
     call(lib.nurbs_parametrize, counts.size, counts.ctypes.data, net.shape[-1], net.ctypes.data, 0, 0, rule, exponent,
          flags, found.ctypes.data)
     return numpy.split(found, numpy.cumsum(counts)[:-1])
+
+
+def params_universal(degree: int, count: int) -> Floats:
+    """Parameters (count,) where the basis functions over knots_open_uniform(degree, count) are largest, for
+    interpolation over these knots: they do not depend on the points."""
+    found = numpy.empty(max(count, 0))
+    call(lib.nurbs_params_universal, degree, count, found.ctypes.data)
+    return found
 
 
 def _data(degrees: Union[int, Sequence[int]], params: ByAxis, points: ArrayLike) -> Tuple[Net, Floats]:

@@ -98,6 +98,7 @@ PROTOTYPES = {
     "nurbs_create_power": "i ippplipllup",
     "nurbs_basis_matrix": "i iiilp",
     "nurbs_parametrize": "i ipipllidup",
+    "nurbs_params_universal": "i ilp",
     "nurbs_interpolate": "i ipppipllpupp",
     "nurbs_interpolate_over_knots": "i ipppplipllup",
     "nurbs_curve_interpolate": "i ilppipllplup",

@@ -51,6 +51,13 @@ pub fn parametrize<'a>(
     Ok(params)
 }
 
+/// Parameters where the basis functions over evenly spaced knots are largest, for interpolation over these.
+pub fn params_universal(degree: i32, count: usize) -> Result<Vec<f64>> {
+    let mut params = vec![0.0; count];
+    check(unsafe { sys::nurbs_params_universal(degree, count as i64, params.as_mut_ptr()) })?;
+    Ok(params)
+}
+
 /// Derivatives at the points of a curve from the points near them, as `Spline::hermite` takes them.
 pub fn tangents<'a>(
     rule: i32,

@@ -1378,6 +1378,9 @@ extern "C" {
         flags: u32,
         params: *mut f64,
     ) -> nurbs_status;
+    /// Parameters that do not depend on the points: where the basis functions over the knots of
+    /// nurbs_knots_open_uniform() from 0 to 1 are largest.
+    pub fn nurbs_params_universal(degree: i32, count: i64, params: *mut f64) -> nurbs_status;
     /// The spline of given degrees through points on a grid of parameters.
     ///
     /// May be null: `ends`, `residual`.

@@ -51,6 +51,10 @@ const Call group[] = {
          static constexpr double points[] = {0, 0, 1, 2, 3, 2, 4, 0};
          return nurbs_parametrize(1, counts, 2, points, 0, 0, NURBS_PARAMS_FOLEY_NIELSON, 0, 0, o.values);
      }},
+    {"params_universal",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_params_universal(3, 7, o.values);
+     }},
     {"tangents",
      [](const Inputs &, Output &o) -> nurbs_status {
          static constexpr double params[] = {0, 1, 3, 4};
