@@ -316,6 +316,38 @@ TEST(Interpolation, monotone_tangents_make_monotone_cubics) {
     EXPECT_GE(steep, of_whole_run(50));
 }
 
+// Each function is larger at its parameter than beside it, and the data over the knots determine a curve.
+TEST(Interpolation, universal_parameters_are_maxima) {
+    for_each_case(892000, 200, [](Random &random, uint64_t seed) {
+        const int32_t degree = random.whole(2, 15);
+        const int64_t count = degree + random.whole(1, 20);
+        std::vector<double> params(static_cast<size_t>(count)),
+            knots(static_cast<size_t>(count + degree + 1));
+        require_ok(nurbs_params_universal(degree, count, params.data()));
+        require_ok(nurbs_knots_open_uniform(degree, count, 0, 1, std::ssize(knots), knots.data()));
+        const auto value = [&](int64_t i, double t) {
+            std::vector<double> ones(static_cast<size_t>(count));
+            ones[static_cast<size_t>(i)] = 1;
+            nurbs *g = nullptr;
+            require_ok(nurbs_create(1, &degree, &count, knots.data(), std::ssize(knots), 1, ones.data(), 0, 0,
+                                    nullptr, 0, 0, &g));
+            const Handle function(g);
+            double found = 0;
+            require_ok(nurbs_eval(g, 1, &t, 0, 0, &found, 0, 0, NURBS_CLAMP));
+            return found;
+        };
+        for (int64_t i = 0; i < count; ++i) {
+            const double t = params[static_cast<size_t>(i)], step = 1e-4 / static_cast<double>(count);
+            ASSERT_GE(value(i, t), value(i, t - step)) << "seed " << seed << " function " << i;
+            ASSERT_GE(value(i, t), value(i, t + step)) << "seed " << seed << " function " << i;
+        }
+        nurbs *out = nullptr;
+        require_ok(nurbs_interpolate_over_knots(1, &degree, &count, params.data(), knots.data(),
+                                                std::ssize(knots), 1, params.data(), 0, 0, 0, &out));
+        nurbs_destroy(out);
+    });
+}
+
 // Hermite's and Birkhoff's conditions are met, as derivatives are evaluated.
 TEST(Interpolation, meets_conditions_of_any_order) {
     for_each_case(888000, 600, [](Random &random, uint64_t seed) {
