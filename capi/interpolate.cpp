@@ -12,7 +12,6 @@
 #include "spline_data.h"
 
 #include <cmath>
-#include <limits>
 
 using namespace nrb;
 using namespace nrb::capi;

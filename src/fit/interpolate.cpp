@@ -18,21 +18,9 @@ namespace {
 
 constexpr int64_t work_of_a_value = 4; // which is moved
 
-// An axis of the grid: outer blocks of `count` layers of `inner` doubles each.
-struct Layers {
-    int64_t outer, count, inner;
-};
-
-Layers layers_of(const PointGrid &grid, size_t k) {
-    const auto product = [](auto first, auto last) {
-        return std::accumulate(first, last, int64_t{1}, std::multiplies<>());
-    };
-    const auto at = grid.counts.begin() + static_cast<ptrdiff_t>(k);
-    return {product(grid.counts.begin(), at), *at, product(at + 1, grid.counts.end()) * grid.dim};
-}
-
 // What belongs to one condition together, [conditions][outer * inner]: layer sources[i] of the grid, zeros for -1.
-std::vector<double> gathered(const PointGrid &grid, const Layers &of, const std::vector<int64_t> &sources) {
+std::vector<double> gathered(const PointGrid &grid, const GridLayers &of,
+                             const std::vector<int64_t> &sources) {
     std::vector<double> values(sources.size() * static_cast<size_t>(of.outer * of.inner), 0.0);
     double *target = values.data();
     for (const int64_t source : sources) {
@@ -47,8 +35,8 @@ std::vector<double> gathered(const PointGrid &grid, const Layers &of, const std:
 }
 
 // Puts the layers of control points in the place of those of the data; on a periodic axis the first ones repeat.
-void scatter(const std::vector<double> &values, const Layers &of, int64_t stored, int64_t distinct, size_t k,
-             PointGrid &grid) {
+void scatter(const std::vector<double> &values, const GridLayers &of, int64_t stored, int64_t distinct,
+             size_t k, PointGrid &grid) {
     std::vector<double> points(static_cast<size_t>(of.outer * stored * of.inner));
     double *target = points.data();
     for (int64_t o = 0; o < of.outer; ++o) {
@@ -63,7 +51,7 @@ void scatter(const std::vector<double> &values, const Layers &of, int64_t stored
 
 void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sources, size_t k,
                 PointGrid &grid) {
-    const Layers of = layers_of(grid, k);
+    const GridLayers of = layers_of(grid, k);
     if (of.outer == 1 && axis.knots()->count() == of.count && axis.conditions() == of.count) {
         return axis.solve(grid.points, of.inner); // in place
     }
@@ -73,7 +61,7 @@ void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sourc
 }
 
 void check_closed_along(const PointGrid &grid, size_t k) {
-    const Layers of = layers_of(grid, k);
+    const GridLayers of = layers_of(grid, k);
     for (int64_t o = 0; o < of.outer; ++o) {
         const double *const first = grid.points.data() + o * of.count * of.inner;
         const double *const last = first + (of.count - 1) * of.inner;

@@ -112,18 +112,14 @@ std::vector<double> of_axis(const PointGrid &grid, int k, ParameterRule rule, do
     if (rule == ParameterRule::uniform || count < 2) {
         return even(count);
     }
-    const auto product = [](auto first, auto last) {
-        return std::accumulate(first, last, int64_t{1}, std::multiplies<>());
-    };
-    const int64_t outer = product(grid.counts.begin(), grid.counts.begin() + k);
-    const int64_t inner = product(grid.counts.begin() + k + 1, grid.counts.end());
+    const GridLayers of = layers_of(grid, at);
     std::vector<double> params(static_cast<size_t>(count), 0.0);
     Line line(count, grid.dim, grid.periodic[at]);
     int64_t lines = 0;
-    for (int64_t o = 0; o < outer; ++o) {
-        for (int64_t i = 0; i < inner; ++i) {
+    for (int64_t o = 0; o < of.outer; ++o) {
+        for (int64_t i = 0; i < of.inner; i += grid.dim) {
             count_work(work_of_a_step * count);
-            line.set(grid.points.data() + (o * count * inner + i) * grid.dim, inner * grid.dim, scale);
+            line.set(grid.points.data() + o * count * of.inner + i, of.inner, scale);
             lines += add(line.lengths(rule, exponent), params) ? 1 : 0;
         }
     }
@@ -145,6 +141,14 @@ double scale_of(const std::vector<double> &points) noexcept {
 }
 
 } // namespace
+
+GridLayers layers_of(const PointGrid &grid, size_t axis) noexcept {
+    GridLayers layers{1, grid.counts[axis], grid.dim};
+    for (size_t k = 0; k < grid.counts.size(); ++k) {
+        (k < axis ? layers.outer : layers.inner) *= k == axis ? 1 : grid.counts[k];
+    }
+    return layers;
+}
 
 std::vector<double> parametrize(const PointGrid &grid, ParameterRule rule, double exponent) {
     std::vector<double> all;
