@@ -270,6 +270,9 @@ typedef struct nurbs nurbs; /* in C++ a type and no namespace: the functions of 
  * that was not turned into one. */
 typedef struct nurbs_list nurbs_list;
 
+/** \brief What a fit needs to know of data: sums that can be added and subtracted. \since 1.1 */
+typedef struct nurbs_statistics nurbs_statistics;
+
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
 typedef int32_t nurbs_status;
 
@@ -338,7 +341,8 @@ enum {
     NURBS_ERROR_RULE = 64,          /**< not one of the constants of a rule, or one that does not suit */
     NURBS_ERROR_SCHOENBERG_WHITNEY =
         65, /**< data lie outside the support of the control point that they have to determine */
-    NURBS_ERROR_RANK = 66, /**< data or conditions do not determine the result */
+    NURBS_ERROR_RANK = 66,  /**< data or conditions do not determine the result */
+    NURBS_ERROR_SCALE = 67, /**< a value or weight is above the scale of the statistics */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -444,6 +448,20 @@ enum {
 #define NURBS_ENDS_NOT_A_KNOT 0 /**< the parameters next to the end are no knots */
 #define NURBS_ENDS_NATURAL 1 /**< derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees */
 #define NURBS_ENDS_FREE 2    /**< knots averaged from the parameters, nurbs_knots_averaged(); both ends */
+/** @} */
+
+/** \name How smooth a fit is, for nurbs_fit_options
+ * @{ */
+#define NURBS_SMOOTHING_NONE 0        /**< only the data count */
+#define NURBS_SMOOTHING_LAMBDA 1      /**< the factor of the penalty is given */
+#define NURBS_SMOOTHING_GCV 2         /**< by generalised cross validation (Craven & Wahba 1979) */
+#define NURBS_SMOOTHING_REML 3        /**< by restricted maximum likelihood (Wood 2011) */
+#define NURBS_SMOOTHING_DISCREPANCY 4 /**< as smooth as a sum of squares allows (Reinsch 1967) */
+/** @} */
+
+/** \name What nurbs_fit_report tells besides
+ * @{ */
+#define NURBS_FIT_TARGET_MISSED 0x01 /**< no smoothing leaves as little as the target asks for */
 /** @} */
 
 /** \name Rules for tangents, for nurbs_tangents()
@@ -2272,6 +2290,272 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
                                       const double *points, int64_t point_stride,
                                       int64_t point_component_stride, uint32_t flags, double *tangents,
                                       int64_t tangent_stride, int64_t tangent_component_stride);
+/** @} */
+
+/** \defgroup fitting Fitting
+ * \code
+ * const int32_t cubic = 3;
+ * const int64_t count = 5;
+ * const double knots[9] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1};
+ * double params[200], values[200];
+ * for (int i = 0; i < 200; ++i) {
+ *     params[i] = i / 199.0;
+ *     values[i] = params[i] * params[i];
+ * }
+ * nurbs_data data;
+ * nurbs_data_init(&data, sizeof data);
+ * data.n = 200;
+ * data.axes = data.dim = 1;
+ * data.params = params;
+ * data.values = values;
+ * nurbs *fitted = NULL;
+ * nurbs_fit_points(&data, &cubic, &count, knots, 9, 0, NULL, NULL, &fitted);
+ * nurbs_destroy(fitted);
+ * \endcode
+ * Splines closest to data: s minimises
+ *
+ *     sum_i w_i |y_i - s(t_i)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
+ *
+ * over given knots, for values y_i of any dimension at parameters t_i on 1 to 3 axes; x_k is the parameter of
+ * axis k as a part of its domain, from 0 to 1, so that lambda does not depend on the unit of parameters.
+ *
+ * All that a fit needs to know of the data are sums over the cells between breaks, which a nurbs_statistics
+ * holds: knots among the breaks, degrees and smoothing are chosen afterwards, without the data. The sums are
+ * exact, in integers. So statistics of parts can be made on many machines, added and subtracted in any order,
+ * and are the same, bit for bit, as those of all data at once. What rounding remains is that of a value to
+ * 2^-53 of its scale, of a parameter to 2^-53 of its cell, and of products of basis functions to 2^-62; the
+ * equations are then solved with twice the precision, so that the error of a fit is about that of
+ * orthogonal methods up to degree 15 or so. Where the data determine a control point no better than rounding
+ * does, that is NURBS_ERROR_RANK.
+ * @{ */
+
+/** \brief Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are
+ * only ever appended. \since 1.1 */
+typedef struct nurbs_data {
+    int64_t struct_size;            /**< size of this struct as the caller knows it */
+    int64_t n;                      /**< number of data, >= 0 */
+    int32_t axes;                   /**< number of parameters, 1 to 3 */
+    int32_t dim;                    /**< dimension of the values */
+    const double *params;           /**< [n][axes] the parameters */
+    int64_t param_stride;           /**< distance between parameters, 0 = packed */
+    int64_t param_component_stride; /**< distance between components, 0 = 1 */
+    const double *values;           /**< [n][dim] the values */
+    int64_t value_stride;           /**< distance between values, 0 = packed */
+    int64_t value_component_stride; /**< distance between components, 0 = 1 */
+    const double *weights;          /**< [n] or NULL for 1: weights >= 0; those of 0 leave a value out */
+    int64_t weight_stride;          /**< distance between weights, 0 = 1 */
+    uint32_t flags;    /**< evaluation flags for params, without NURBS_EXTRAPOLATE; with NURBS_NAN a
+                          parameter that is outside or not finite leaves its value out */
+    uint32_t reserved; /**< 0 */
+} nurbs_data;
+
+/** \brief Fills a struct with zeros and its size.
+ * \param[out] data the struct.
+ * \param[in] struct_size sizeof(nurbs_data).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_data_init(nurbs_data *data, int64_t struct_size);
+
+/** \brief Statistics of no data, which say what statistics are to be about. Only those that agree in all of
+ * this can be added. They take 24 bytes for each number that they hold about a cell with data, which are
+ * product (2 degree + 1) + dim product (degree + 1) + dim + 1 numbers, products over the axes.
+ * \param[in] axes 1 to 3.
+ * \param[in] degrees [axes] highest degrees of splines that are to be fitted.
+ * \param[in] break_counts [axes] number of breaks of each axis, >= 2.
+ * \param[in] breaks [break_total] those of all axes, one after the other, increasing: the cells of an axis
+ *   lie between them, and data from the first to the last one. Some 16 for each knot that is to be chosen
+ *   leave room for the choice.
+ * \param[in] break_total sum of break_counts.
+ * \param[in] dim dimension of the values.
+ * \param[in] value_scale > 0, at least the largest |coordinate| of a value; rounded up to a power of two.
+ * \param[in] weight_scale > 0, at least the largest weight; rounded up to a power of two. A weight below
+ *   2^-54 of it counts as 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _SIZE, _DIMENSION, _OVERFLOW,
+ *   _KNOT_NOT_FINITE; _KNOTS_DECREASING for breaks that do not increase, _FACTOR for a scale that is not
+ *   finite and positive.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_create(int32_t axes, const int32_t *degrees, const int64_t *break_counts,
+                                               const double *breaks, int64_t break_total, int32_t dim,
+                                               double value_scale, double weight_scale,
+                                               nurbs_statistics **out);
+
+/** \brief Statistics with more data: those of the handle and those of the data, added as
+ * nurbs_statistics_merge() does. The cost is that of the data and of all cells that hold any: many chunks are
+ * better each added to statistics of no data, and then merged.
+ * \param[in] statistics a handle.
+ * \param[in] data what to add; its axes and dim are those of the statistics.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _SCALE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_add(const nurbs_statistics *statistics, const nurbs_data *data,
+                                            nurbs_statistics **out);
+
+/** \brief nurbs_statistics_add() as a call that can be watched and ended.
+ * \param[in] statistics as for nurbs_statistics_add().
+ * \param[in] data as for nurbs_statistics_add().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_statistics_add(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_add_with(const nurbs_statistics *statistics, const nurbs_data *data,
+                                                 const nurbs_call_options *call, nurbs_statistics **out);
+
+/** \brief The sum of statistics, some of them subtracted. It is exact: in any order, and with any partition of
+ * the same data, the result is the same bit for bit, and what was added can be taken away again.
+ * \param[in] count number of parts, >= 1.
+ * \param[in] parts [count] handles that agree in degrees, breaks, dimension and scales.
+ * \param[in] signs [count] or NULL for 1: 1 to add, -1 to subtract a part.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT; _INCOMPATIBLE naming the first part that differs, _RULE for
+ *   another sign, _COUNT also where more is subtracted from a cell than was added to it.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_merge(int64_t count, const nurbs_statistics *const *parts,
+                                              const int32_t *signs, nurbs_statistics **out);
+
+/** \brief Another handle on the same statistics, in constant time.
+ * \param[in] statistics a handle.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_clone(const nurbs_statistics *statistics, nurbs_statistics **out);
+
+/** \brief Frees a handle on statistics.
+ * \param[in] statistics a handle, or NULL.
+ * \since 1.1 */
+NURBS_API void nurbs_statistics_destroy(nurbs_statistics *statistics);
+
+/** \brief How much data statistics hold.
+ * \param[in] statistics a handle.
+ * \param[out] axes or NULL: number of axes.
+ * \param[out] dim or NULL: dimension of the values.
+ * \param[out] count or NULL: number of data that count.
+ * \param[out] cells or NULL: number of cells that hold data.
+ * \param[out] weight or NULL: sum of the weights.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics, int32_t *axes, int32_t *dim,
+                                             int64_t *count, int64_t *cells, double *weight);
+
+/** \brief What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which
+ * NULL stands for as well. Fields are only ever appended. \since 1.1 */
+typedef struct nurbs_fit_options {
+    int64_t struct_size;   /**< size of this struct as the caller knows it */
+    int32_t smoothing;     /**< a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE */
+    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; 2 */
+    double lambda;         /**< the factor, for NURBS_SMOOTHING_LAMBDA, >= 0; 0 */
+    double target;         /**< for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; 0 */
+    int32_t regularize;    /**< 1: of several fits take that of the smallest penalty; 0: refuse them */
+    int32_t reserved;      /**< 0 */
+    int64_t conditions;    /**< number of equations that have to hold, >= 0; 0 */
+    const double *condition_params;  /**< [conditions][axes] where, packed; NULL */
+    const int32_t *condition_orders; /**< [conditions][axes] or NULL for 0: orders of derivatives; NULL */
+    const double *condition_targets; /**< [conditions][dim] points and derivatives, packed; NULL */
+} nurbs_fit_options;
+
+/** \brief Fills an options struct with the defaults.
+ * \param[out] options the struct.
+ * \param[in] struct_size sizeof(nurbs_fit_options).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_options_init(nurbs_fit_options *options, int64_t struct_size);
+
+/** \brief What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields
+ * are only ever appended. \since 1.1 */
+typedef struct nurbs_fit_report {
+    int64_t struct_size;   /**< size of this struct as the caller knows it */
+    int64_t data_count;    /**< receives the number of data that count */
+    double weight;         /**< receives the sum of their weights */
+    double squares;        /**< receives sum_i w_i |y_i - s(t_i)|^2 */
+    double rms;            /**< receives the square root of squares / weight */
+    double lambda;         /**< receives the factor of the penalty */
+    double freedom;        /**< receives the trace of the influence matrix: the parameters that count */
+    double sigma;          /**< receives the standard deviation of a coordinate of weight 1 by the residuals */
+    double residual;       /**< receives |G x + lambda P x - r| / |r| of the normal equations */
+    double largest;        /**< receives the largest |y_i - s(t_i)|; NaN from nurbs_fit() */
+    int64_t largest_index; /**< receives where that is; -1 from nurbs_fit() */
+    int32_t bits;          /**< receives a sum of NURBS_FIT_ bits */
+    int32_t reserved;      /**< receives 0 */
+} nurbs_fit_report;
+
+/** \brief The spline over given knots that is closest to the data of statistics.
+ * \param[in] statistics a handle.
+ * \param[in] degrees [axes] at most those of the statistics.
+ * \param[in] counts [axes] number of control points of each axis, on periodic ones with the copies.
+ * \param[in] knots [knot_count] full knot vectors of all axes, one after the other; knots in a domain are
+ *   breaks of the statistics, and its ends are the first and last ones.
+ * \param[in] knot_count sum of (count + degree + 1).
+ * \param[in] flags NURBS_PERIODIC per axis.
+ * \param[in] options or NULL: what is wanted.
+ * \param[in,out] report or NULL: where answers go.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERFLOW, _FLAGS,
+ *   _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS;
+ *   _NOT_A_KNOT for a knot that is no break, _OUTSIDE_DOMAIN for another domain, or a condition outside it,
+ *   _OPTIONS, _RULE for another smoothing, _ORDER for a penalty above all degrees or an order of a condition
+ *   that is negative or above the degree, _FACTOR for a lambda or target that is negative or not finite,
+ *   _PARAMETER_NOT_FINITE, _POINT_NOT_FINITE for conditions, _CONTRADICTION naming one; _RANK naming a control
+ *   point that the data do not determine, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees, const int64_t *counts,
+                                 const double *knots, int64_t knot_count, uint32_t flags,
+                                 const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out);
+
+/** \brief nurbs_fit() as a call that can be watched and ended.
+ * \param[in] statistics as for nurbs_fit().
+ * \param[in] degrees as for nurbs_fit().
+ * \param[in] counts as for nurbs_fit().
+ * \param[in] knots as for nurbs_fit().
+ * \param[in] knot_count as for nurbs_fit().
+ * \param[in] flags as for nurbs_fit().
+ * \param[in] options as for nurbs_fit().
+ * \param[in,out] report as for nurbs_fit().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_fit(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_with(const nurbs_statistics *statistics, const int32_t *degrees,
+                                      const int64_t *counts, const double *knots, int64_t knot_count,
+                                      uint32_t flags, const nurbs_fit_options *options, nurbs_fit_report *report,
+                                      const nurbs_call_options *call, nurbs **out);
+
+/** \brief The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the knots
+ * as breaks and the largest value and weight as scales, in memory that does not depend on the number of data.
+ * \param[in] data the data.
+ * \param[in] degrees [axes] degrees.
+ * \param[in] counts [axes] number of control points of each axis, on periodic ones with the copies.
+ * \param[in] knots [knot_count] full knot vectors of all axes, one after the other; data lie in the domain.
+ * \param[in] knot_count sum of (count + degree + 1).
+ * \param[in] flags NURBS_PERIODIC per axis.
+ * \param[in] options or NULL: what is wanted.
+ * \param[in,out] report or NULL: where answers go.
+ * \param[out] out the new handle.
+ * \return as for nurbs_fit(), and NURBS_ERROR_AXES, _DIMENSION, _STRIDE, _PARAMETER_NOT_FINITE,
+ *   _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE; without _NOT_A_KNOT.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *degrees, const int64_t *counts,
+                                        const double *knots, int64_t knot_count, uint32_t flags,
+                                        const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out);
+
+/** \brief nurbs_fit_points() as a call that can be watched and ended.
+ * \param[in] data as for nurbs_fit_points().
+ * \param[in] degrees as for nurbs_fit_points().
+ * \param[in] counts as for nurbs_fit_points().
+ * \param[in] knots as for nurbs_fit_points().
+ * \param[in] knot_count as for nurbs_fit_points().
+ * \param[in] flags as for nurbs_fit_points().
+ * \param[in] options as for nurbs_fit_points().
+ * \param[in,out] report as for nurbs_fit_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_fit_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32_t *degrees,
+                                             const int64_t *counts, const double *knots, int64_t knot_count,
+                                             uint32_t flags, const nurbs_fit_options *options,
+                                             nurbs_fit_report *report, const nurbs_call_options *call,
+                                             nurbs **out);
 /** @} */
 
 /** \defgroup continuity Continuity

@@ -71,6 +71,7 @@ enum class Status : int32_t {
     rule = 64,
     schoenberg_whitney = 65,
     rank = 66,
+    scale = 67,
     // domain
     outside_domain = 100,
     // numbers

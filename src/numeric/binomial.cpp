@@ -32,6 +32,17 @@ const double *binomials(int n) noexcept {
     return table[static_cast<size_t>(n)].data();
 }
 
+std::vector<DoubleDouble> precise_binomials(int n) {
+    std::vector<DoubleDouble> row(static_cast<size_t>(n) + 1);
+    row[0] = 1;
+    for (int step = 1; step <= n; ++step) {
+        for (auto k = static_cast<size_t>(step); k > 0; --k) {
+            row[k] = row[k] + row[k - 1];
+        }
+    }
+    return row;
+}
+
 double binomial(int n, int k) noexcept {
     return binomials(n)[k];
 }

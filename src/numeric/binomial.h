@@ -3,6 +3,9 @@
 #pragma once
 
 #include "base/limits.h"
+#include "numeric/double_double.h"
+
+#include <vector>
 
 namespace nrb::inline numeric {
 
@@ -12,5 +15,7 @@ inline constexpr int max_product_degree = 2 * max_degree;
 double binomial(int n, int k) noexcept;
 // C(n, 0), ..., C(n, n).
 const double *binomials(int n) noexcept;
+// The same with twice the precision: exact below 2^106.
+std::vector<DoubleDouble> precise_binomials(int n);
 
 } // namespace nrb::inline numeric

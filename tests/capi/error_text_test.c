@@ -76,6 +76,7 @@ static void names(void) {
                NAME(NURBS_ERROR_RULE),
                NAME(NURBS_ERROR_SCHOENBERG_WHITNEY),
                NAME(NURBS_ERROR_RANK),
+               NAME(NURBS_ERROR_SCALE),
                NAME(NURBS_ERROR_CONTINUITY),
                NAME(NURBS_ERROR_WEIGHT_SIGN),
                NAME(NURBS_ERROR_OUTSIDE_DOMAIN),

@@ -17,6 +17,64 @@ module nurbs_c
         type(c_ptr) :: user  ! or NULL: passed to progress
     end type nurbs_call_options
 
+    !> Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are only
+    !> ever appended. \since 1.1
+    type, bind(c) :: nurbs_data
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        integer(c_int64_t) :: n  ! number of data, >= 0
+        integer(c_int32_t) :: axes  ! number of parameters, 1 to 3
+        integer(c_int32_t) :: dim  ! dimension of the values
+        type(c_ptr) :: params  ! [n][axes] the parameters
+        integer(c_int64_t) :: param_stride  ! distance between parameters, 0 = packed
+        integer(c_int64_t) :: param_component_stride  ! distance between components, 0 = 1
+        type(c_ptr) :: values  ! [n][dim] the values
+        integer(c_int64_t) :: value_stride  ! distance between values, 0 = packed
+        integer(c_int64_t) :: value_component_stride  ! distance between components, 0 = 1
+        type(c_ptr) :: weights  ! [n] or NULL for 1: weights >= 0; those of 0 leave a value out
+        integer(c_int64_t) :: weight_stride  ! distance between weights, 0 = 1
+        ! evaluation flags for params, without NURBS_EXTRAPOLATE; with NURBS_NAN a parameter that is outside
+        ! or not finite leaves its value out
+        integer(c_int32_t) :: flags
+        integer(c_int32_t) :: reserved  ! 0
+    end type nurbs_data
+
+    !> What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which
+    !> NULL stands for as well. Fields are only ever appended. \since 1.1
+    type, bind(c) :: nurbs_fit_options
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        integer(c_int32_t) :: smoothing  ! a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE
+        integer(c_int32_t) :: penalty_order  ! m, the derivative that is penalised, >= 1; 2
+        real(c_double) :: lambda  ! the factor, for NURBS_SMOOTHING_LAMBDA, >= 0; 0
+        ! for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; 0
+        real(c_double) :: target
+        ! 1: of several fits take that of the smallest penalty; 0: refuse them
+        integer(c_int32_t) :: regularize
+        integer(c_int32_t) :: reserved  ! 0
+        integer(c_int64_t) :: conditions  ! number of equations that have to hold, >= 0; 0
+        type(c_ptr) :: condition_params  ! [conditions][axes] where, packed; NULL
+        type(c_ptr) :: condition_orders  ! [conditions][axes] or NULL for 0: orders of derivatives; NULL
+        type(c_ptr) :: condition_targets  ! [conditions][dim] points and derivatives, packed; NULL
+    end type nurbs_fit_options
+
+    !> What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
+    !> only ever appended. \since 1.1
+    type, bind(c) :: nurbs_fit_report
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        integer(c_int64_t) :: data_count  ! receives the number of data that count
+        real(c_double) :: weight  ! receives the sum of their weights
+        real(c_double) :: squares  ! receives sum_i w_i |y_i - s(t_i)|^2
+        real(c_double) :: rms  ! receives the square root of squares / weight
+        real(c_double) :: lambda  ! receives the factor of the penalty
+        real(c_double) :: freedom  ! receives the trace of the influence matrix: the parameters that count
+        ! receives the standard deviation of a coordinate of weight 1 by the residuals
+        real(c_double) :: sigma
+        real(c_double) :: residual  ! receives |G x + lambda P x - r| / |r| of the normal equations
+        real(c_double) :: largest  ! receives the largest |y_i - s(t_i)|; NaN from nurbs_fit()
+        integer(c_int64_t) :: largest_index  ! receives where that is; -1 from nurbs_fit()
+        integer(c_int32_t) :: bits  ! receives a sum of NURBS_FIT_ bits
+        integer(c_int32_t) :: reserved  ! receives 0
+    end type nurbs_fit_report
+
     !> What the batches of this chapter are asked as long calls. Set struct_size to
     !> sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their
     !> defaults. Those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are
@@ -1087,6 +1145,146 @@ module nurbs_c
             real(c_double), intent(inout) :: tangents(*)
             integer(c_int32_t) :: r
         end function nurbs_tangents
+        ! --- Fitting
+        !> Fills a struct with zeros and its size.
+        function nurbs_data_init(data, struct_size) bind(c) result(r)
+            import
+            type(nurbs_data), intent(inout) :: data
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_data_init
+        !> Statistics of no data, which say what statistics are to be about.
+        function nurbs_statistics_create(axes, degrees, break_counts, breaks, break_total, dim, value_scale, &
+                weight_scale, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: break_counts(*)
+            real(c_double), intent(in) :: breaks(*)
+            integer(c_int64_t), value :: break_total
+            real(c_double), value :: value_scale, weight_scale
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_create
+        !> Statistics with more data: those of the handle and those of the data, added as
+        !> nurbs_statistics_merge() does.
+        function nurbs_statistics_add(statistics, data, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics
+            type(nurbs_data), intent(in) :: data
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_add
+        !> nurbs_statistics_add() as a call that can be watched and ended.
+        function nurbs_statistics_add_with(statistics, data, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics
+            type(nurbs_data), intent(in) :: data
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_add_with
+        !> The sum of statistics, some of them subtracted.
+        function nurbs_statistics_merge(count, parts, signs, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: parts(*)
+            integer(c_int32_t), intent(in), optional :: signs(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_merge
+        !> Another handle on the same statistics, in constant time.
+        function nurbs_statistics_clone(statistics, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_clone
+        !> Frees a handle on statistics.
+        subroutine nurbs_statistics_destroy(statistics) bind(c)
+            import
+            type(c_ptr), value :: statistics
+        end subroutine nurbs_statistics_destroy
+        !> How much data statistics hold.
+        function nurbs_statistics_size(statistics, axes, dim, count, cells, weight) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics
+            integer(c_int32_t), intent(inout), optional :: axes, dim
+            integer(c_int64_t), intent(inout), optional :: count, cells
+            real(c_double), intent(inout), optional :: weight
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_size
+        !> Fills an options struct with the defaults.
+        function nurbs_fit_options_init(options, struct_size) bind(c) result(r)
+            import
+            type(nurbs_fit_options), intent(inout) :: options
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_fit_options_init
+        !> The spline over given knots that is closest to the data of statistics.
+        function nurbs_fit(statistics, degrees, counts, knots, knot_count, flags, options, report, out) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*)
+            integer(c_int64_t), value :: knot_count
+            integer(c_int32_t), value :: flags
+            type(nurbs_fit_options), intent(in), optional :: options
+            type(nurbs_fit_report), intent(inout), optional :: report
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit
+        !> nurbs_fit() as a call that can be watched and ended.
+        function nurbs_fit_with(statistics, degrees, counts, knots, knot_count, flags, options, report, &
+                call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*)
+            integer(c_int64_t), value :: knot_count
+            integer(c_int32_t), value :: flags
+            type(nurbs_fit_options), intent(in), optional :: options
+            type(nurbs_fit_report), intent(inout), optional :: report
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_with
+        !> The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the
+        !> knots as breaks and the largest value and weight as scales, in memory that does not depend on the
+        !> number of data.
+        function nurbs_fit_points(data, degrees, counts, knots, knot_count, flags, options, report, out) &
+                bind(c) result(r)
+            import
+            type(nurbs_data), intent(in) :: data
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*)
+            integer(c_int64_t), value :: knot_count
+            integer(c_int32_t), value :: flags
+            type(nurbs_fit_options), intent(in), optional :: options
+            type(nurbs_fit_report), intent(inout), optional :: report
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_points
+        !> nurbs_fit_points() as a call that can be watched and ended.
+        function nurbs_fit_points_with(data, degrees, counts, knots, knot_count, flags, options, report, &
+                call, out) bind(c) result(r)
+            import
+            type(nurbs_data), intent(in) :: data
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*)
+            integer(c_int64_t), value :: knot_count
+            integer(c_int32_t), value :: flags
+            type(nurbs_fit_options), intent(in), optional :: options
+            type(nurbs_fit_report), intent(inout), optional :: report
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_points_with
         ! --- Continuity
         !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
         !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

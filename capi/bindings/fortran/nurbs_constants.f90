@@ -124,6 +124,8 @@ module nurbs_constants
     ! data lie outside the support of the control point that they have to determine
     integer(c_int32_t), parameter :: NURBS_ERROR_SCHOENBERG_WHITNEY = 65
     integer(c_int32_t), parameter :: NURBS_ERROR_RANK = 66  ! data or conditions do not determine the result
+    ! a value or weight is above the scale of the statistics
+    integer(c_int32_t), parameter :: NURBS_ERROR_SCALE = 67
     ! a parameter or knot lies outside the domain
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     ! a value of the result overflows double precision
@@ -218,6 +220,19 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ENDS_NATURAL = 1
     ! knots averaged from the parameters, nurbs_knots_averaged(); both ends
     integer(c_int32_t), parameter :: NURBS_ENDS_FREE = 2
+
+    ! --- How smooth a fit is, for nurbs_fit_options
+    integer(c_int32_t), parameter :: NURBS_SMOOTHING_NONE = 0  ! only the data count
+    integer(c_int32_t), parameter :: NURBS_SMOOTHING_LAMBDA = 1  ! the factor of the penalty is given
+    ! by generalised cross validation (Craven & Wahba 1979)
+    integer(c_int32_t), parameter :: NURBS_SMOOTHING_GCV = 2
+    integer(c_int32_t), parameter :: NURBS_SMOOTHING_REML = 3  ! by restricted maximum likelihood (Wood 2011)
+    ! as smooth as a sum of squares allows (Reinsch 1967)
+    integer(c_int32_t), parameter :: NURBS_SMOOTHING_DISCREPANCY = 4
+
+    ! --- What nurbs_fit_report tells besides
+    ! no smoothing leaves as little as the target asks for
+    integer(c_int32_t), parameter :: NURBS_FIT_TARGET_MISSED = int(z'01', c_int32_t)
 
     ! --- Rules for tangents, for nurbs_tangents()
     integer(c_int32_t), parameter :: NURBS_TANGENTS_CATMULL_ROM = 0  ! the slope between the neighbours

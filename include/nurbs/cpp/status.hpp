@@ -74,6 +74,7 @@ enum class Status : nurbs_status {
     rule = NURBS_ERROR_RULE,
     schoenberg_whitney = NURBS_ERROR_SCHOENBERG_WHITNEY,
     rank = NURBS_ERROR_RANK,
+    scale = NURBS_ERROR_SCALE,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "basis/knot_vector.h"
+#include "numeric/double_double.h"
 
 namespace nrb::refine {
 
@@ -14,6 +15,9 @@ namespace nrb::refine {
 // that an entry has a relative error of at most 3 p eps, as in basis_values(). Preconditions: knots[span] <
 // knots[span + 1], degree <= span, and span + degree is a valid index. Cost: O(p^3), p^3 / 6 divisions.
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept;
+
+// The same within 2^-99 p of itself.
+void bezier_extraction(const double *knots, int degree, int64_t span, DoubleDouble *matrix) noexcept;
 
 // For all non-empty spans of the domain: the matrices, the first active function, and the ends. Each output
 // may be null.

@@ -74,6 +74,7 @@ NURBS_ERROR_OFF_POLYGON = 63  # a point is not on the control polygon
 NURBS_ERROR_RULE = 64  # not one of the constants of a rule, or one that does not suit
 NURBS_ERROR_SCHOENBERG_WHITNEY = 65  # data lie outside the support of the control point that they have to determine
 NURBS_ERROR_RANK = 66  # data or conditions do not determine the result
+NURBS_ERROR_SCALE = 67  # a value or weight is above the scale of the statistics
 NURBS_ERROR_OUTSIDE_DOMAIN = 100  # a parameter or knot lies outside the domain
 NURBS_ERROR_NOT_REPRESENTABLE = 200  # a value of the result overflows double precision
 NURBS_ERROR_KNOTS_MERGE = 202  # knots that differ would become equal or change their order
@@ -139,6 +140,16 @@ NURBS_PARAMS_FOLEY_NIELSON = 4  # chords that count for more where the polygon t
 NURBS_ENDS_NOT_A_KNOT = 0  # the parameters next to the end are no knots
 NURBS_ENDS_NATURAL = 1  # derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
 NURBS_ENDS_FREE = 2  # knots averaged from the parameters, nurbs_knots_averaged(); both ends
+
+# --- How smooth a fit is, for nurbs_fit_options
+NURBS_SMOOTHING_NONE = 0  # only the data count
+NURBS_SMOOTHING_LAMBDA = 1  # the factor of the penalty is given
+NURBS_SMOOTHING_GCV = 2  # by generalised cross validation (Craven & Wahba 1979)
+NURBS_SMOOTHING_REML = 3  # by restricted maximum likelihood (Wood 2011)
+NURBS_SMOOTHING_DISCREPANCY = 4  # as smooth as a sum of squares allows (Reinsch 1967)
+
+# --- What nurbs_fit_report tells besides
+NURBS_FIT_TARGET_MISSED = 0x01  # no smoothing leaves as little as the target asks for
 
 # --- Rules for tangents, for nurbs_tangents()
 NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours

@@ -19,6 +19,13 @@ pub struct nurbs_list {
     _private: [u8; 0],
 }
 
+/// What a fit needs to know of data: sums that can be added and subtracted. \since 1.1 Never made or moved on
+/// this side.
+#[repr(C)]
+pub struct nurbs_statistics {
+    _private: [u8; 0],
+}
+
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
@@ -39,6 +46,104 @@ pub struct nurbs_call_options {
     pub progress: nurbs_progress,
     /// or NULL: passed to progress
     pub user: *mut c_void,
+}
+
+/// Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are only
+/// ever appended. \since 1.1
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_data {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// number of data, \>= 0
+    pub n: i64,
+    /// number of parameters, 1 to 3
+    pub axes: i32,
+    /// dimension of the values
+    pub dim: i32,
+    /// \[n\]\[axes\] the parameters
+    pub params: *const f64,
+    /// distance between parameters, 0 = packed
+    pub param_stride: i64,
+    /// distance between components, 0 = 1
+    pub param_component_stride: i64,
+    /// \[n\]\[dim\] the values
+    pub values: *const f64,
+    /// distance between values, 0 = packed
+    pub value_stride: i64,
+    /// distance between components, 0 = 1
+    pub value_component_stride: i64,
+    /// \[n\] or NULL for 1: weights \>= 0; those of 0 leave a value out
+    pub weights: *const f64,
+    /// distance between weights, 0 = 1
+    pub weight_stride: i64,
+    /// evaluation flags for params, without NURBS_EXTRAPOLATE; with NURBS_NAN a parameter that is outside or
+    /// not finite leaves its value out
+    pub flags: u32,
+    /// 0
+    pub reserved: u32,
+}
+
+/// What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which NULL
+/// stands for as well. Fields are only ever appended. \since 1.1
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_fit_options {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE
+    pub smoothing: i32,
+    /// m, the derivative that is penalised, \>= 1; 2
+    pub penalty_order: i32,
+    /// the factor, for NURBS_SMOOTHING_LAMBDA, \>= 0; 0
+    pub lambda: f64,
+    /// for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, \>= 0; 0
+    pub target: f64,
+    /// 1: of several fits take that of the smallest penalty; 0: refuse them
+    pub regularize: i32,
+    /// 0
+    pub reserved: i32,
+    /// number of equations that have to hold, \>= 0; 0
+    pub conditions: i64,
+    /// \[conditions\]\[axes\] where, packed; NULL
+    pub condition_params: *const f64,
+    /// \[conditions\]\[axes\] or NULL for 0: orders of derivatives; NULL
+    pub condition_orders: *const i32,
+    /// \[conditions\]\[dim\] points and derivatives, packed; NULL
+    pub condition_targets: *const f64,
+}
+
+/// What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
+/// only ever appended. \since 1.1
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_fit_report {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// receives the number of data that count
+    pub data_count: i64,
+    /// receives the sum of their weights
+    pub weight: f64,
+    /// receives sum_i w_i |y_i - s(t_i)|^2
+    pub squares: f64,
+    /// receives the square root of squares / weight
+    pub rms: f64,
+    /// receives the factor of the penalty
+    pub lambda: f64,
+    /// receives the trace of the influence matrix: the parameters that count
+    pub freedom: f64,
+    /// receives the standard deviation of a coordinate of weight 1 by the residuals
+    pub sigma: f64,
+    /// receives |G x + lambda P x - r| / |r| of the normal equations
+    pub residual: f64,
+    /// receives the largest |y_i - s(t_i)|; NaN from nurbs_fit()
+    pub largest: f64,
+    /// receives where that is; -1 from nurbs_fit()
+    pub largest_index: i64,
+    /// receives a sum of NURBS_FIT_ bits
+    pub bits: i32,
+    /// receives 0
+    pub reserved: i32,
 }
 
 /// What the batches of this chapter are asked as long calls. Set struct_size to sizeof(nurbs_closest_query),
@@ -301,6 +406,8 @@ pub const NURBS_ERROR_RULE: nurbs_status = 64;
 pub const NURBS_ERROR_SCHOENBERG_WHITNEY: nurbs_status = 65;
 /// data or conditions do not determine the result
 pub const NURBS_ERROR_RANK: nurbs_status = 66;
+/// a value or weight is above the scale of the statistics
+pub const NURBS_ERROR_SCALE: nurbs_status = 67;
 /// a parameter or knot lies outside the domain
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 /// a value of the result overflows double precision
@@ -408,6 +515,22 @@ pub const NURBS_ENDS_NOT_A_KNOT: i32 = 0;
 pub const NURBS_ENDS_NATURAL: i32 = 1;
 /// knots averaged from the parameters, nurbs_knots_averaged(); both ends
 pub const NURBS_ENDS_FREE: i32 = 2;
+
+// --- How smooth a fit is, for nurbs_fit_options
+/// only the data count
+pub const NURBS_SMOOTHING_NONE: i32 = 0;
+/// the factor of the penalty is given
+pub const NURBS_SMOOTHING_LAMBDA: i32 = 1;
+/// by generalised cross validation (Craven & Wahba 1979)
+pub const NURBS_SMOOTHING_GCV: i32 = 2;
+/// by restricted maximum likelihood (Wood 2011)
+pub const NURBS_SMOOTHING_REML: i32 = 3;
+/// as smooth as a sum of squares allows (Reinsch 1967)
+pub const NURBS_SMOOTHING_DISCREPANCY: i32 = 4;
+
+// --- What nurbs_fit_report tells besides
+/// no smoothing leaves as little as the target asks for
+pub const NURBS_FIT_TARGET_MISSED: i32 = 0x01;
 
 // --- Rules for tangents, for nurbs_tangents()
 /// the slope between the neighbours
@@ -1446,6 +1569,126 @@ extern "C" {
         tangents: *mut f64,
         tangent_stride: i64,
         tangent_component_stride: i64,
+    ) -> nurbs_status;
+    // --- Fitting
+    /// Fills a struct with zeros and its size.
+    pub fn nurbs_data_init(data: *mut nurbs_data, struct_size: i64) -> nurbs_status;
+    /// Statistics of no data, which say what statistics are to be about.
+    pub fn nurbs_statistics_create(
+        axes: i32,
+        degrees: *const i32,
+        break_counts: *const i64,
+        breaks: *const f64,
+        break_total: i64,
+        dim: i32,
+        value_scale: f64,
+        weight_scale: f64,
+        out: *mut *mut nurbs_statistics,
+    ) -> nurbs_status;
+    /// Statistics with more data: those of the handle and those of the data, added as
+    /// nurbs_statistics_merge() does.
+    pub fn nurbs_statistics_add(
+        statistics: *const nurbs_statistics,
+        data: *const nurbs_data,
+        out: *mut *mut nurbs_statistics,
+    ) -> nurbs_status;
+    /// nurbs_statistics_add() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_statistics_add_with(
+        statistics: *const nurbs_statistics,
+        data: *const nurbs_data,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_statistics,
+    ) -> nurbs_status;
+    /// The sum of statistics, some of them subtracted.
+    ///
+    /// May be null: `signs`.
+    pub fn nurbs_statistics_merge(
+        count: i64,
+        parts: *const *const nurbs_statistics,
+        signs: *const i32,
+        out: *mut *mut nurbs_statistics,
+    ) -> nurbs_status;
+    /// Another handle on the same statistics, in constant time.
+    pub fn nurbs_statistics_clone(
+        statistics: *const nurbs_statistics,
+        out: *mut *mut nurbs_statistics,
+    ) -> nurbs_status;
+    /// Frees a handle on statistics.
+    pub fn nurbs_statistics_destroy(statistics: *mut nurbs_statistics);
+    /// How much data statistics hold.
+    ///
+    /// May be null: `axes`, `dim`, `count`, `cells`, `weight`.
+    pub fn nurbs_statistics_size(
+        statistics: *const nurbs_statistics,
+        axes: *mut i32,
+        dim: *mut i32,
+        count: *mut i64,
+        cells: *mut i64,
+        weight: *mut f64,
+    ) -> nurbs_status;
+    /// Fills an options struct with the defaults.
+    pub fn nurbs_fit_options_init(options: *mut nurbs_fit_options, struct_size: i64) -> nurbs_status;
+    /// The spline over given knots that is closest to the data of statistics.
+    ///
+    /// May be null: `options`, `report`.
+    pub fn nurbs_fit(
+        statistics: *const nurbs_statistics,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        flags: u32,
+        options: *const nurbs_fit_options,
+        report: *mut nurbs_fit_report,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_fit() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `report`, `call`.
+    pub fn nurbs_fit_with(
+        statistics: *const nurbs_statistics,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        flags: u32,
+        options: *const nurbs_fit_options,
+        report: *mut nurbs_fit_report,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the knots
+    /// as breaks and the largest value and weight as scales, in memory that does not depend on the number of
+    /// data.
+    ///
+    /// May be null: `options`, `report`.
+    pub fn nurbs_fit_points(
+        data: *const nurbs_data,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        flags: u32,
+        options: *const nurbs_fit_options,
+        report: *mut nurbs_fit_report,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_fit_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `report`, `call`.
+    pub fn nurbs_fit_points_with(
+        data: *const nurbs_data,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        flags: u32,
+        options: *const nurbs_fit_options,
+        report: *mut nurbs_fit_report,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
     ) -> nurbs_status;
     // --- Continuity
     /// Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,

@@ -13,12 +13,20 @@ size_t at(int64_t i) noexcept {
     return static_cast<size_t>(i);
 }
 
+double leading(double x) noexcept {
+    return x;
+}
+double leading(const DoubleDouble &x) noexcept {
+    return x.high;
+}
+
 } // namespace
 
 // Visits the elements of row k of L left of the diagonal: from each element of the matrix the tree is followed up to
 // a node that was visited before.
-template <class Visit>
-void SparseLdlt::for_each_in_row(const SparseColumns &matrix, int32_t k, Visit &&visit) {
+template <class Number>
+template <class Any, class Visit>
+void LdltOf<Number>::for_each_in_row(const ColumnsOf<Any> &matrix, int32_t k, Visit &&visit) {
     flags_[at(k)] = k;
     for (int64_t p = matrix.starts[at(k)]; p < matrix.starts[at(k) + 1] && matrix.rows[at(p)] < k; ++p) {
         for (int32_t i = matrix.rows[at(p)]; flags_[at(i)] != k; i = parent_[at(i)]) {
@@ -31,10 +39,12 @@ void SparseLdlt::for_each_in_row(const SparseColumns &matrix, int32_t k, Visit &
     }
 }
 
-SparseLdlt::SparseLdlt(const SparseColumns &pattern)
+template <class Number>
+template <class Any>
+LdltOf<Number>::LdltOf(const ColumnsOf<Any> &pattern)
     : parent_(at(pattern.size()), -1), starts_(at(pattern.size()) + 1, 0), filled_(at(pattern.size())),
       diagonal_(at(pattern.size())), flags_(at(pattern.size()), -1), path_(at(pattern.size())),
-      work_(at(pattern.size()), 0.0) {
+      work_(at(pattern.size())) {
     for (int32_t k = 0; k < pattern.size(); ++k) {
         int64_t found = 0;
         for_each_in_row(pattern, k, [&](int32_t i) {
@@ -48,7 +58,8 @@ SparseLdlt::SparseLdlt(const SparseColumns &pattern)
     }
 }
 
-double SparseLdlt::cost() const noexcept {
+template <class Number>
+double LdltOf<Number>::cost() const noexcept {
     double sum = 0;
     for (size_t k = 1; k < starts_.size(); ++k) {
         const auto elements = static_cast<double>(starts_[k] - starts_[k - 1]);
@@ -58,13 +69,14 @@ double SparseLdlt::cost() const noexcept {
 }
 
 // The elements of row k in an order in which each comes after those that change it; values of the matrix to work_.
-int64_t SparseLdlt::gather_row(const SparseColumns &matrix, int32_t k) {
+template <class Number>
+int64_t LdltOf<Number>::gather_row(const ColumnsOf<Number> &matrix, int32_t k) {
     const int64_t n = matrix.size();
     int64_t top = n;
     flags_[at(k)] = k;
     for (int64_t p = matrix.starts[at(k)]; p < matrix.starts[at(k) + 1] && matrix.rows[at(p)] <= k; ++p) {
         int32_t i = matrix.rows[at(p)];
-        work_[at(i)] += matrix.values[at(p)];
+        work_[at(i)] = work_[at(i)] + matrix.values[at(p)];
         int64_t length = 0;
         for (; flags_[at(i)] != k; i = parent_[at(i)]) {
             path_[at(length++)] = i;
@@ -77,45 +89,48 @@ int64_t SparseLdlt::gather_row(const SparseColumns &matrix, int32_t k) {
     return top;
 }
 
-bool SparseLdlt::factorise(const SparseColumns &matrix) {
+template <class Number>
+int64_t LdltOf<Number>::factorise(const ColumnsOf<Number> &matrix, std::span<const double> floors) {
     const auto n = static_cast<int32_t>(matrix.size());
     grow_watched(rows_, at(starts_.back())); // many systems need no factors
     grow_watched(values_, at(starts_.back()));
     std::copy_n(starts_.begin(), n, filled_.begin());
     std::fill(flags_.begin(), flags_.end(), -1);
-    std::fill(work_.begin(), work_.end(), 0.0);
+    std::fill(work_.begin(), work_.end(), Number{});
     Steps steps(n);
     for (int32_t k = 0; k < n; ++k, steps.next()) {
         int64_t top = gather_row(matrix, k), work = 0;
-        double pivot = work_[at(k)];
-        work_[at(k)] = 0;
+        Number pivot = work_[at(k)];
+        work_[at(k)] = Number{};
         for (; top < n; ++top) {
             const int32_t i = path_[at(top)];
-            const double y = work_[at(i)], element = y / diagonal_[at(i)];
-            work_[at(i)] = 0;
+            const Number y = work_[at(i)], element = y / diagonal_[at(i)];
+            work_[at(i)] = Number{};
             int64_t &end = filled_[at(i)];
             for (int64_t p = starts_[at(i)]; p < end; ++p) {
-                work_[at(rows_[at(p)])] -= values_[at(p)] * y;
+                Number &changed = work_[at(rows_[at(p)])];
+                changed = changed - values_[at(p)] * y;
             }
             work += end - starts_[at(i)];
-            pivot -= element * y;
+            pivot = pivot - element * y;
             rows_[at(end)] = k;
             values_[at(end++)] = element;
         }
-        if (!(pivot > 0)) {
-            return false;
+        if (!(leading(pivot) > (floors.empty() ? 0 : floors[at(k)]))) {
+            return k;
         }
         diagonal_[at(k)] = pivot;
         count_work(work);
     }
-    return true;
+    return -1;
 }
 
-void SparseLdlt::solve(double *x, int64_t width) const {
+template <class Number>
+void LdltOf<Number>::solve(Number *x, int64_t width) const {
     const auto n = static_cast<int64_t>(diagonal_.size());
-    const auto add = [&](int64_t to, double factor, int64_t from) {
+    const auto add = [&](int64_t to, const Number &factor, int64_t from) {
         for (int64_t c = 0; c < width; ++c) {
-            x[to * width + c] -= factor * x[from * width + c];
+            x[to * width + c] = x[to * width + c] - factor * x[from * width + c];
         }
     };
     for (int64_t j = 0; j < n; ++j) {
@@ -126,7 +141,7 @@ void SparseLdlt::solve(double *x, int64_t width) const {
     }
     for (int64_t j = 0; j < n; ++j) {
         for (int64_t c = 0; c < width; ++c) {
-            x[j * width + c] /= diagonal_[at(j)];
+            x[j * width + c] = x[j * width + c] / diagonal_[at(j)];
         }
     }
     for (int64_t j = n; j-- > 0;) {
@@ -136,5 +151,11 @@ void SparseLdlt::solve(double *x, int64_t width) const {
         }
     }
 }
+
+template class LdltOf<double>;
+template class LdltOf<DoubleDouble>;
+template LdltOf<double>::LdltOf(const ColumnsOf<double> &);
+template LdltOf<DoubleDouble>::LdltOf(const ColumnsOf<double> &);
+template LdltOf<DoubleDouble>::LdltOf(const ColumnsOf<DoubleDouble> &);
 
 } // namespace nrb::inline numeric

@@ -235,7 +235,7 @@ bool SparseSystem::solve_ordered(double rho, std::vector<double> &x, int64_t wid
         }
         x = right;
     }
-    factorised_ = factors_->factorise(shifted(rho));
+    factorised_ = factors_->factorise(shifted(rho)) < 0;
     if (factorised_) {
         factors_->solve(x.data(), width);
     }

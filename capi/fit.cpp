@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Least squares.
+#include "fit/least_squares/fit_points.h"
+#include "fit_arguments.h"
+#include "guard.h"
+#include "spline_data.h"
+#include "structs.h"
+#include "watched.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace nrb::capi {
+
+namespace {
+
+double checked_factor(double factor, const char *name) {
+    if (!(factor >= 0 && std::isfinite(factor))) {
+        fail(Status::factor, "options: %s = %s, expected a finite value >= 0", name, Number(factor).text);
+    }
+    return factor;
+}
+
+fit::FitCondition checked_condition(const nurbs_fit_options &options, int64_t i, const Spline::Axes &axes, int dim) {
+    const auto count = std::ssize(axes);
+    fit::FitCondition condition{};
+    for (int64_t k = 0; k < count; ++k) {
+        const int64_t at = i * count + k;
+        const KnotVector &axis = *axes[static_cast<size_t>(k)];
+        const double t = options.condition_params[at];
+        const int order = options.condition_orders == nullptr ? 0 : options.condition_orders[at];
+        char name[64];
+        std::snprintf(name, sizeof name, "condition_params[%lld][%lld]", static_cast<long long>(i),
+                      static_cast<long long>(k));
+        eval::check_parameter(t, {}, axis.domain(), name);
+        if (order < 0 || order > axis.degree()) {
+            fail(Status::order, "condition_orders[%lld][%lld] = %d, expected 0 to %d, the degree",
+                 static_cast<long long>(i), static_cast<long long>(k), order, axis.degree());
+        }
+        condition.place[static_cast<size_t>(k)] = t;
+        condition.orders[static_cast<size_t>(k)] = order;
+    }
+    for (int64_t c = 0; c < dim; ++c) {
+        const double target = options.condition_targets[i * dim + c];
+        if (!std::isfinite(target)) {
+            fail(Status::point_not_finite, "condition_targets[%lld][%lld] = %s is not finite",
+                 static_cast<long long>(i), static_cast<long long>(c), Number(target).text);
+        }
+        condition.target.push_back(target);
+    }
+    return condition;
+}
+
+} // namespace
+
+fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Axes &axes, int dim) {
+    fit::FitWishes wishes;
+    if (options == nullptr) {
+        return wishes;
+    }
+    const nurbs_fit_options &given = checked_struct("options", options);
+    if (given.smoothing < NURBS_SMOOTHING_NONE || given.smoothing > NURBS_SMOOTHING_DISCREPANCY) {
+        fail(Status::rule, "options: smoothing = %d, expected a NURBS_SMOOTHING_ constant", given.smoothing);
+    }
+    if (given.penalty_order < 1) {
+        fail(Status::order, "options: penalty_order = %d, expected at least 1", given.penalty_order);
+    }
+    if (given.regularize != 0 && given.regularize != 1) {
+        fail(Status::options, "options: regularize = %d, expected 0 or 1", given.regularize);
+    }
+    if (given.reserved != 0) {
+        fail(Status::options, "options: reserved = %d, expected 0", given.reserved);
+    }
+    wishes.smoothing = static_cast<fit::Smoothing>(given.smoothing);
+    wishes.penalty_order = given.penalty_order;
+    wishes.regularise = given.regularize == 1;
+    const double lambda = checked_factor(given.lambda, "lambda"), target = checked_factor(given.target, "target");
+    wishes.value = given.smoothing == NURBS_SMOOTHING_LAMBDA ? lambda : target;
+    check_length(given.conditions, "options: conditions");
+    if (given.conditions > 0) {
+        require(given.condition_params, "options: condition_params");
+        require(given.condition_targets, "options: condition_targets");
+    }
+    for (int64_t i = 0; i < given.conditions; ++i) {
+        wishes.conditions.push_back(checked_condition(given, i, axes, dim));
+    }
+    return wishes;
+}
+
+namespace {
+
+Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
+                          int64_t knot_count, uint32_t flags) {
+    const AxesData data(axes, degrees, counts, flags);
+    check_size(knot_count, data.knot_total(1), "knot_count");
+    require(knots, "knots");
+    return data.make(
+        [&](const AxisData &axis, int, int64_t offset) {
+            const double *first = knots + offset;
+            return std::pair(std::vector<double>(first, first + axis.count + axis.degree + 1), offset);
+        },
+        1);
+}
+
+void check_report(const nurbs_fit_report *report) {
+    if (report != nullptr) {
+        check_struct_size("report", report->struct_size, sizeof(nurbs_fit_report));
+    }
+}
+
+void tell(const fit::Fitted &fit, int64_t data_count, int dim, double largest, int64_t index,
+          nurbs_fit_report *report) {
+    if (report == nullptr) {
+        return;
+    }
+    const double left = dim * (static_cast<double>(data_count) - fit.freedom);
+    report->data_count = data_count;
+    report->weight = fit.weight;
+    report->squares = fit.squares;
+    report->rms = fit.weight > 0 ? std::sqrt(fit.squares / fit.weight) : 0;
+    report->lambda = fit.lambda;
+    report->freedom = fit.freedom;
+    report->sigma = left > 0 ? std::sqrt(fit.squares / left) : std::numeric_limits<double>::quiet_NaN();
+    report->residual = fit.residual;
+    report->largest = largest;
+    report->largest_index = index;
+    report->bits = fit.reached ? 0 : NURBS_FIT_TARGET_MISSED;
+    report->reserved = 0;
+}
+
+} // namespace
+
+} // namespace nrb::capi
+
+nurbs_status nurbs_fit_options_init(nurbs_fit_options *options, int64_t struct_size) {
+    return guard([&] {
+        clear_struct("options", options, struct_size);
+        options->penalty_order = fit::FitWishes().penalty_order;
+    });
+}
+
+nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees, const int64_t *counts,
+                       const double *knots, int64_t knot_count, uint32_t flags,
+                       const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const fit::Statistics &own = *statistics_of(statistics);
+        const Spline::Axes axes = checked_axes(own.form().axes(), degrees, counts, knots, knot_count, flags);
+        const fit::FitWishes wishes = checked_wishes(options, axes, own.form().dim);
+        check_report(report);
+        const fit::Fitted made = fit::fit(own, axes, wishes);
+        give(made.spline, out);
+        tell(made, own.data_count(), own.form().dim, std::numeric_limits<double>::quiet_NaN(), -1, report);
+    });
+}
+
+nurbs_status nurbs_fit_with(const nurbs_statistics *statistics, const int32_t *degrees, const int64_t *counts,
+                            const double *knots, int64_t knot_count, uint32_t flags,
+                            const nurbs_fit_options *options, nurbs_fit_report *report,
+                            const nurbs_call_options *call, nurbs **out) {
+    return watched(call, out, [&] {
+        return nurbs_fit(statistics, degrees, counts, knots, knot_count, flags, options, report, out);
+    });
+}
+
+nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *degrees, const int64_t *counts,
+                              const double *knots, int64_t knot_count, uint32_t flags,
+                              const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const CheckedData given = checked_data(data);
+        const Spline::Axes axes = checked_axes(data->axes, degrees, counts, knots, knot_count, flags);
+        const fit::FitWishes wishes = checked_wishes(options, axes, data->dim);
+        check_report(report);
+        const fit::FittedPoints made =
+            fit::fit_points(given.data, given.rules, axes, wishes, report != nullptr);
+        give(made.fit.spline, out);
+        tell(made.fit, made.data_count, data->dim, made.largest, made.largest_index, report);
+    });
+}
+
+nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32_t *degrees, const int64_t *counts,
+                                   const double *knots, int64_t knot_count, uint32_t flags,
+                                   const nurbs_fit_options *options, nurbs_fit_report *report,
+                                   const nurbs_call_options *call, nurbs **out) {
+    return watched(call, out, [&] {
+        return nurbs_fit_points(data, degrees, counts, knots, knot_count, flags, options, report, out);
+    });
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "fit/least_squares/conditions.h"
+
+#include "base/error.h"
+#include "base/watch.h"
+#include "basis/bspline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::fit {
+
+namespace {
+
+// The derivative of the active functions of an axis at a place, the last span closed.
+struct AxisValues {
+    int64_t first;
+    std::vector<double> values;
+};
+AxisValues values_at(const KnotVector &axis, double t, int order) {
+    const int p = axis.degree();
+    const int64_t span = axis.find_span(t, t == axis.domain().upper);
+    std::vector<double> rows(static_cast<size_t>((order + 1) * (p + 1)));
+    basis_derivs(axis.knots().data(), p, span, t, order, rows.data());
+    return {span - p, {rows.end() - (p + 1), rows.end()}};
+}
+
+} // namespace
+
+Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector<FitCondition> &conditions) {
+    const StencilMatrix numbers(axes);
+    for (const FitCondition &condition : conditions) {
+        std::array<AxisValues, max_axes> along{AxisValues{0, {1}}, AxisValues{0, {1}}, AxisValues{0, {1}}};
+        for (size_t k = 0; k < axes.size(); ++k) {
+            along[k] = values_at(*axes[k], condition.place[k], condition.orders[k]);
+        }
+        Row row{{}, condition.target};
+        double most = 0;
+        for (size_t i = 0; i < along[0].values.size(); ++i) {
+            for (size_t j = 0; j < along[1].values.size(); ++j) {
+                for (size_t k = 0; k < along[2].values.size(); ++k) {
+                    const Index layer{along[0].first + static_cast<int64_t>(i),
+                                      along[1].first + static_cast<int64_t>(j),
+                                      along[2].first + static_cast<int64_t>(k)};
+                    const double value = along[0].values[i] * along[1].values[j] * along[2].values[k];
+                    row.coefficients.push_back({layer, numbers.unknown(layer), value});
+                    most = std::max(most, std::abs(value));
+                }
+            }
+        }
+        for (Coefficient &coefficient : row.coefficients) {
+            coefficient.value = most > 0 ? coefficient.value / most : 0;
+        }
+        for (double &target : row.target) {
+            target = most > 0 ? target / most : target;
+        }
+        rows_.push_back(std::move(row));
+    }
+}
+
+DoubleDouble Conditions::left_side(const Row &row, const std::vector<DoubleDouble> &x, int64_t width,
+                                   int64_t c) const noexcept {
+    DoubleDouble sum;
+    for (const Coefficient &coefficient : row.coefficients) {
+        sum = sum + DoubleDouble(coefficient.value) * x[static_cast<size_t>(coefficient.unknown * width + c)];
+    }
+    return sum;
+}
+
+void Conditions::add_squares(NormalEquations &equations) const {
+    const DoubleDouble trace = equations.matrix.trace();
+    const DoubleDouble factor = trace.high > 0 ? trace / DoubleDouble(static_cast<double>(equations.matrix.size()))
+                                               : DoubleDouble(1);
+    for (const Row &row : rows_) {
+        for (const Coefficient &a : row.coefficients) {
+            for (const Coefficient &b : row.coefficients) {
+                if (a.layer <= b.layer) {
+                    equations.matrix.add(a.layer, b.layer, factor * DoubleDouble::product(a.value, b.value));
+                }
+            }
+            for (size_t c = 0; c < row.target.size(); ++c) {
+                DoubleDouble &right = equations.right[static_cast<size_t>(a.unknown) * row.target.size() + c];
+                right = right + factor * DoubleDouble::product(a.value, row.target[c]);
+            }
+        }
+        for (size_t c = 0; c < row.target.size(); ++c) {
+            equations.squares[c] =
+                equations.squares[c] + factor * DoubleDouble::product(row.target[c], row.target[c]);
+        }
+    }
+}
+
+namespace {
+
+// The part of a dense symmetric matrix [count][count] that some rows and columns make up.
+ColumnsOf<DoubleDouble> part(const std::vector<DoubleDouble> &matrix, size_t count,
+                             std::span<const size_t> kept) {
+    ColumnsOf<DoubleDouble> columns;
+    for (const size_t j : kept) {
+        columns.starts.push_back(std::ssize(columns.rows));
+        for (size_t i = 0; i < kept.size(); ++i) {
+            columns.rows.push_back(static_cast<int32_t>(i));
+            columns.values.push_back(matrix[kept[i] * count + j]);
+        }
+    }
+    columns.starts.push_back(std::ssize(columns.rows));
+    return columns;
+}
+
+// Solves matrix [count][count] mu = right [count][width], row after row. Rows that follow from those before them get a mu of
+// 0 if their right side follows as well, else Status::contradiction.
+class Multipliers {
+public:
+    Multipliers(const std::vector<DoubleDouble> &matrix, const std::vector<DoubleDouble> &right, int width)
+        : matrix_(matrix), right_(right), width_(static_cast<size_t>(width)),
+          count_(right.size() / static_cast<size_t>(width)) {}
+
+    std::vector<DoubleDouble> solve() {
+        constexpr double dependent = 0x1p-70;
+        for (size_t i = 0; i < count_; ++i) {
+            kept_.push_back(i);
+        }
+        while (!kept_.empty()) {
+            const auto columns = part(matrix_, count_, kept_);
+            std::vector<double> floors;
+            for (const size_t i : kept_) {
+                floors.push_back(dependent * matrix_[i * count_ + i].high);
+            }
+            LdltOf<DoubleDouble> factors(columns);
+            const int64_t bad = factors.factorise(columns, floors);
+            if (bad < 0) {
+                return solved(factors, kept_);
+            }
+            check_follows(static_cast<size_t>(bad));
+            kept_.erase(kept_.begin() + bad);
+        }
+        return std::vector<DoubleDouble>(right_.size());
+    }
+
+private:
+    std::vector<DoubleDouble> solved(const LdltOf<DoubleDouble> &factors, std::span<const size_t> kept) const {
+        std::vector<DoubleDouble> own(kept.size() * width_), all(right_.size());
+        for (size_t i = 0; i < kept.size(); ++i) {
+            std::copy_n(right_.begin() + static_cast<int64_t>(kept[i] * width_), width_,
+                        own.begin() + static_cast<int64_t>(i * width_));
+        }
+        factors.solve(own.data(), static_cast<int64_t>(width_));
+        for (size_t i = 0; i < kept.size(); ++i) {
+            std::copy_n(own.begin() + static_cast<int64_t>(i * width_), width_,
+                        all.begin() + static_cast<int64_t>(kept[i] * width_));
+        }
+        return all;
+    }
+    void check_follows(size_t bad) const {
+        constexpr double rounding = 0x1p-40;
+        const std::span<const size_t> before = std::span(kept_).first(bad);
+        std::vector<DoubleDouble> mu(right_.size());
+        if (!before.empty()) {
+            const auto columns = part(matrix_, count_, before);
+            LdltOf<DoubleDouble> factors(columns);
+            (void)factors.factorise(columns);
+            mu = solved(factors, before);
+        }
+        const size_t row = kept_[bad];
+        for (size_t c = 0; c < width_; ++c) {
+            DoubleDouble sum = right_[row * width_ + c];
+            double size = std::abs(sum.high);
+            for (const size_t i : before) {
+                const DoubleDouble term = matrix_[row * count_ + i] * mu[i * width_ + c];
+                sum = sum - term;
+                size = std::max(size, std::abs(term.high));
+            }
+            if (std::abs(sum.high) > rounding * size) {
+                fail(Status::contradiction, "conditions[%zu] contradicts those before it", row);
+            }
+        }
+    }
+
+    const std::vector<DoubleDouble> &matrix_;
+    const std::vector<DoubleDouble> &right_;
+    size_t width_, count_;
+    std::vector<size_t> kept_;
+};
+
+} // namespace
+
+// With A Z = C^T for the rows C of the conditions: C Z mu = C x - t, and x - Z mu is the solution.
+void Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const {
+    const auto count = std::ssize(rows_);
+    const auto at = [&](int64_t i, int64_t j) { return static_cast<size_t>(i * count + j); };
+    std::vector<DoubleDouble> columns(x.size() / static_cast<size_t>(dim) * rows_.size());
+    for (int64_t r = 0; r < count; ++r) {
+        for (const Coefficient &coefficient : rows_[static_cast<size_t>(r)].coefficients) {
+            DoubleDouble &value = columns[static_cast<size_t>(coefficient.unknown * count + r)];
+            value = value + DoubleDouble(coefficient.value);
+        }
+    }
+    columns = system.solve(columns, count);
+    std::vector<DoubleDouble> matrix(rows_.size() * rows_.size());
+    std::vector<DoubleDouble> missing(rows_.size() * static_cast<size_t>(dim));
+    for (int64_t r = 0; r < count; ++r) {
+        const Row &row = rows_[static_cast<size_t>(r)];
+        for (int64_t j = 0; j < count; ++j) {
+            matrix[at(r, j)] = left_side(row, columns, count, j);
+        }
+        for (int c = 0; c < dim; ++c) {
+            missing[static_cast<size_t>(r * dim + c)] =
+                left_side(row, x, dim, c) - DoubleDouble(row.target[static_cast<size_t>(c)]);
+        }
+    }
+    const std::vector<DoubleDouble> mu = Multipliers(matrix, missing, dim).solve();
+    for (size_t i = 0; i < x.size(); ++i) {
+        const auto unknown = static_cast<int64_t>(i) / dim, c = static_cast<int64_t>(i) % dim;
+        for (int64_t r = 0; r < count; ++r) {
+            x[i] = x[i] - columns[static_cast<size_t>(unknown * count + r)] *
+                              mu[static_cast<size_t>(r * dim + c)];
+        }
+    }
+}
+
+} // namespace nrb::fit

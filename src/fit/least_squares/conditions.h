@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Linear equations that a fit has to fulfil.
+#pragma once
+
+#include "fit/least_squares/penalised_system.h"
+
+#include <array>
+#include <vector>
+
+namespace nrb::fit {
+
+// Derivative `orders` of the spline at `place` is target[dim].
+struct FitCondition {
+    std::array<double, max_axes> place;
+    std::array<int, max_axes> orders;
+    std::vector<double> target;
+};
+
+// The equations as rows of coefficients of the unknowns.
+class Conditions {
+public:
+    Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector<FitCondition> &conditions);
+
+    [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
+    // Adds multiples of the squares of what is missing to the sum that is minimised: they vanish at the solution, and
+    // determine what only the conditions determine.
+    void add_squares(NormalEquations &equations) const;
+    // From the minimum of that sum to that under the conditions, by Lagrange's multipliers. Throws Status::contradiction with
+    // the index of a condition that those before it, or the spline, do not allow.
+    void impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const;
+
+private:
+    struct Coefficient {
+        Index layer;
+        int64_t unknown;
+        double value;
+    };
+    struct Row {
+        std::vector<Coefficient> coefficients; // scaled to a largest one of 1
+        std::vector<double> target;
+    };
+    [[nodiscard]] DoubleDouble left_side(const Row &row, const std::vector<DoubleDouble> &x, int64_t width,
+                                         int64_t c) const noexcept;
+
+    std::vector<Row> rows_;
+};
+
+} // namespace nrb::fit

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Splines that are closest to data, in the mean of squares.
+#pragma once
+
+#include "fit/least_squares/conditions.h"
+#include "fit/least_squares/smoothing.h"
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb::fit {
+
+struct FitWishes {
+    Smoothing smoothing = Smoothing::none;
+    double value = 0;        // lambda or the target of Smoothing
+    int penalty_order = 2;   // derivative that is penalised
+    bool regularise = false; // of all minima take the one of the smallest penalty
+    std::vector<FitCondition> conditions;
+};
+
+struct Fitted {
+    SplinePtr spline;
+    double weight;   // of all data
+    double squares;  // sum w |y - s|^2
+    double lambda;   // of the penalty
+    double freedom;  // trace of the influence matrix
+    double residual; // of the equations, relative to their right sides
+    bool reached;    // the target
+};
+
+// The spline over the axes. Throws what normal_equations(), PenalisedSystem and Conditions do, and Status::order if there is
+// a penalty and no axis has the degree for it.
+Fitted fit(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes);
+
+} // namespace nrb::fit

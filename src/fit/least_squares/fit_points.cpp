@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "fit/least_squares/fit_points.h"
+
+#include "base/watch.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nrb::fit {
+
+namespace {
+
+// Of the numbers among the values.
+double largest_of(const ConstRecords &records) noexcept {
+    double largest = 0;
+    for (int64_t i = 0; i < records.count; ++i) {
+        for (int64_t c = 0; c < records.width; ++c) {
+            const double value = std::abs(records(i, c));
+            largest = value > largest && std::isfinite(value) ? value : largest;
+        }
+    }
+    return largest;
+}
+
+std::shared_ptr<const StatisticsForm> form_for(const Data &data, const std::vector<KnotVectorPtr> &axes) {
+    StatisticsForm form{{}, {}, static_cast<int>(data.values.width), 0, 0};
+    for (const KnotVectorPtr &axis : axes) {
+        const auto breaks = axis->spans().breaks();
+        form.degrees.push_back(axis->degree());
+        form.breaks.push_back(
+            std::make_shared<const KnotVector>(0, std::vector<double>(breaks.begin(), breaks.end())));
+    }
+    form.value_exponent = exponent_above(largest_of(data.values));
+    form.weight_exponent = data.weights.data == nullptr ? 0 : exponent_above(largest_of(data.weights));
+    return std::make_shared<const StatisticsForm>(std::move(form));
+}
+
+void find_largest(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
+    constexpr int64_t block = 256;
+    const Spline &spline = *found.fit.spline;
+    const int64_t dim = spline.dim(), n = data.params.count;
+    std::vector<double> points(static_cast<size_t>(block * dim)), difference(static_cast<size_t>(dim));
+    Steps steps(n / block + 1);
+    for (int64_t first = 0; first < n; first += block) {
+        const int64_t count = std::min(block, n - first);
+        ConstRecords params = data.params;
+        params.data += first * params.stride;
+        params.count = count;
+        eval::evaluate_points(spline, rules, 0, params, {points.data(), count, dim, dim});
+        for (int64_t i = 0; i < count; ++i) {
+            for (int64_t c = 0; c < dim; ++c) {
+                difference[static_cast<size_t>(c)] =
+                    points[static_cast<size_t>(i * dim + c)] - data.values(first + i, c);
+            }
+            const double distance = norm(difference.data(), static_cast<int>(dim));
+            const bool counts = data.weights.data == nullptr || data.weights(first + i, 0) > 0;
+            if (counts && distance > found.largest) {
+                found.largest = distance;
+                found.largest_index = first + i;
+            }
+        }
+        steps.next(8 * count * dim);
+    }
+}
+
+} // namespace
+
+int exponent_above(double value) noexcept {
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent);
+    return mantissa == 0.5 ? exponent - 1 : exponent;
+}
+
+FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
+                        const FitWishes &wishes, bool with_largest) {
+    const Statistics statistics = [&] {
+        const Phase phase(0.5);
+        return gather(form_for(data, axes), data, rules);
+    }();
+    FittedPoints found{{}, statistics.data_count(), -1, -1};
+    {
+        const Phase phase(0.7);
+        found.fit = fit(statistics, axes, wishes);
+    }
+    if (with_largest) {
+        eval::AxisRules missing = rules; // what was left out has no distance
+        for (eval::AxisRule &rule : missing) {
+            rule.nan = true;
+        }
+        find_largest(data, missing, found);
+    }
+    found.largest = std::max(found.largest, 0.0);
+    return found;
+}
+
+} // namespace nrb::fit

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Fits of data that are at hand.
+#pragma once
+
+#include "fit/least_squares/fit.h"
+#include "fit/statistics/gather.h"
+
+namespace nrb::fit {
+
+struct FittedPoints {
+    Fitted fit;
+    int64_t data_count;
+    // Of |y - s(t)|, and where; -1 without data.
+    double largest;
+    int64_t largest_index;
+};
+
+// fit() of the statistics of the data over the knots as breaks. Throws what gather() and fit() do.
+FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
+                        const FitWishes &wishes, bool with_largest);
+
+// The smallest exponent for which |value| <= 2^exponent.
+int exponent_above(double value) noexcept;
+
+} // namespace nrb::fit

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The normal equations of a spline over given knots, from statistics of the data.
+#pragma once
+
+#include "fit/least_squares/stencil_matrix.h"
+#include "fit/statistics/statistics.h"
+
+#include <vector>
+
+namespace nrb::fit {
+
+// min sum_i w_i |y_i - s(t_i)|^2 over the control points x of s: matrix x = right, with twice the precision.
+struct NormalEquations {
+    std::vector<KnotVectorPtr> axes;
+    StencilMatrix matrix;
+    std::vector<DoubleDouble> right;   // [unknowns][dim]
+    std::vector<DoubleDouble> squares; // [dim]: sum w_i y_i^2
+    std::vector<double> support;       // [unknowns]: the sum of the weights where the function does not vanish
+    DoubleDouble weight;               // sum w_i
+    int64_t data_count;
+    int dim;
+};
+
+// Throws what FitAxis does. The matrix is off by `support` times 2^-60 for each axis and degree, at most, and the rest by as
+// much times the scale of the values.
+NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes);
+
+} // namespace nrb::fit

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "fit/least_squares/smoothing.h"
+
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb::fit {
+
+namespace {
+
+constexpr double lowest = -10; // exponent of the smallest lambda
+
+} // namespace
+
+// s - 2 x r + x G x, of which little may be left.
+DoubleDouble remaining_squares(const NormalEquations &equations, const std::vector<DoubleDouble> &x) {
+    std::vector<DoubleDouble> image;
+    equations.matrix.multiply(x, equations.dim, image);
+    DoubleDouble sum;
+    for (const DoubleDouble &square : equations.squares) {
+        sum = sum + square;
+    }
+    for (size_t i = 0; i < x.size(); ++i) {
+        sum = sum + x[i] * (image[i] - equations.right[i] - equations.right[i]);
+    }
+    return sum.high > 0 ? sum : DoubleDouble{};
+}
+
+LambdaSearch::LambdaSearch(const NormalEquations &equations, const StencilMatrix &penalty,
+                           PenalisedSystem &system, double free_unknowns)
+    : equations_(equations), system_(system), free_unknowns_(free_unknowns),
+      scale_(equations.matrix.trace().high / penalty.trace().high), widest_(6) {
+    // The smoothest functions that pay anything pay about 1, the others up to the trace.
+    const double unknowns = static_cast<double>(equations.matrix.size());
+    widest_ += std::max(0.0, std::log10(penalty.trace().high / unknowns));
+}
+
+double LambdaSearch::lambda_of(double exponent) const noexcept {
+    return scale_ * std::pow(10, exponent);
+}
+
+Smoothed LambdaSearch::at(double lambda, bool with_freedom) {
+    system_.factorise(lambda);
+    Smoothed result;
+    result.lambda = lambda;
+    result.x = system_.solve(equations_.right, equations_.dim);
+    result.squares = remaining_squares(equations_, result.x).high;
+    result.freedom = with_freedom ? system_.freedom() : 0;
+    return result;
+}
+
+double LambdaSearch::criterion(Smoothing rule, double exponent) {
+    const double lambda = lambda_of(exponent), n = static_cast<double>(equations_.data_count);
+    const Smoothed one = at(lambda, rule == Smoothing::gcv);
+    if (rule == Smoothing::gcv) {
+        const double left = n - one.freedom;
+        return left > 0 ? one.squares / (left * left) : std::numeric_limits<double>::infinity();
+    }
+    DoubleDouble paid; // with what is paid for derivatives: s - x r
+    for (const DoubleDouble &square : equations_.squares) {
+        paid = paid + square;
+    }
+    const double all = paid.high;
+    for (size_t i = 0; i < one.x.size(); ++i) {
+        paid = paid - one.x[i] * equations_.right[i];
+    }
+    const double unknowns = static_cast<double>(equations_.matrix.size());
+    return (n - free_unknowns_) * std::log(std::max(paid.high, all * 0x1p-100)) +
+           system_.log_determinant() - (unknowns - free_unknowns_) * std::log(lambda);
+}
+
+// The best of a coarse grid, then golden sections beside it.
+Smoothed LambdaSearch::smallest(Smoothing rule) {
+    constexpr int sections = 14;
+    constexpr double golden = 0.6180339887498949;
+    const int steps = static_cast<int>(std::ceil(widest_ - lowest));
+    Steps progress(steps + sections);
+    double best = lowest, least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= steps; ++i, progress.next()) {
+        const double value = criterion(rule, lowest + i);
+        if (value < least) {
+            least = value;
+            best = lowest + i;
+        }
+    }
+    double a = best - 1, b = best + 1;
+    double x = b - golden * (b - a), y = a + golden * (b - a);
+    double at_x = criterion(rule, x), at_y = criterion(rule, y);
+    for (int i = 2; i < sections; ++i, progress.next()) {
+        if (at_x < at_y) {
+            b = y;
+            y = x;
+            at_y = at_x;
+            x = b - golden * (b - a);
+            at_x = criterion(rule, x);
+        } else {
+            a = x;
+            x = y;
+            at_x = at_y;
+            y = a + golden * (b - a);
+            at_y = criterion(rule, y);
+        }
+    }
+    return at(lambda_of((a + b) / 2));
+}
+
+// The squares that are left grow with lambda.
+Smoothed LambdaSearch::within(double target) {
+    constexpr int halvings = 40;
+    constexpr double close = 1e-9;
+    double a = lowest, b = widest_;
+    Smoothed best = at(lambda_of(b), false);
+    if (best.squares <= target) {
+        return at(best.lambda);
+    }
+    best = at(lambda_of(a), false);
+    best.reached = best.squares <= target;
+    Steps progress(halvings);
+    for (int i = 0; best.reached && i < halvings && best.squares < target * (1 - close);
+         ++i, progress.next()) {
+        const double middle = (a + b) / 2;
+        Smoothed one = at(lambda_of(middle), false);
+        if (one.squares <= target) {
+            a = middle;
+            best = std::move(one);
+        } else {
+            b = middle;
+        }
+    }
+    const bool reached = best.reached;
+    best = at(best.lambda);
+    best.reached = reached;
+    return best;
+}
+
+Smoothed LambdaSearch::choose(Smoothing rule, double value) {
+    return rule == Smoothing::given         ? at(value)
+           : rule == Smoothing::discrepancy ? within(value)
+                                            : smallest(rule);
+}
+
+} // namespace nrb::fit

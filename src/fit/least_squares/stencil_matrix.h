@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Symmetric matrices over the control points of a spline, which couple those whose functions overlap.
+#pragma once
+
+#include "base/limits.h"
+#include "basis/knot_vector.h"
+#include "numeric/double_double.h"
+#include "numeric/solvers/sparse/sparse_ldlt.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nrb::fit {
+
+using Index = std::array<int64_t, max_axes>;
+
+// Unknowns are the distinct layers of control points on each axis, last axis fastest. An element is kept at the first of its
+// two functions and the offset to the second one, counted in layers before these are wrapped; half of the offsets will do.
+class StencilMatrix {
+public:
+    explicit StencilMatrix(const std::vector<KnotVectorPtr> &axes);
+
+    [[nodiscard]] int axes() const noexcept { return axes_; }
+    [[nodiscard]] int64_t size() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
+    // The number of the unknown that a control point is, or is a copy of.
+    [[nodiscard]] int64_t unknown(const Index &layer) const noexcept;
+    // Adds to the element of two control points, and to its mirror image; `second` is not before `first`.
+    void add(const Index &first, const Index &second, const DoubleDouble &value) noexcept;
+    // Adds factor * other, of the same shape.
+    void add(const StencilMatrix &other, const DoubleDouble &factor) noexcept;
+    [[nodiscard]] DoubleDouble trace() const noexcept;
+    // y[size][width] = matrix * x.
+    void multiply(const std::vector<DoubleDouble> &x, int64_t width, std::vector<DoubleDouble> &y) const;
+
+    // In which order to eliminate the unknowns.
+    [[nodiscard]] std::vector<int64_t> elimination_order() const;
+    // By columns in that order; with all elements that overlapping functions can have, 0 or not.
+    template <class Number>
+    [[nodiscard]] ColumnsOf<Number> columns(const std::vector<int64_t> &order) const;
+
+private:
+    // Calls visit(other unknown, place) for the offsets of an unknown, that of itself first.
+    template <class Visit>
+    void for_each_offset(int64_t row, Visit &&visit) const;
+
+    int axes_;
+    Index counts_{1, 1, 1};
+    Index reach_{};
+    std::array<bool, max_axes> periodic_{};
+    int64_t offsets_; // of an unknown
+    std::vector<DoubleDouble> values_;
+};
+
+} // namespace nrb::fit

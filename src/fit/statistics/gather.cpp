@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "fit/statistics/gather.h"
+
+#include "base/error.h"
+#include "base/watch.h"
+#include "fit/statistics/fixed_point.h"
+#include "numeric/power_of_two.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace nrb::fit {
+
+int64_t in_units(double x, int exponent) noexcept {
+    // Two steps, because 2^(53 - exponent) may be no normal number; the first one rounds nothing that counts.
+    const int first = (value_bits - exponent) / 2;
+    return static_cast<int64_t>(
+        std::round(times_power_of_two(times_power_of_two(x, first), value_bits - exponent - first)));
+}
+
+namespace {
+
+// Sums in 128 bits have room for so many terms: a weight times a function is below 2^115.
+constexpr int32_t most_pending = 1 << 11;
+
+// The cells that were met so far.
+class Slots {
+public:
+    explicit Slots(int64_t cells, int64_t points) {
+        constexpr int64_t few = 1024;
+        if (cells <= std::max(few, 4 * points)) {
+            dense_.assign(static_cast<size_t>(cells), -1);
+        }
+    }
+    // The number of a cell, by the order of arrival.
+    int64_t of(int64_t cell) {
+        int64_t &slot = dense_.empty() ? sparse_.try_emplace(cell, -1).first->second
+                                       : dense_[static_cast<size_t>(cell)];
+        if (slot < 0) {
+            slot = std::ssize(cells_);
+            cells_.push_back(cell);
+        }
+        return slot;
+    }
+    [[nodiscard]] const std::vector<int64_t> &cells() const noexcept { return cells_; }
+
+private:
+    std::vector<int64_t> dense_;
+    std::unordered_map<int64_t, int64_t> sparse_;
+    std::vector<int64_t> cells_;
+};
+
+class Gathering {
+public:
+    Gathering(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules)
+        : form_(form), data_(data), rules_(rules), layout_(form),
+          slots_(cell_count(form), data.params.count), weighted_(data.weights.data != nullptr || form.weight_exponent != 0) {
+        for (const KnotVectorPtr &breaks : form.breaks) {
+            finders_.push_back(breaks->spans().finder());
+        }
+        for (size_t k = 0; k < form.degrees.size(); ++k) {
+            high_[k].resize(static_cast<size_t>(2 * form.degrees[k] + 1));
+            low_[k].resize(static_cast<size_t>(form.degrees[k] + 1));
+        }
+        value_.resize(static_cast<size_t>(form.dim));
+    }
+
+    void add_all() {
+        const int64_t n = data_.params.count;
+        Steps steps(n / block + 1);
+        for (int64_t first = 0; first < n; first += block) {
+            const int64_t end = std::min(n, first + block);
+            for (int64_t i = first; i < end; ++i) {
+                add(i);
+            }
+            steps.next((end - first) * layout_.entries());
+        }
+    }
+
+    Statistics result(std::shared_ptr<const StatisticsForm> form) {
+        const std::vector<int64_t> &cells = slots_.cells();
+        std::vector<size_t> order(cells.size());
+        std::iota(order.begin(), order.end(), size_t{0});
+        std::ranges::sort(order, {}, [&](size_t slot) { return cells[slot]; });
+        Statistics made(std::move(form));
+        made.reserve(cells.size());
+        for (const size_t slot : order) {
+            settle(slot);
+            made.append(cells[slot], counts_[slot],
+                        std::span(sums_).subspan(slot * entries(), entries()));
+        }
+        return made;
+    }
+
+private:
+    static constexpr int64_t block = 1024;
+
+    static int64_t cell_count(const StatisticsForm &form) noexcept {
+        int64_t cells = 1;
+        for (const KnotVectorPtr &breaks : form.breaks) {
+            cells *= breaks->count();
+        }
+        return cells;
+    }
+    [[nodiscard]] size_t entries() const noexcept { return static_cast<size_t>(layout_.entries()); }
+
+    void add(int64_t i) {
+        int64_t weight = int64_t{1} << value_bits, cell = 0;
+        if ((weighted_ && (weight = weight_of(i)) == 0) || !find(i, cell)) {
+            return;
+        }
+        read_value(i, weight);
+        const auto slot = static_cast<size_t>(slots_.of(cell));
+        if (slot == counts_.size()) {
+            counts_.push_back(0);
+            pending_.push_back(0);
+            recent_.resize(recent_.size() + entries());
+            sums_.resize(sums_.size() + entries());
+        }
+        ++counts_[slot];
+        if (++pending_[slot] > most_pending) {
+            settle(slot);
+            pending_[slot] = 1;
+        }
+        add_to(recent_.data() + slot * entries(), weight);
+    }
+
+    [[nodiscard]] int64_t weight_of(int64_t i) const {
+        const double weight = data_.weights.data == nullptr ? 1 : data_.weights(i, 0);
+        if (!std::isfinite(weight)) {
+            fail(Status::weight_not_finite, "weights[%lld] = %s is not finite", static_cast<long long>(i),
+                 Number(weight).text);
+        }
+        if (weight < 0) {
+            fail(Status::weight_negative, "weights[%lld] = %s is negative", static_cast<long long>(i),
+                 Number(weight).text);
+        }
+        check_scale(weight, form_.weight_exponent, "weights", i);
+        return in_units(weight, form_.weight_exponent);
+    }
+    static void check_scale(double x, int exponent, const char *name, int64_t i) {
+        const double scale = std::ldexp(1.0, exponent);
+        if (std::abs(x) > scale) {
+            fail(Status::scale, "%s[%lld] = %s, expected at most the scale %s", name,
+                 static_cast<long long>(i), Number(x).text, Number(scale).text);
+        }
+    }
+
+    // Its cell, and the functions of both degrees there; false if the point is left out.
+    bool find(int64_t i, int64_t &cell) {
+        for (size_t k = 0; k < finders_.size(); ++k) {
+            const double given = data_.params(i, static_cast<int64_t>(k));
+            const KnotVector &breaks = *form_.breaks[k];
+            const Interval domain = breaks.domain();
+            const bool inside = given >= domain.lower && given <= domain.upper;
+            if (!inside) {
+                check_parameter(i, k, domain);
+            }
+            const double t = inside ? given : eval::place(given, rules_[k], domain);
+            if (!(t == t)) {
+                return false;
+            }
+            const int64_t span = rules_[k].left ? finders_[k].number<true>(t) : finders_[k].number<false>(t);
+            cell = cell * breaks.count() + span;
+            set_functions(k, place_in_cell(t, breaks[span], breaks[span + 1]));
+        }
+        return true;
+    }
+    void check_parameter(int64_t i, size_t k, const Interval &domain) const {
+        char name[64];
+        std::snprintf(name, sizeof name, "params[%lld][%zu]", static_cast<long long>(i), k);
+        eval::check_parameter(data_.params(i, static_cast<int64_t>(k)), rules_[k], domain, name);
+    }
+    void set_functions(size_t k, int64_t u) noexcept {
+        const int p = form_.degrees[k];
+        int64_t *const values = high_[k].data();
+        values[0] = function_unit;
+        for (int n = 1; n <= p; ++n) {
+            raise_functions(n, u, values);
+        }
+        std::copy_n(values, p + 1, low_[k].begin());
+        for (int n = p + 1; n <= 2 * p; ++n) {
+            raise_functions(n, u, values);
+        }
+    }
+
+    void read_value(int64_t i, int64_t weight) {
+        const double largest = std::ldexp(1.0, form_.value_exponent);
+        for (int c = 0; c < form_.dim; ++c) {
+            const double value = data_.values(i, c);
+            if (!(std::abs(value) <= largest)) {
+                fail_value(i, c, value);
+            }
+            const int64_t units = in_units(value, form_.value_exponent);
+            value_[static_cast<size_t>(c)] = {
+                units, weighted_ ? Int128::product(units, weight).rounded_shift(value_bits) : units};
+        }
+    }
+    [[noreturn]] void fail_value(int64_t i, int c, double value) const {
+        char name[64];
+        std::snprintf(name, sizeof name, "values[%lld]", static_cast<long long>(i));
+        if (!std::isfinite(value)) {
+            fail(Status::point_not_finite, "%s[%d] = %s is not finite", name, c, Number(value).text);
+        }
+        check_scale(value, form_.value_exponent, name, c);
+        fail(Status::internal, "%s", name);
+    }
+
+    // Without weights, what they would multiply is not multiplied until the sums are settled.
+    void add_to(Int128 *sums, int64_t weight) noexcept {
+        const bool weighted = weighted_;
+        for_each_product(high_, [&](int64_t product) {
+            *sums++ += weighted ? Int128::product(product, weight) : Int128(0, static_cast<uint64_t>(product));
+        });
+        for_each_product(low_, [&](int64_t product) {
+            for (const Value &value : value_) {
+                *sums++ += Int128::product(product, value.weighted);
+            }
+        });
+        for (const Value &value : value_) {
+            *sums++ += Int128::product(value.units, value.weighted);
+        }
+        *sums += Int128(0, weighted ? static_cast<uint64_t>(weight) : 1);
+    }
+    template <class Visit>
+    static void for_each_product(const std::array<std::vector<int64_t>, max_axes> &functions,
+                                 Visit &&visit) noexcept {
+        for (const int64_t a : functions[0]) {
+            if (functions[1].empty()) {
+                visit(a);
+                continue;
+            }
+            for (const int64_t b : functions[1]) {
+                const int64_t ab = function_product(a, b);
+                if (functions[2].empty()) {
+                    visit(ab);
+                    continue;
+                }
+                for (const int64_t c : functions[2]) {
+                    visit(function_product(ab, c));
+                }
+            }
+        }
+    }
+
+    // Adds what is pending to the sums that have room for all.
+    void settle(size_t slot) noexcept {
+        Int128 *const recent = recent_.data() + slot * entries();
+        ExactSum *const sums = sums_.data() + slot * entries();
+        for (int64_t e = 0; e < layout_.entries(); ++e) {
+            const bool is_weighted = weighted_ || (e >= layout_.right() && e < layout_.weight());
+            sums[e].add(recent[e], is_weighted ? 0 : value_bits);
+            recent[e] = {};
+        }
+        pending_[slot] = 0;
+    }
+
+    struct Value {
+        int64_t units;
+        int64_t weighted;
+    };
+
+    const StatisticsForm &form_;
+    const Data &data_;
+    const eval::AxisRules &rules_;
+    CellLayout layout_;
+    Slots slots_;
+    bool weighted_;
+    std::vector<SpanTable::Finder> finders_;
+    std::array<std::vector<int64_t>, max_axes> high_, low_; // functions of degrees 2 p and p at the point
+    std::vector<Value> value_;
+    // By slots.
+    std::vector<int64_t> counts_;
+    std::vector<int32_t> pending_;
+    std::vector<Int128> recent_;
+    std::vector<ExactSum> sums_;
+};
+
+} // namespace
+
+Statistics gather(std::shared_ptr<const StatisticsForm> form, const Data &data,
+                  const eval::AxisRules &rules) {
+    Gathering gathering(*form, data, rules);
+    gathering.add_all();
+    return gathering.result(std::move(form));
+}
+
+} // namespace nrb::fit
