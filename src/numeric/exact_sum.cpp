@@ -3,6 +3,8 @@
 
 #include "numeric/power_of_two.h"
 
+#include <bit>
+
 namespace nrb::inline numeric {
 
 namespace {
@@ -47,13 +49,27 @@ ExactSum &ExactSum::operator-=(const ExactSum &other) noexcept {
     return *this;
 }
 
+// The 106 bits from the highest one on, in two halves; what follows is below 2^-105 of them.
 DoubleDouble ExactSum::scaled(int exponent) const noexcept {
-    const std::array<uint64_t, 3> size = negative() ? negated(limbs_) : limbs_;
-    DoubleDouble sum;
-    for (size_t half = 6; half-- > 0;) { // halves of limbs are doubles without rounding
-        const auto bits = static_cast<double>(size[half / 2] >> (half % 2 * 32) & 0xffffffffu);
-        sum = sum + DoubleDouble(times_power_of_two(bits, static_cast<int>(half) * 32 + exponent));
+    std::array<uint64_t, 3> size = negative() ? negated(limbs_) : limbs_;
+    if (zero()) {
+        return {};
     }
+    int lowest = exponent + 64; // of the two limbs that are looked at
+    for (; size[2] == 0; lowest -= 64) {
+        size = {0, size[0], size[1]};
+    }
+    const int shift = std::countl_zero(size[2]);
+    if (shift > 0) {
+        size[2] = size[2] << shift | size[1] >> (64 - shift);
+        size[1] = size[1] << shift | size[0] >> (64 - shift);
+    }
+    constexpr int half = 53, rest = 64 - half;
+    const auto high = static_cast<double>(size[2] >> rest);
+    const auto low = static_cast<double>((size[2] << half | size[1] >> rest) >> rest);
+    lowest += 64 + rest - shift; // of the higher half
+    const DoubleDouble sum = DoubleDouble::ordered_sum(times_power_of_two(high, lowest),
+                                                       times_power_of_two(low, lowest - half));
     return negative() ? -sum : sum;
 }
 

@@ -19,6 +19,10 @@ public:
         const TwoLimbs size = magnitude(absolute(a), absolute(b));
         return (a < 0) != (b < 0) ? TwoLimbs{} - size : size;
     }
+    // The upper half of a product of numbers without a sign.
+    static constexpr uint64_t high_product(uint64_t a, uint64_t b) noexcept {
+        return static_cast<uint64_t>(magnitude(a, b).high_);
+    }
     [[nodiscard]] constexpr int64_t high() const noexcept { return high_; }
     [[nodiscard]] constexpr uint64_t low() const noexcept { return low_; }
     constexpr TwoLimbs &operator+=(const TwoLimbs &other) noexcept {
@@ -67,6 +71,9 @@ public:
         : value_(static_cast<Signed>(static_cast<Unsigned>(high) << 64 | low)) {}
 
     static constexpr Native128 product(int64_t a, int64_t b) noexcept { return Native128(Signed{a} * b); }
+    static constexpr uint64_t high_product(uint64_t a, uint64_t b) noexcept {
+        return static_cast<uint64_t>((Unsigned{a} * b) >> 64);
+    }
     [[nodiscard]] constexpr int64_t high() const noexcept { return static_cast<int64_t>(value_ >> 64); }
     [[nodiscard]] constexpr uint64_t low() const noexcept { return static_cast<uint64_t>(value_); }
     constexpr Native128 &operator+=(const Native128 &other) noexcept {
@@ -103,7 +110,7 @@ public:
     ExactSum &operator-=(const ExactSum &other) noexcept;
     [[nodiscard]] bool negative() const noexcept { return static_cast<int64_t>(limbs_[2]) < 0; }
     [[nodiscard]] bool zero() const noexcept { return (limbs_[0] | limbs_[1] | limbs_[2]) == 0; }
-    // Times 2^exponent, within 2^-102, where nothing leaves the range of normal numbers.
+    // Times 2^exponent, within 2^-104, where nothing leaves the range of normal numbers.
     [[nodiscard]] DoubleDouble scaled(int exponent) const noexcept;
 
 private:

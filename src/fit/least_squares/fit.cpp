@@ -40,7 +40,11 @@ std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wish
              highest);
     }
     const int order = std::min(wishes.penalty_order, highest);
-    return order > 0 ? std::optional(penalty(axes, order)) : std::nullopt;
+    std::optional<StencilMatrix> form;
+    if (order > 0 && !(form.emplace(penalty(axes, order)).trace().high > 0)) {
+        form.reset(); // a constant
+    }
+    return form;
 }
 
 // The minimum with the smallest penalty: with factors of G + lambda P for a small lambda, steps to the minimum of the data
@@ -51,7 +55,7 @@ std::vector<DoubleDouble> regularised(const NormalEquations &equations, const St
     constexpr int most = 60;
     const double trace = equations.matrix.trace().high;
     system.factorise(part * (trace > 0 ? trace : 1) / penalty.trace().high);
-    std::vector<DoubleDouble> x(equations.right.size()), residual = equations.right, image;
+    std::vector<DoubleDouble> x(equations.right.size()), residual = equations.right;
     for (int step = 0; step < most; ++step) {
         const std::vector<DoubleDouble> change = system.solve(residual, equations.dim);
         double size = 0, moved = 0;
@@ -63,32 +67,12 @@ std::vector<DoubleDouble> regularised(const NormalEquations &equations, const St
         if (!(moved > enough * size)) {
             break;
         }
-        equations.matrix.multiply(x, equations.dim, image);
-        for (size_t i = 0; i < x.size(); ++i) {
-            residual[i] = equations.right[i] - image[i];
-        }
+        residual = system.missing(x);
     }
     return x;
 }
 
-// |G x + lambda P x - r| / |r|.
-double relative_residual(const NormalEquations &equations, const StencilMatrix *penalty, const Smoothed &found) {
-    std::vector<DoubleDouble> image, smooth;
-    equations.matrix.multiply(found.x, equations.dim, image);
-    if (penalty != nullptr && found.lambda > 0) {
-        penalty->multiply(found.x, equations.dim, smooth);
-    }
-    double missing = 0, size = 0;
-    for (size_t i = 0; i < image.size(); ++i) {
-        DoubleDouble part = image[i] - equations.right[i];
-        part = smooth.empty() ? part : part + DoubleDouble(found.lambda) * smooth[i];
-        missing = std::hypot(missing, part.high);
-        size = std::hypot(size, equations.right[i].high);
-    }
-    return size > 0 ? missing / size : missing;
-}
-
-SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDouble> &x) {
+SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDouble> &x, int exponent) {
     const auto dim = static_cast<size_t>(equations.dim);
     Index end{1, 1, 1}, layer{};
     for (size_t k = 0; k < equations.axes.size(); ++k) {
@@ -100,7 +84,7 @@ SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDo
             for (layer[2] = 0; layer[2] < end[2]; ++layer[2]) {
                 const auto unknown = static_cast<size_t>(equations.matrix.unknown(layer));
                 for (size_t c = 0; c < dim; ++c) {
-                    points.push_back(x[unknown * dim + c].high);
+                    points.push_back(std::ldexp(x[unknown * dim + c].high, exponent));
                 }
             }
         }
@@ -113,7 +97,7 @@ Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, con
                 const Conditions &conditions) {
     PenalisedSystem system(equations, form);
     Smoothed found;
-    if (wishes.smoothing != Smoothing::none) {
+    if (form != nullptr && wishes.smoothing != Smoothing::none) {
         LambdaSearch search(equations, *form, system, free_unknowns(equations.axes, wishes.penalty_order));
         found = search.choose(wishes.smoothing, wishes.value);
     } else if (form != nullptr) {
@@ -124,15 +108,32 @@ Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, con
         found.x = system.solve(equations.right, equations.dim);
         found.freedom = static_cast<double>(equations.matrix.size());
     }
+    found.residual = form != nullptr && wishes.smoothing == Smoothing::none ? 0 : system.relative_residual(found.x);
     if (!conditions.empty()) {
         conditions.impose(system, equations.dim, found.x);
     }
+    found.squares = system.remaining_squares(found.x);
     return found;
+}
+
+// In units of the scales, as equations are.
+FitWishes scaled(FitWishes wishes, const StatisticsForm &form) {
+    wishes.value = std::ldexp(wishes.value, wishes.smoothing == Smoothing::discrepancy
+                                                ? -form.weight_exponent - 2 * form.value_exponent
+                                                : -form.weight_exponent);
+    for (FitCondition &condition : wishes.conditions) {
+        for (double &target : condition.target) {
+            target = std::ldexp(target, -form.value_exponent);
+        }
+    }
+    return wishes;
 }
 
 } // namespace
 
-Fitted fit(const Statistics &statistics, const Axes &axes, const FitWishes &wishes) {
+Fitted fit(const Statistics &statistics, const Axes &axes, const FitWishes &given) {
+    const StatisticsForm &units = statistics.form();
+    const FitWishes wishes = scaled(given, units);
     const std::optional<StencilMatrix> form = penalty_for(axes, wishes);
     const NormalEquations data = normal_equations(statistics, axes);
     const Conditions conditions(axes, wishes.conditions);
@@ -143,12 +144,12 @@ Fitted fit(const Statistics &statistics, const Axes &axes, const FitWishes &wish
     const NormalEquations &equations = with_conditions ? *with_conditions : data;
     const Smoothed found = solved(equations, form ? &*form : nullptr, wishes, conditions);
     Fitted result{};
-    result.spline = spline_of(data, found.x);
-    result.weight = data.weight.high;
-    result.squares = remaining_squares(data, found.x).high;
-    result.lambda = found.lambda;
+    result.spline = spline_of(data, found.x, units.value_exponent);
+    result.weight = std::ldexp(data.weight.high, units.weight_exponent);
+    result.squares = std::ldexp(found.squares, units.weight_exponent + 2 * units.value_exponent);
+    result.lambda = std::ldexp(found.lambda, units.weight_exponent);
     result.freedom = found.freedom;
-    result.residual = conditions.empty() ? relative_residual(data, form ? &*form : nullptr, found) : 0;
+    result.residual = found.residual;
     result.reached = found.reached;
     return result;
 }

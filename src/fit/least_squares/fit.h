@@ -21,7 +21,7 @@ struct FitWishes {
 struct Fitted {
     SplinePtr spline;
     double weight;   // of all data
-    double squares;  // sum w |y - s|^2
+    double squares;  // sum w |y - s|^2; infinite if it overflows
     double lambda;   // of the penalty
     double freedom;  // trace of the influence matrix
     double residual; // of the equations, relative to their right sides

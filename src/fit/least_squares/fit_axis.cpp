@@ -72,20 +72,24 @@ FitAxis::FitAxis(KnotVectorPtr knots, KnotVectorPtr breaks, int data_degree, int
     }
 }
 
-SpanTables FitAxis::tables(int64_t span) const {
+std::vector<DoubleDouble> FitAxis::function_table(int64_t span) const {
     const int q = degree(), p = data_degree_;
     const auto own = static_cast<size_t>(q + 1), width = static_cast<size_t>(p + 1);
-    std::vector<DoubleDouble> matrix(own * own);
+    std::vector<DoubleDouble> matrix(own * own), functions(own * width);
     refine::bezier_extraction(knots_->knots().data(), q, knot_index(span), matrix.data());
-    SpanTables made{std::vector<DoubleDouble>(own * width), {}};
     for (size_t i = 0; i < own; ++i) {
-        DoubleDouble *const row = made.functions.data() + i * width;
+        DoubleDouble *const row = functions.data() + i * width;
         std::copy_n(matrix.data() + i * own, own, row);
         for (int n = q + 1; n <= p; ++n) {
             elevate(n, row);
         }
     }
-    made.pairs.resize(own * (own + 1) / 2 * (2 * width - 1));
+    return functions;
+}
+
+SpanTables FitAxis::tables(int64_t span) const {
+    const auto own = static_cast<size_t>(degree() + 1), width = static_cast<size_t>(data_degree_ + 1);
+    SpanTables made{function_table(span), std::vector<DoubleDouble>(own * (own + 1) / 2 * (2 * width - 1))};
     DoubleDouble *pair = made.pairs.data();
     for (size_t i = 0; i < own; ++i) {
         for (size_t j = i; j < own; ++j, pair += 2 * width - 1) {
@@ -99,6 +103,35 @@ SpanTables FitAxis::tables(int64_t span) const {
         }
     }
     return made;
+}
+
+std::vector<DoubleDouble> FitAxis::pair_sums(const std::vector<DoubleDouble> &functions,
+                                             const std::vector<DoubleDouble> &sums) const {
+    const auto own = static_cast<size_t>(degree() + 1), width = static_cast<size_t>(data_degree_ + 1);
+    std::vector<DoubleDouble> products(width * width), half(own * width), result;
+    for (size_t l = 0; l < width; ++l) {
+        for (size_t m = 0; m < width; ++m) {
+            products[l * width + m] = product_factors_[l * width + m] * sums[l + m];
+        }
+    }
+    for (size_t i = 0; i < own; ++i) {
+        for (size_t l = 0; l < width; ++l) {
+            for (size_t m = 0; m < width; ++m) {
+                half[i * width + m] =
+                    half[i * width + m] + functions[i * width + l] * products[l * width + m];
+            }
+        }
+    }
+    for (size_t i = 0; i < own; ++i) {
+        for (size_t j = i; j < own; ++j) {
+            DoubleDouble sum;
+            for (size_t m = 0; m < width; ++m) {
+                sum = sum + half[i * width + m] * functions[j * width + m];
+            }
+            result.push_back(sum);
+        }
+    }
+    return result;
 }
 
 // The transpose of what bernstein::restrict_to() does to coefficients.

@@ -35,6 +35,10 @@ public:
     [[nodiscard]] int64_t span_of(int64_t cell) const noexcept { return span_of_[static_cast<size_t>(cell)]; }
 
     [[nodiscard]] SpanTables tables(int64_t span) const;
+    // What the pairs of a curve make of the sums of a span, without a table of theirs: for one use less work.
+    [[nodiscard]] std::vector<DoubleDouble> pair_sums(const std::vector<DoubleDouble> &functions,
+                                                      const std::vector<DoubleDouble> &sums) const;
+    [[nodiscard]] std::vector<DoubleDouble> function_table(int64_t span) const;
     // Sums of the functions of a degree on a cell, [degree + 1][inner], become those of the functions on its span.
     void widen(int64_t cell, int degree, int64_t inner, DoubleDouble *sums) const noexcept;
 

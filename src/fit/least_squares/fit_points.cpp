@@ -38,11 +38,14 @@ std::shared_ptr<const StatisticsForm> form_for(const Data &data, const std::vect
     return std::make_shared<const StatisticsForm>(std::move(form));
 }
 
-void find_largest(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
+// The squares that are left, of the spline as it is stored, and the largest one. The sums of the statistics tell the former
+// to 2^-60 of what there was.
+void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
     constexpr int64_t block = 256;
     const Spline &spline = *found.fit.spline;
     const int64_t dim = spline.dim(), n = data.params.count;
     std::vector<double> points(static_cast<size_t>(block * dim)), difference(static_cast<size_t>(dim));
+    DoubleDouble squares;
     Steps steps(n / block + 1);
     for (int64_t first = 0; first < n; first += block) {
         const int64_t count = std::min(block, n - first);
@@ -56,14 +59,19 @@ void find_largest(const Data &data, const eval::AxisRules &rules, FittedPoints &
                     points[static_cast<size_t>(i * dim + c)] - data.values(first + i, c);
             }
             const double distance = norm(difference.data(), static_cast<int>(dim));
-            const bool counts = data.weights.data == nullptr || data.weights(first + i, 0) > 0;
-            if (counts && distance > found.largest) {
+            const double weight = data.weights.data == nullptr ? 1 : data.weights(first + i, 0);
+            if (!(weight > 0) || !(distance == distance)) {
+                continue;
+            }
+            squares = squares + DoubleDouble(weight * distance * distance);
+            if (distance > found.largest) {
                 found.largest = distance;
                 found.largest_index = first + i;
             }
         }
         steps.next(8 * count * dim);
     }
+    found.fit.squares = squares.high;
 }
 
 } // namespace
@@ -75,7 +83,7 @@ int exponent_above(double value) noexcept {
 }
 
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
-                        const FitWishes &wishes, bool with_largest) {
+                        const FitWishes &wishes, bool compared) {
     const Statistics statistics = [&] {
         const Phase phase(0.5);
         return gather(form_for(data, axes), data, rules);
@@ -85,12 +93,12 @@ FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const st
         const Phase phase(0.7);
         found.fit = fit(statistics, axes, wishes);
     }
-    if (with_largest) {
+    if (compared) {
         eval::AxisRules missing = rules; // what was left out has no distance
         for (eval::AxisRule &rule : missing) {
             rule.nan = true;
         }
-        find_largest(data, missing, found);
+        compare(data, missing, found);
     }
     found.largest = std::max(found.largest, 0.0);
     return found;

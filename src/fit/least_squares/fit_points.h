@@ -15,9 +15,9 @@ struct FittedPoints {
     int64_t largest_index;
 };
 
-// fit() of the statistics of the data over the knots as breaks. Throws what gather() and fit() do.
+// fit() of the statistics of the data over the knots as breaks; `compared` with the data afterwards. Throws what gather() and fit() do.
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
-                        const FitWishes &wishes, bool with_largest);
+                        const FitWishes &wishes, bool compared);
 
 // The smallest exponent for which |value| <= 2^exponent.
 int exponent_above(double value) noexcept;

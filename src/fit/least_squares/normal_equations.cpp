@@ -91,8 +91,7 @@ private:
     // The sums of a cell, as those of the functions of its span.
     void add_cell(int64_t i) {
         const std::span<const ExactSum> sums = statistics_.sums(i);
-        const int of_functions = form_.weight_exponent - function_bits - value_bits;
-        const int of_values = form_.weight_exponent - value_bits + form_.value_exponent - value_bits;
+        constexpr int of_functions = -function_bits - value_bits, of_values = -value_bits - value_bits;
         const auto scaled = [&](int64_t first, int64_t end, int exponent) {
             std::vector<DoubleDouble> values;
             for (int64_t e = first; e < end; ++e) {
@@ -103,13 +102,13 @@ private:
         const Index cell = cell_index(statistics_.cells()[static_cast<size_t>(i)]);
         add_widened(cell, 2, 1, scaled(0, layout_.moments, of_functions), moments_);
         add_widened(cell, 1, layout_.dim,
-                    scaled(layout_.right(), layout_.squares(), of_functions + form_.value_exponent), right_);
+                    scaled(layout_.right(), layout_.squares(), of_functions), right_);
         const std::vector<DoubleDouble> squares =
-            scaled(layout_.squares(), layout_.weight(), of_values + form_.value_exponent);
+            scaled(layout_.squares(), layout_.weight(), of_values);
         for (size_t c = 0; c < squares.size(); ++c) {
             made_.squares[c] = made_.squares[c] + squares[c];
         }
-        const DoubleDouble weight = sums.back().scaled(form_.weight_exponent - value_bits);
+        const DoubleDouble weight = sums.back().scaled(-value_bits);
         weight_ = weight_ + weight;
         made_.weight = made_.weight + weight;
     }
@@ -149,6 +148,7 @@ private:
         auto &kept = tables_[k];
         if (axes_.size() == 1) {
             kept.clear();
+            return kept.emplace(span, SpanTables{axes_[0].function_table(span), {}}).first->second;
         }
         const auto found = kept.find(span);
         return found != kept.end() ? found->second : kept.emplace(span, axes_[k].tables(span)).first->second;
@@ -189,13 +189,8 @@ private:
     }
 
     void add_pairs(const Index &first, const std::array<const SpanTables *, max_axes> &tables) {
-        std::vector<DoubleDouble> sums = moments_;
-        size_t inner = 1;
-        for (size_t k = axes_.size(); k-- > 0;) {
-            const auto from = static_cast<size_t>(2 * form_.degrees[k] + 1);
-            sums = contracted(sums, tables[k]->pairs, from, inner);
-            inner *= tables[k]->pairs.size() / from;
-        }
+        const std::vector<DoubleDouble> sums =
+            axes_.size() == 1 ? axes_[0].pair_sums(tables[0]->functions, moments_) : pair_sums(tables);
         for_each_function(first, [&](const Index &a) {
             for_each_function(first, [&](const Index &b) {
                 if (a <= b) {
@@ -203,6 +198,17 @@ private:
                 }
             });
         });
+    }
+    [[nodiscard]] std::vector<DoubleDouble>
+    pair_sums(const std::array<const SpanTables *, max_axes> &tables) const {
+        std::vector<DoubleDouble> sums = moments_;
+        size_t inner = 1;
+        for (size_t k = axes_.size(); k-- > 0;) {
+            const auto from = static_cast<size_t>(2 * form_.degrees[k] + 1);
+            sums = contracted(sums, tables[k]->pairs, from, inner);
+            inner *= tables[k]->pairs.size() / from;
+        }
+        return sums;
     }
     // The place of a product: on each axis that of the pair, in either order.
     [[nodiscard]] size_t pair(const Index &first, const Index &a, const Index &b) const noexcept {

@@ -9,7 +9,8 @@
 
 namespace nrb::fit {
 
-// min sum_i w_i |y_i - s(t_i)|^2 over the control points x of s: matrix x = right, with twice the precision.
+// min sum_i w_i |y_i - s(t_i)|^2 over the control points x of s: matrix x = right, with twice the precision. Values and weights
+// are in units of their scales, so that nothing overflows.
 struct NormalEquations {
     std::vector<KnotVectorPtr> axes;
     StencilMatrix matrix;
@@ -21,8 +22,8 @@ struct NormalEquations {
     int dim;
 };
 
-// Throws what FitAxis does. The matrix is off by `support` times 2^-60 for each axis and degree, at most, and the rest by as
-// much times the scale of the values.
+// Throws what FitAxis does. The matrix is off by `support` times 2^-61 for each axis and degree, at most, and the rest by as
+// much.
 NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes);
 
 } // namespace nrb::fit

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/watch.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +16,45 @@ namespace {
 // those with twice the precision; and how exact the sums of functions are (normal_equations.h).
 constexpr double least_pivot = 0x1p-36, least_precise_pivot = 0x1p-92, noise_of_sums = 0x1p-56;
 
-template <class Number>
-std::vector<double> diagonal_of(const ColumnsOf<Number> &columns) {
+std::vector<double> diagonal_of(const ColumnsOf<DoubleDouble> &columns) {
     std::vector<double> diagonal;
     for (int64_t j = 0; j < columns.size(); ++j) {
         const auto first = columns.rows.begin() + columns.starts[static_cast<size_t>(j)];
         const auto end = columns.rows.begin() + columns.starts[static_cast<size_t>(j) + 1];
         const auto found = std::lower_bound(first, end, static_cast<int32_t>(j));
-        diagonal.push_back(DoubleDouble(columns.values[static_cast<size_t>(found - columns.rows.begin())]).high);
+        diagonal.push_back(columns.values[static_cast<size_t>(found - columns.rows.begin())].high);
     }
     return diagonal;
+}
+
+SparseColumns rounded(const ColumnsOf<DoubleDouble> &columns) {
+    SparseColumns result{columns.starts, columns.rows, {}};
+    result.values.reserve(columns.values.size());
+    for (const DoubleDouble &value : columns.values) {
+        result.values.push_back(value.high);
+    }
+    return result;
+}
+
+// y = right - matrix x; the columns of a symmetric matrix are its rows.
+std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix, const std::vector<DoubleDouble> &right,
+                                      const std::vector<DoubleDouble> &x, int64_t width) {
+    std::vector<DoubleDouble> y = right;
+    for (int64_t j = 0; j < matrix.size(); ++j) {
+        const int64_t first = matrix.starts[static_cast<size_t>(j)],
+                      end = matrix.starts[static_cast<size_t>(j) + 1];
+        count_work(12 * width * (end - first));
+        DoubleDouble *const out = y.data() + j * width;
+        for (int64_t p = first; p < end; ++p) {
+            const DoubleDouble value = matrix.values[static_cast<size_t>(p)];
+            const DoubleDouble *const from =
+                x.data() + int64_t{matrix.rows[static_cast<size_t>(p)]} * width;
+            for (int64_t c = 0; c < width; ++c) {
+                out[c] = out[c] - value * from[c];
+            }
+        }
+    }
+    return y;
 }
 
 double largest(const std::vector<DoubleDouble> &x, int64_t first, int64_t width) noexcept {
@@ -38,19 +68,21 @@ double largest(const std::vector<DoubleDouble> &x, int64_t first, int64_t width)
 } // namespace
 
 PenalisedSystem::PenalisedSystem(const NormalEquations &equations, const StencilMatrix *penalty)
-    : equations_(equations), penalty_(penalty), order_(equations.matrix.elimination_order()),
-      place_(order_.size()), data_(equations.matrix.columns<double>(order_)) {
+    : equations_(equations), order_(equations.matrix.elimination_order()), place_(order_.size()),
+      data_(equations.matrix.columns(order_)), sum_(data_) {
     for (size_t i = 0; i < order_.size(); ++i) {
         place_[static_cast<size_t>(order_[i])] = static_cast<int64_t>(i);
     }
     if (penalty != nullptr) {
-        smooth_ = penalty->columns<double>(order_);
+        smooth_ = penalty->columns(order_);
     }
-    factors_.emplace(data_);
 }
 
 void PenalisedSystem::factorise(double lambda) {
-    lambda_ = penalty_ == nullptr ? 0 : lambda;
+    lambda_ = smooth_.values.empty() ? 0 : lambda;
+    for (size_t e = 0; e < smooth_.values.size(); ++e) {
+        sum_.values[e] = data_.values[e] + DoubleDouble(lambda_) * smooth_.values[e];
+    }
     in_double_ = factorise_in_double();
     if (!in_double_) {
         factorise_precisely();
@@ -58,32 +90,27 @@ void PenalisedSystem::factorise(double lambda) {
 }
 
 bool PenalisedSystem::factorise_in_double() {
-    SparseColumns sum = data_;
-    for (size_t e = 0; lambda_ > 0 && e < sum.values.size(); ++e) {
-        sum.values[e] += lambda_ * smooth_.values[e];
-    }
-    std::vector<double> floors = diagonal_of(sum);
+    std::vector<double> floors = diagonal_of(sum_);
     for (double &floor : floors) {
         floor *= least_pivot;
+    }
+    const SparseColumns sum = rounded(sum_);
+    if (!factors_) {
+        factors_.emplace(sum);
     }
     return factors_->factorise(sum, floors) < 0;
 }
 
 void PenalisedSystem::factorise_precisely() {
-    StencilMatrix sum = equations_.matrix;
-    if (lambda_ > 0) {
-        sum.add(*penalty_, lambda_);
-    }
-    const auto columns = sum.columns<DoubleDouble>(order_);
-    std::vector<double> floors = diagonal_of(columns);
+    std::vector<double> floors = diagonal_of(sum_);
     for (size_t i = 0; i < floors.size(); ++i) {
         floors[i] = least_precise_pivot * floors[i] +
                     noise_of_sums * equations_.support[static_cast<size_t>(order_[i])];
     }
     if (!precise_) {
-        precise_.emplace(columns);
+        precise_.emplace(sum_);
     }
-    if (const int64_t bad = precise_->factorise(columns, floors); bad >= 0) {
+    if (const int64_t bad = precise_->factorise(sum_, floors); bad >= 0) {
         fail_rank(order_[static_cast<size_t>(bad)]);
     }
 }
@@ -107,62 +134,44 @@ void PenalisedSystem::fail_rank(int64_t unknown) const {
          static_cast<long long>(unknown), text);
 }
 
-template <class T>
-std::vector<T> PenalisedSystem::ordered(const std::vector<DoubleDouble> &x, int64_t width) const {
-    std::vector<T> result(x.size());
-    for (size_t i = 0; i < order_.size(); ++i) {
-        for (int64_t c = 0; c < width; ++c) {
-            const DoubleDouble &value = x[static_cast<size_t>(order_[i] * width + c)];
-            if constexpr (std::is_same_v<T, double>) {
-                result[i * static_cast<size_t>(width) + static_cast<size_t>(c)] = value.high;
-            } else {
-                result[i * static_cast<size_t>(width) + static_cast<size_t>(c)] = value;
-            }
-        }
+PenalisedSystem::Numbers PenalisedSystem::ordered(const Numbers &x, int64_t width) const {
+    Numbers result;
+    result.reserve(x.size());
+    for (const int64_t i : order_) {
+        result.insert(result.end(), x.begin() + i * width, x.begin() + (i + 1) * width);
+    }
+    return result;
+}
+
+PenalisedSystem::Numbers PenalisedSystem::restored(const Numbers &x, int64_t width) const {
+    Numbers result;
+    result.reserve(x.size());
+    for (const int64_t i : place_) {
+        result.insert(result.end(), x.begin() + i * width, x.begin() + (i + 1) * width);
     }
     return result;
 }
 
 // The residual becomes what the factors make of it.
-void PenalisedSystem::correct(std::vector<DoubleDouble> &residual, int64_t width) const {
-    const auto put = [&](const auto &x) {
-        for (size_t i = 0; i < order_.size(); ++i) {
-            for (int64_t c = 0; c < width; ++c) {
-                residual[static_cast<size_t>(order_[i] * width + c)] =
-                    x[i * static_cast<size_t>(width) + static_cast<size_t>(c)];
-            }
-        }
-    };
-    if (in_double_) {
-        auto x = ordered<double>(residual, width);
-        factors_->solve(x.data(), width);
-        put(x);
-    } else {
-        auto x = ordered<DoubleDouble>(residual, width);
-        precise_->solve(x.data(), width);
-        put(x);
+void PenalisedSystem::correct(Numbers &residual, int64_t width) const {
+    if (!in_double_) {
+        return precise_->solve(residual.data(), width);
     }
-}
-
-void PenalisedSystem::multiply(const std::vector<DoubleDouble> &x, int64_t width,
-                               std::vector<DoubleDouble> &y) const {
-    equations_.matrix.multiply(x, width, y);
-    if (lambda_ > 0) {
-        std::vector<DoubleDouble> smooth;
-        penalty_->multiply(x, width, smooth);
-        for (size_t i = 0; i < y.size(); ++i) {
-            y[i] = y[i] + DoubleDouble(lambda_) * smooth[i];
-        }
+    std::vector<double> x;
+    x.reserve(residual.size());
+    for (const DoubleDouble &value : residual) {
+        x.push_back(value.high);
     }
+    factors_->solve(x.data(), width);
+    std::copy(x.begin(), x.end(), residual.begin());
 }
 
 // Until a correction is below 2^-64 of the solution, or no smaller than half of the one before it; true if that is below
 // 2^-50.
-bool PenalisedSystem::refine(const std::vector<DoubleDouble> &right, int64_t width,
-                             std::vector<DoubleDouble> &x) const {
+bool PenalisedSystem::refine(const Numbers &right, int64_t width, Numbers &x) const {
     constexpr double enough = 0x1p-64, least = 0x1p-50;
     constexpr int most = 40;
-    std::vector<DoubleDouble> residual = right, image;
+    Numbers residual = right;
     double before = 0;
     x.assign(right.size(), DoubleDouble{});
     for (int step = 0; step < most; ++step) {
@@ -182,22 +191,62 @@ bool PenalisedSystem::refine(const std::vector<DoubleDouble> &right, int64_t wid
             return change <= least;
         }
         before = change;
-        multiply(x, width, image);
-        for (size_t i = 0; i < x.size(); ++i) {
-            residual[i] = right[i] - image[i];
-        }
+        residual = residual_of(sum_, right, x, width);
     }
     return before <= least;
 }
 
-std::vector<DoubleDouble> PenalisedSystem::solve(const std::vector<DoubleDouble> &right, int64_t width) {
-    std::vector<DoubleDouble> x;
-    if (!refine(right, width, x) && in_double_) {
+PenalisedSystem::Numbers PenalisedSystem::solve(const Numbers &right, int64_t width) {
+    const Numbers own = ordered(right, width);
+    Numbers x;
+    if (!refine(own, width, x) && in_double_) {
         in_double_ = false;
         factorise_precisely();
-        (void)refine(right, width, x);
+        (void)refine(own, width, x);
     }
-    return x;
+    return restored(x, width);
+}
+
+PenalisedSystem::Numbers PenalisedSystem::estimate() {
+    if (!in_double_) {
+        return solve(equations_.right, equations_.dim);
+    }
+    Numbers x = ordered(equations_.right, equations_.dim);
+    correct(x, equations_.dim);
+    return restored(x, equations_.dim);
+}
+
+PenalisedSystem::Numbers PenalisedSystem::missing(const Numbers &x) const {
+    const int dim = equations_.dim;
+    return restored(residual_of(data_, ordered(equations_.right, dim), ordered(x, dim), dim), dim);
+}
+
+// s - x r - x (r - G x), of which little may be left.
+double PenalisedSystem::remaining_squares(const Numbers &x) const {
+    const Numbers rest = missing(x);
+    DoubleDouble sum;
+    for (const DoubleDouble &square : equations_.squares) {
+        sum = sum + square;
+    }
+    for (size_t i = 0; i < x.size(); ++i) {
+        sum = sum - x[i] * (equations_.right[i] + rest[i]);
+    }
+    return std::max(sum.high, 0.0);
+}
+
+double PenalisedSystem::relative_residual(const Numbers &x) const {
+    const int dim = equations_.dim;
+    const auto length = [](const Numbers &values) {
+        std::vector<double> rounded;
+        rounded.reserve(values.size());
+        for (const DoubleDouble &value : values) {
+            rounded.push_back(value.high);
+        }
+        return norm(rounded.data(), static_cast<int>(rounded.size()));
+    };
+    const double size = length(equations_.right);
+    const double rest = length(residual_of(sum_, ordered(equations_.right, dim), ordered(x, dim), dim));
+    return size > 0 ? rest / size : rest;
 }
 
 SelectedInverse PenalisedSystem::inverse() const {
@@ -205,7 +254,7 @@ SelectedInverse PenalisedSystem::inverse() const {
 }
 
 double PenalisedSystem::freedom() const {
-    return inverse().trace_of_product(data_);
+    return inverse().trace_of_product(rounded(data_));
 }
 
 double PenalisedSystem::log_determinant() const {

@@ -14,39 +14,46 @@ namespace nrb::fit {
 // solution: the condition of G is the square of that of least squares.
 class PenalisedSystem {
 public:
+    using Numbers = std::vector<DoubleDouble>;
+
     // Without a penalty P is 0.
     PenalisedSystem(const NormalEquations &equations, const StencilMatrix *penalty);
 
     // Throws Status::rank naming a control point that the data do not determine.
     void factorise(double lambda);
     // Solutions for right sides [unknowns][width].
-    [[nodiscard]] std::vector<DoubleDouble> solve(const std::vector<DoubleDouble> &right, int64_t width);
+    [[nodiscard]] Numbers solve(const Numbers &right, int64_t width);
+    // The solution for the right side of the equations: to be trusted where it is compared with others.
+    [[nodiscard]] Numbers estimate();
+
+    // Of x[unknowns][dim]: r - G x; sum w |y - s|^2; |G x + lambda P x - r| / |r|.
+    [[nodiscard]] Numbers missing(const Numbers &x) const;
+    [[nodiscard]] double remaining_squares(const Numbers &x) const;
+    [[nodiscard]] double relative_residual(const Numbers &x) const;
 
     // Of the factors: the trace of (G + lambda P)^(-1) G, and log det (G + lambda P).
     [[nodiscard]] double freedom() const;
     [[nodiscard]] double log_determinant() const;
-    // The elements of the inverse for overlapping functions, by unknowns.
+    // The elements of the inverse for overlapping functions, by place_of() their unknowns.
     [[nodiscard]] SelectedInverse inverse() const;
     [[nodiscard]] int64_t place_of(int64_t unknown) const noexcept { return place_[static_cast<size_t>(unknown)]; }
 
 private:
     [[nodiscard]] bool factorise_in_double();
     void factorise_precisely();
-    [[nodiscard]] bool refine(const std::vector<DoubleDouble> &right, int64_t width,
-                              std::vector<DoubleDouble> &x) const;
-    void correct(std::vector<DoubleDouble> &residual, int64_t width) const;
-    void multiply(const std::vector<DoubleDouble> &x, int64_t width, std::vector<DoubleDouble> &y) const;
-    template <class T>
-    [[nodiscard]] std::vector<T> ordered(const std::vector<DoubleDouble> &x, int64_t width) const;
+    [[nodiscard]] bool refine(const Numbers &right, int64_t width, Numbers &x) const;
+    void correct(Numbers &residual, int64_t width) const;
+    // Rows in the order of elimination, and back.
+    [[nodiscard]] Numbers ordered(const Numbers &x, int64_t width) const;
+    [[nodiscard]] Numbers restored(const Numbers &x, int64_t width) const;
     [[noreturn]] void fail_rank(int64_t unknown) const;
 
     const NormalEquations &equations_;
-    const StencilMatrix *penalty_;
     double lambda_ = 0;
     std::vector<int64_t> order_, place_;
-    SparseColumns data_, smooth_;
+    ColumnsOf<DoubleDouble> data_, smooth_, sum_; // G, P, G + lambda P
     std::optional<SparseLdlt> factors_;
-    std::optional<LdltOf<DoubleDouble>> precise_; // if in use
+    std::optional<LdltOf<DoubleDouble>> precise_; // if they were needed
     bool in_double_ = false;
 };
 

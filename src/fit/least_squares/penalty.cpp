@@ -17,6 +17,7 @@ public:
     AxisForm(const KnotVector &axis, int order)
         : width_(axis.degree() + 1), values_(static_cast<size_t>(axis.count() * width_)) {
         if (order <= axis.degree()) {
+            integrals_ = products(axis.degree() - order);
             for (const int64_t span : axis.spans().indices()) {
                 add_span(axis, order, span);
             }
@@ -37,13 +38,12 @@ private:
         for (size_t i = 0; i < width; ++i) {
             differentiate(functions.data() + i * width, p, order, length);
         }
-        const std::vector<DoubleDouble> integrals = products(m);
         for (int i = 0; i <= p; ++i) {
             for (int j = i; j <= p; ++j) {
                 DoubleDouble sum;
                 for (int k = 0; k <= m; ++k) {
                     for (int l = 0; l <= m; ++l) {
-                        sum = sum + integrals[static_cast<size_t>(k * (m + 1) + l)] *
+                        sum = sum + integrals_[static_cast<size_t>(k * (m + 1) + l)] *
                                         (functions[static_cast<size_t>(i * width_ + k)] *
                                          functions[static_cast<size_t>(j * width_ + l)]);
                     }
@@ -77,6 +77,7 @@ private:
     }
 
     int64_t width_;
+    std::vector<DoubleDouble> integrals_;
     std::vector<DoubleDouble> values_;
 };
 
@@ -84,13 +85,19 @@ class PenaltyAssembly {
 public:
     PenaltyAssembly(const std::vector<KnotVectorPtr> &axes, int order) : axes_(axes), made_(axes) {
         for (const KnotVectorPtr &axis : axes) {
-            masses_.emplace_back(*axis, 0);
             bends_.emplace_back(*axis, order);
+            if (axes.size() > 1) {
+                masses_.emplace_back(*axis, 0);
+            }
         }
     }
 
     StencilMatrix form() {
-        add(0, {}, {}, Factors{});
+        if (axes_.size() == 1) {
+            add_curve();
+        } else {
+            add(0, {}, {}, Factors{});
+        }
         return std::move(made_);
     }
 
@@ -100,6 +107,15 @@ private:
         DoubleDouble mass = 1;
         DoubleDouble bend = 0;
     };
+
+    void add_curve() {
+        const KnotVector &axis = *axes_[0];
+        for (int64_t i = 0; i < axis.count(); ++i) {
+            for (int64_t j = i; j < std::min(axis.count(), i + axis.degree() + 1); ++j) {
+                made_.add({i, 0, 0}, {j, 0, 0}, bends_[0](i, j));
+            }
+        }
+    }
 
     void add(size_t k, Index first, Index second, const Factors &factors) {
         if (k == axes_.size()) {

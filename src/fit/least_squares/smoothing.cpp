@@ -15,20 +15,6 @@ constexpr double lowest = -10; // exponent of the smallest lambda
 
 } // namespace
 
-// s - 2 x r + x G x, of which little may be left.
-DoubleDouble remaining_squares(const NormalEquations &equations, const std::vector<DoubleDouble> &x) {
-    std::vector<DoubleDouble> image;
-    equations.matrix.multiply(x, equations.dim, image);
-    DoubleDouble sum;
-    for (const DoubleDouble &square : equations.squares) {
-        sum = sum + square;
-    }
-    for (size_t i = 0; i < x.size(); ++i) {
-        sum = sum + x[i] * (image[i] - equations.right[i] - equations.right[i]);
-    }
-    return sum.high > 0 ? sum : DoubleDouble{};
-}
-
 LambdaSearch::LambdaSearch(const NormalEquations &equations, const StencilMatrix &penalty,
                            PenalisedSystem &system, double free_unknowns)
     : equations_(equations), system_(system), free_unknowns_(free_unknowns),
@@ -42,34 +28,40 @@ double LambdaSearch::lambda_of(double exponent) const noexcept {
     return scale_ * std::pow(10, exponent);
 }
 
-Smoothed LambdaSearch::at(double lambda, bool with_freedom) {
-    system_.factorise(lambda);
+Smoothed LambdaSearch::at(double lambda) {
     Smoothed result;
+    system_.factorise(lambda);
     result.lambda = lambda;
     result.x = system_.solve(equations_.right, equations_.dim);
-    result.squares = remaining_squares(equations_, result.x).high;
-    result.freedom = with_freedom ? system_.freedom() : 0;
+    result.squares = system_.remaining_squares(result.x);
+    result.freedom = system_.freedom();
     return result;
 }
 
+double LambdaSearch::squares_at(double exponent) {
+    system_.factorise(lambda_of(exponent));
+    return system_.remaining_squares(system_.estimate());
+}
+
 double LambdaSearch::criterion(Smoothing rule, double exponent) {
-    const double lambda = lambda_of(exponent), n = static_cast<double>(equations_.data_count);
-    const Smoothed one = at(lambda, rule == Smoothing::gcv);
+    const double n = static_cast<double>(equations_.data_count);
     if (rule == Smoothing::gcv) {
-        const double left = n - one.freedom;
-        return left > 0 ? one.squares / (left * left) : std::numeric_limits<double>::infinity();
+        const double squares = squares_at(exponent), left = n - system_.freedom();
+        return left > 0 ? squares / (left * left) : std::numeric_limits<double>::infinity();
     }
+    system_.factorise(lambda_of(exponent));
+    const PenalisedSystem::Numbers x = system_.estimate();
     DoubleDouble paid; // with what is paid for derivatives: s - x r
     for (const DoubleDouble &square : equations_.squares) {
         paid = paid + square;
     }
     const double all = paid.high;
-    for (size_t i = 0; i < one.x.size(); ++i) {
-        paid = paid - one.x[i] * equations_.right[i];
+    for (size_t i = 0; i < x.size(); ++i) {
+        paid = paid - x[i] * equations_.right[i];
     }
     const double unknowns = static_cast<double>(equations_.matrix.size());
     return (n - free_unknowns_) * std::log(std::max(paid.high, all * 0x1p-100)) +
-           system_.log_determinant() - (unknowns - free_unknowns_) * std::log(lambda);
+           system_.log_determinant() - (unknowns - free_unknowns_) * std::log(lambda_of(exponent));
 }
 
 // The best of a coarse grid, then golden sections beside it.
@@ -112,28 +104,24 @@ Smoothed LambdaSearch::within(double target) {
     constexpr int halvings = 40;
     constexpr double close = 1e-9;
     double a = lowest, b = widest_;
-    Smoothed best = at(lambda_of(b), false);
-    if (best.squares <= target) {
-        return at(best.lambda);
+    if (squares_at(b) <= target) {
+        return at(lambda_of(b));
     }
-    best = at(lambda_of(a), false);
-    best.reached = best.squares <= target;
+    double squares = squares_at(a);
+    const bool reached = squares <= target;
     Steps progress(halvings);
-    for (int i = 0; best.reached && i < halvings && best.squares < target * (1 - close);
-         ++i, progress.next()) {
-        const double middle = (a + b) / 2;
-        Smoothed one = at(lambda_of(middle), false);
-        if (one.squares <= target) {
+    for (int i = 0; reached && i < halvings && squares < target * (1 - close); ++i, progress.next()) {
+        const double middle = (a + b) / 2, there = squares_at(middle);
+        if (there <= target) {
             a = middle;
-            best = std::move(one);
+            squares = there;
         } else {
             b = middle;
         }
     }
-    const bool reached = best.reached;
-    best = at(best.lambda);
-    best.reached = reached;
-    return best;
+    Smoothed found = at(lambda_of(a));
+    found.reached = reached;
+    return found;
 }
 
 Smoothed LambdaSearch::choose(Smoothing rule, double value) {

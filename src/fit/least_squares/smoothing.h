@@ -14,13 +14,11 @@ enum class Smoothing : int32_t { none, given, gcv, reml, discrepancy };
 struct Smoothed {
     double lambda = 0;
     std::vector<DoubleDouble> x; // [unknowns][dim]
-    double squares = 0;          // what is left of sum w |y - s|^2
+    double squares = 0;  // what is left of sum w |y - s|^2
+    double residual = 0; // of the equations, relative to their right sides
     double freedom = 0;          // trace of the influence matrix
     bool reached = true;         // the target, of Smoothing::discrepancy
 };
-
-// sum w |y - s|^2 for control points x.
-DoubleDouble remaining_squares(const NormalEquations &equations, const std::vector<DoubleDouble> &x);
 
 // With n data of the dimension dim, residual squares R, freedom t, N unknowns and M of them without a penalty, lambda is
 // `value`, or minimises one of
@@ -37,9 +35,10 @@ public:
                  double free_unknowns);
 
     [[nodiscard]] Smoothed choose(Smoothing rule, double value);
-    [[nodiscard]] Smoothed at(double lambda, bool with_freedom = true);
+    [[nodiscard]] Smoothed at(double lambda);
 
 private:
+    [[nodiscard]] double squares_at(double exponent);
     [[nodiscard]] double criterion(Smoothing rule, double exponent);
     [[nodiscard]] double lambda_of(double exponent) const noexcept;
     [[nodiscard]] Smoothed smallest(Smoothing rule);

@@ -5,21 +5,9 @@
 #include "numeric/solvers/sparse/grid_order.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace nrb::fit {
-
-namespace {
-
-template <class Number>
-Number number_of(const DoubleDouble &value) noexcept {
-    if constexpr (std::is_same_v<Number, double>) {
-        return value.high;
-    } else {
-        return value;
-    }
-}
-
-} // namespace
 
 StencilMatrix::StencilMatrix(const std::vector<KnotVectorPtr> &axes) : axes_(static_cast<int>(axes.size())) {
     int64_t all = 1;
@@ -48,12 +36,6 @@ void StencilMatrix::add(const Index &first, const Index &second, const DoubleDou
     }
     DoubleDouble &element = values_[static_cast<size_t>(unknown(first) * offsets_ + place)];
     element = element + value;
-}
-
-void StencilMatrix::add(const StencilMatrix &other, const DoubleDouble &factor) noexcept {
-    for (size_t i = 0; i < values_.size(); ++i) {
-        values_[i] = values_[i] + factor * other.values_[i];
-    }
 }
 
 DoubleDouble StencilMatrix::trace() const noexcept {
@@ -97,27 +79,6 @@ void StencilMatrix::for_each_offset(int64_t row, Visit &&visit) const {
     }
 }
 
-void StencilMatrix::multiply(const std::vector<DoubleDouble> &x, int64_t width,
-                             std::vector<DoubleDouble> &y) const {
-    y.assign(x.size(), DoubleDouble{});
-    const auto add = [&](int64_t to, const DoubleDouble &value, int64_t from) {
-        for (int64_t c = 0; c < width; ++c) {
-            DoubleDouble &sum = y[static_cast<size_t>(to * width + c)];
-            sum = sum + value * x[static_cast<size_t>(from * width + c)];
-        }
-    };
-    for (int64_t row = 0; row < size(); ++row) {
-        count_work(16 * width * offsets_);
-        for_each_offset(row, [&](int64_t other, int64_t place) {
-            const DoubleDouble &value = values_[static_cast<size_t>(place)];
-            add(row, value, other);
-            if (place != row * offsets_) {
-                add(other, value, row);
-            }
-        });
-    }
-}
-
 std::vector<int64_t> StencilMatrix::elimination_order() const {
     std::array<GridAxis, 3> axes;
     for (size_t k = 0; k < axes.size(); ++k) {
@@ -126,50 +87,55 @@ std::vector<int64_t> StencilMatrix::elimination_order() const {
     return grid_order(axes);
 }
 
-template <class Number>
-ColumnsOf<Number> StencilMatrix::columns(const std::vector<int64_t> &order) const {
+ColumnsOf<DoubleDouble> StencilMatrix::columns(const std::vector<int64_t> &order) const {
     std::vector<int32_t> number(order.size());
     for (size_t i = 0; i < order.size(); ++i) {
         number[static_cast<size_t>(order[i])] = static_cast<int32_t>(i);
     }
+    const auto for_each_element = [&](auto &&visit) { // calls visit(column, row, place)
+        for (int64_t row = 0; row < size(); ++row) {
+            count_work(16 * offsets_);
+            const int32_t own = number[static_cast<size_t>(row)];
+            for_each_offset(row, [&](int64_t other, int64_t place) {
+                const int32_t second = number[static_cast<size_t>(other)];
+                visit(own, second, place);
+                if (place != row * offsets_) {
+                    visit(second, own, place);
+                }
+            });
+        }
+    };
     struct Element {
-        int32_t column, row;
+        int32_t row;
         int64_t place;
         auto operator<=>(const Element &) const = default;
     };
-    std::vector<Element> elements;
-    elements.reserve(static_cast<size_t>(size() * (2 * offsets_ - 1)));
-    for (int64_t row = 0; row < size(); ++row) {
-        count_work(32 * offsets_);
-        const int32_t own = number[static_cast<size_t>(row)];
-        for_each_offset(row, [&](int64_t other, int64_t place) {
-            const int32_t second = number[static_cast<size_t>(other)];
-            elements.push_back({own, second, place});
-            if (place != row * offsets_) {
-                elements.push_back({second, own, place});
+    std::vector<size_t> starts(order.size() + 1, 0);
+    for_each_element([&](int32_t column, int32_t, int64_t) { ++starts[static_cast<size_t>(column) + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<Element> elements(starts.back());
+    std::vector<size_t> next(starts.begin(), starts.end() - 1);
+    for_each_element([&](int32_t column, int32_t row, int64_t place) {
+        elements[next[static_cast<size_t>(column)]++] = {row, place};
+    });
+    ColumnsOf<DoubleDouble> result;
+    result.rows.reserve(elements.size());
+    result.values.reserve(elements.size());
+    result.starts.push_back(0);
+    for (size_t j = 0; j < order.size(); ++j) {
+        std::sort(elements.begin() + static_cast<int64_t>(starts[j]), elements.begin() + static_cast<int64_t>(starts[j + 1]));
+        for (size_t e = starts[j]; e < starts[j + 1]; ++e) { // a short periodic axis has some twice
+            const DoubleDouble &value = values_[static_cast<size_t>(elements[e].place)];
+            if (e > starts[j] && elements[e].row == elements[e - 1].row) {
+                result.values.back() = result.values.back() + value;
+            } else {
+                result.rows.push_back(elements[e].row);
+                result.values.push_back(value);
             }
-        });
-    }
-    std::sort(elements.begin(), elements.end());
-    ColumnsOf<Number> result;
-    result.starts.assign(order.size() + 1, 0);
-    for (size_t e = 0; e < elements.size(); ++e) {
-        const auto value = number_of<Number>(values_[static_cast<size_t>(elements[e].place)]);
-        if (e > 0 && elements[e].column == elements[e - 1].column && elements[e].row == elements[e - 1].row) {
-            result.values.back() = result.values.back() + value;
-            continue;
         }
-        ++result.starts[static_cast<size_t>(elements[e].column) + 1];
-        result.rows.push_back(elements[e].row);
-        result.values.push_back(value);
-    }
-    for (size_t j = 1; j < result.starts.size(); ++j) {
-        result.starts[j] += result.starts[j - 1];
+        result.starts.push_back(std::ssize(result.rows));
     }
     return result;
 }
-
-template ColumnsOf<double> StencilMatrix::columns<double>(const std::vector<int64_t> &) const;
-template ColumnsOf<DoubleDouble> StencilMatrix::columns<DoubleDouble>(const std::vector<int64_t> &) const;
 
 } // namespace nrb::fit

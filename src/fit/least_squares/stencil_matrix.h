@@ -27,17 +27,12 @@ public:
     [[nodiscard]] int64_t unknown(const Index &layer) const noexcept;
     // Adds to the element of two control points, and to its mirror image; `second` is not before `first`.
     void add(const Index &first, const Index &second, const DoubleDouble &value) noexcept;
-    // Adds factor * other, of the same shape.
-    void add(const StencilMatrix &other, const DoubleDouble &factor) noexcept;
     [[nodiscard]] DoubleDouble trace() const noexcept;
-    // y[size][width] = matrix * x.
-    void multiply(const std::vector<DoubleDouble> &x, int64_t width, std::vector<DoubleDouble> &y) const;
 
     // In which order to eliminate the unknowns.
     [[nodiscard]] std::vector<int64_t> elimination_order() const;
     // By columns in that order; with all elements that overlapping functions can have, 0 or not.
-    template <class Number>
-    [[nodiscard]] ColumnsOf<Number> columns(const std::vector<int64_t> &order) const;
+    [[nodiscard]] ColumnsOf<DoubleDouble> columns(const std::vector<int64_t> &order) const;
 
 private:
     // Calls visit(other unknown, place) for the offsets of an unknown, that of itself first.

@@ -4,22 +4,29 @@
 
 #include "fit/statistics/statistics.h"
 
+#include <cmath>
+
 namespace nrb::fit {
 
 inline constexpr int64_t function_unit = int64_t{1} << function_bits;
 
-// A place in a cell, 0 to 1, in units of 2^-62. Both differences are rounded once, and their quotient is.
-inline int64_t place_in_cell(double t, double lower, double upper) noexcept {
-    const double u = (t - lower) / (upper - lower);
-    return static_cast<int64_t>((u < 1 ? u : 1) * static_cast<double>(function_unit));
+// A place in a cell, from its nearer end, in units of 2^-64: at most 2^63. All roundings are those of its quotient of two
+// differences.
+struct CellPlace {
+    uint64_t distance;
+    bool from_end;
+};
+inline CellPlace place_in_cell(double t, double lower, double upper) noexcept {
+    const double u = (t - lower) / (upper - lower), nearer = u <= 0.5 ? u : u < 1 ? 1 - u : 0;
+    return {static_cast<uint64_t>(static_cast<int64_t>(nearer * 0x1p62)) << 2, u > 0.5};
 }
 
-// From the functions of degree n - 1 at u those of degree n. A function is divided in two parts, of which one is rounded, so
-// that the sum of all stays 2^62.
-inline void raise_functions(int n, int64_t u, int64_t *values) noexcept {
+// From the functions of degree n - 1 those of degree n, from the nearer end on. A function is divided in two parts, of which
+// one is rounded down, so that the sum of all stays 2^62.
+[[gnu::always_inline]] inline void raise_functions(int n, uint64_t distance, int64_t *values) noexcept {
     int64_t carried = 0;
     for (int k = 0; k < n; ++k) {
-        const int64_t part = Int128::product(values[k], u).rounded_shift(function_bits);
+        const auto part = static_cast<int64_t>(Int128::high_product(static_cast<uint64_t>(values[k]), distance));
         const int64_t rest = values[k] - part;
         values[k] = carried + rest;
         carried = part;
@@ -32,7 +39,20 @@ inline int64_t function_product(int64_t a, int64_t b) noexcept {
     return Int128::product(a, b).rounded_shift(function_bits);
 }
 
-// Times 2^(53 - exponent), rounded to the nearest integer, away from 0 in the middle. Precondition: |x| <= 2^exponent.
-int64_t in_units(double x, int exponent) noexcept;
+// Numbers of a scale 2^exponent in units of 2^-53 of it.
+class ScaledUnits {
+public:
+    explicit ScaledUnits(int exponent) noexcept
+        : scale_(std::ldexp(1.0, exponent)), first_(std::ldexp(1.0, (value_bits - exponent) / 2)),
+          second_(std::ldexp(1.0, value_bits - exponent - (value_bits - exponent) / 2)) {}
+
+    [[nodiscard]] double scale() const noexcept { return scale_; }
+    // Rounded to the nearest integer, the even one in the middle. Precondition: |x| <= scale(). Two products, because
+    // 2^(53 - exponent) may be no normal number; the first one rounds nothing that counts.
+    [[nodiscard]] int64_t operator()(double x) const noexcept { return std::llrint(x * first_ * second_); }
+
+private:
+    double scale_, first_, second_;
+};
 
 } // namespace nrb::fit

@@ -19,8 +19,9 @@ void raise(const double *knots, int d, int64_t span, double t, DoubleDouble *val
         const double left = knots[span + 1 - d + r], right = knots[span + 1 + r];
         const DoubleDouble length = DoubleDouble::sum(right, -left);
         const DoubleDouble value = values[r];
-        values[r] = carried + value * (DoubleDouble::sum(right, -t) / length);
-        carried = value * (DoubleDouble::sum(t, -left) / length);
+        const DoubleDouble part = value * (DoubleDouble::sum(t, -left) / length);
+        values[r] = carried + (value - part);
+        carried = part;
     }
     values[d] = carried;
 }

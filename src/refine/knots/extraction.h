@@ -16,7 +16,7 @@ namespace nrb::refine {
 // knots[span + 1], degree <= span, and span + degree is a valid index. Cost: O(p^3), p^3 / 6 divisions.
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept;
 
-// The same within 2^-99 p of itself.
+// The same with twice the precision: within 2^-98 p, of 1.
 void bezier_extraction(const double *knots, int degree, int64_t span, DoubleDouble *matrix) noexcept;
 
 // For all non-empty spans of the domain: the matrices, the first active function, and the ends. Each output
