@@ -10,8 +10,10 @@
 #include "base/checked.h"
 #include "batch.h"
 #include "fit/least_squares/fit_points.h"
+#include "io/binary/statistics_bytes.h"
 
 #include <cmath>
+#include <cstring>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -196,5 +198,29 @@ nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics, int32_t *
         put(count, own.data_count());
         put(cells, std::ssize(own.cells()));
         put(weight, sum);
+    });
+}
+
+nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statistics, int64_t cap, void *bytes,
+                                       int64_t *size) {
+    return guard([&] {
+        const fit::Statistics &own = *statistics_of(statistics);
+        const auto needed = static_cast<int64_t>(io::size_in_bytes(own));
+        if (checked_cap(cap, needed) > 0) {
+            require(bytes, "bytes");
+            check_apart({{"bytes", bytes, cap}, memory("size", size, 1)}, {});
+            const std::vector<unsigned char> made = io::to_bytes(own);
+            std::memcpy(bytes, made.data(), made.size());
+        }
+        put(size, needed);
+    });
+}
+
+nurbs_status nurbs_statistics_from_bytes(const void *bytes, int64_t size, nurbs_statistics **out) {
+    return guard([&] {
+        require_out(out);
+        check_length(size, "size");
+        require(bytes, "bytes");
+        give(io::statistics_from({static_cast<const unsigned char *>(bytes), static_cast<size_t>(size)}), out);
     });
 }

@@ -361,6 +361,8 @@ enum {
         401,                  /**< the file ends, or a section is missing, before its contents are complete */
     NURBS_ERROR_SYNTAX = 402, /**< the file breaks the rules of its format */
     NURBS_ERROR_UNSUPPORTED = 403, /**< an entity that this version does not read (only in notes) */
+    NURBS_ERROR_CHECKSUM = 404,    /**< bytes of a handle are not those that were written */
+    NURBS_ERROR_VERSION = 405,     /**< bytes of a handle have a later version of the form */
     /* internal */
     NURBS_ERROR_INTERNAL = 900 /**< a defect of the library; please report it */
 };
@@ -2437,6 +2439,28 @@ NURBS_API void nurbs_statistics_destroy(nurbs_statistics *statistics);
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics, int32_t *axes, int32_t *dim,
                                              int64_t *count, int64_t *cells, double *weight);
+
+/** \brief Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever their
+ * order. A header of 64 bytes has a signature, the version of the form, its size and a checksum that finds
+ * every burst of errors of up to 64 bits.
+ * \param[in] statistics a handle.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] size or NULL: number of bytes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statistics, int64_t cap, void *bytes,
+                                                 int64_t *size);
+
+/** \brief Statistics from the bytes of nurbs_statistics_to_bytes().
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT; _FORMAT for bytes that are no handle, or one of another kind,
+ *   _TRUNCATED, _VERSION, _CHECKSUM, _SYNTAX for numbers that no statistics have, _KNOT_NOT_FINITE,
+ *   _OVERFLOW.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_statistics_from_bytes(const void *bytes, int64_t size, nurbs_statistics **out);
 
 /** \brief What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which
  * NULL stands for as well. Fields are only ever appended. \since 1.1 */

@@ -89,6 +89,8 @@ enum class Status : int32_t {
     truncated = 401,
     syntax = 402,
     unsupported = 403,
+    checksum = 404,
+    version = 405,
     // internal
     internal = 900,
 };

@@ -92,6 +92,8 @@ static void names(void) {
                NAME(NURBS_ERROR_TRUNCATED),
                NAME(NURBS_ERROR_SYNTAX),
                NAME(NURBS_ERROR_UNSUPPORTED),
+               NAME(NURBS_ERROR_CHECKSUM),
+               NAME(NURBS_ERROR_VERSION),
                NAME(NURBS_ERROR_INTERNAL)};
     const size_t count = sizeof all / sizeof *all;
     size_t known = 0;

@@ -1214,6 +1214,23 @@ module nurbs_c
             real(c_double), intent(inout), optional :: weight
             integer(c_int32_t) :: r
         end function nurbs_statistics_size
+        !> Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever
+        !> their order.
+        function nurbs_statistics_to_bytes(statistics, cap, bytes, size) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics, bytes
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: size
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_to_bytes
+        !> Statistics from the bytes of nurbs_statistics_to_bytes().
+        function nurbs_statistics_from_bytes(bytes, size, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_statistics_from_bytes
         !> Fills an options struct with the defaults.
         function nurbs_fit_options_init(options, struct_size) bind(c) result(r)
             import

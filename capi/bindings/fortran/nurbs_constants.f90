@@ -147,6 +147,10 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_SYNTAX = 402  ! the file breaks the rules of its format
     ! an entity that this version does not read (only in notes)
     integer(c_int32_t), parameter :: NURBS_ERROR_UNSUPPORTED = 403
+    ! bytes of a handle are not those that were written
+    integer(c_int32_t), parameter :: NURBS_ERROR_CHECKSUM = 404
+    ! bytes of a handle have a later version of the form
+    integer(c_int32_t), parameter :: NURBS_ERROR_VERSION = 405
     integer(c_int32_t), parameter :: NURBS_ERROR_INTERNAL = 900  ! a defect of the library; please report it
 
     ! --- Flags by axis

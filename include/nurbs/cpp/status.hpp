@@ -88,6 +88,8 @@ enum class Status : nurbs_status {
     truncated = NURBS_ERROR_TRUNCATED,
     syntax = NURBS_ERROR_SYNTAX,
     unsupported = NURBS_ERROR_UNSUPPORTED,
+    checksum = NURBS_ERROR_CHECKSUM,
+    version = NURBS_ERROR_VERSION,
     internal = NURBS_ERROR_INTERNAL
 };
 

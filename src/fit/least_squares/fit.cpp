@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/representable.h"
 #include "base/watch.h"
+#include "fit/least_squares/clamped_axes.h"
 #include "fit/least_squares/penalty.h"
 
 #include <algorithm>
@@ -27,37 +28,38 @@ double free_unknowns(const Axes &axes, int order) noexcept {
     return free;
 }
 
-std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wishes) {
+int highest_degree(const Axes &axes) noexcept {
     int highest = 0;
     for (const KnotVectorPtr &axis : axes) {
         highest = std::max(highest, axis->degree());
     }
-    if (wishes.smoothing == Smoothing::none && !wishes.regularise) {
+    return highest;
+}
+
+// None without smoothing, and for a constant, which pays nothing.
+std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wishes) {
+    if (wishes.smoothing == Smoothing::none) {
         return std::nullopt;
     }
-    if (wishes.smoothing != Smoothing::none && wishes.penalty_order > highest) {
-        fail(Status::order, "penalty_order = %d, expected at most %d, the highest degree", wishes.penalty_order,
-             highest);
+    if (const int highest = highest_degree(axes); wishes.penalty_order > highest) {
+        fail(Status::order, "options: penalty_order = %d, expected at most %d, the highest degree",
+             wishes.penalty_order, highest);
     }
-    const int order = std::min(wishes.penalty_order, highest);
-    std::optional<StencilMatrix> form;
-    if (order > 0 && !(form.emplace(penalty(axes, order)).trace().high > 0)) {
-        form.reset(); // a constant
+    std::optional<StencilMatrix> form = penalty(axes, wishes.penalty_order);
+    if (!(form->trace().high > 0)) {
+        form.reset();
     }
     return form;
 }
 
-// The minimum with the smallest penalty: with factors of G + lambda P for a small lambda, steps to the minimum of the data
-// alone leave what the data do not tell as the first one found it.
-std::vector<DoubleDouble> regularised(const NormalEquations &equations, const StencilMatrix &penalty,
-                                      PenalisedSystem &system) {
-    constexpr double part = 0x1p-30, enough = 0x1p-56;
+// The minimum of the data alone that has the smallest penalty, from factors of G + lambda P for a small lambda: steps to the
+// former leave what the data do not tell as the first one found it.
+PenalisedSystem::Numbers settled(const NormalEquations &equations, PenalisedSystem &system) {
+    constexpr double enough = 0x1p-56;
     constexpr int most = 60;
-    const double trace = equations.matrix.trace().high;
-    system.factorise(part * (trace > 0 ? trace : 1) / penalty.trace().high);
-    std::vector<DoubleDouble> x(equations.right.size()), residual = equations.right;
+    PenalisedSystem::Numbers x(equations.right.size()), rest = equations.right;
     for (int step = 0; step < most; ++step) {
-        const std::vector<DoubleDouble> change = system.solve(residual, equations.dim);
+        const PenalisedSystem::Numbers change = system.solve(rest, equations.dim);
         double size = 0, moved = 0;
         for (size_t i = 0; i < x.size(); ++i) {
             x[i] = x[i] + change[i];
@@ -67,7 +69,7 @@ std::vector<DoubleDouble> regularised(const NormalEquations &equations, const St
         if (!(moved > enough * size)) {
             break;
         }
-        residual = system.missing(x);
+        rest = system.missing(x);
     }
     return x;
 }
@@ -93,27 +95,49 @@ SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDo
     return make_result(equations.axes, equations.dim, Form::polynomial, std::move(points));
 }
 
+// What is known after the control points.
+void complete(PenalisedSystem &system, const Conditions &conditions, int dim, Smoothed &found) {
+    found.residual = system.relative_residual(found.x);
+    if (!conditions.empty()) {
+        conditions.impose(system, dim, found.x);
+    }
+    found.squares = system.remaining_squares(found.x);
+}
+
 Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, const FitWishes &wishes,
                 const Conditions &conditions) {
     PenalisedSystem system(equations, form);
     Smoothed found;
-    if (form != nullptr && wishes.smoothing != Smoothing::none) {
+    if (form != nullptr) {
         LambdaSearch search(equations, *form, system, free_unknowns(equations.axes, wishes.penalty_order));
         found = search.choose(wishes.smoothing, wishes.value);
-    } else if (form != nullptr) {
-        found.x = regularised(equations, *form, system);
-        found.freedom = static_cast<double>(equations.matrix.size());
     } else {
         system.factorise(0);
         found.x = system.solve(equations.right, equations.dim);
         found.freedom = static_cast<double>(equations.matrix.size());
     }
-    found.residual = form != nullptr && wishes.smoothing == Smoothing::none ? 0 : system.relative_residual(found.x);
-    if (!conditions.empty()) {
-        conditions.impose(system, equations.dim, found.x);
-    }
-    found.squares = system.remaining_squares(found.x);
+    complete(system, conditions, equations.dim, found);
     return found;
+}
+
+// The penalty of the highest order that decides: that of values always does.
+Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, const Conditions &conditions) {
+    constexpr double part = 0x1p-30;
+    const double trace = equations.matrix.trace().high, scale = part * (trace > 0 ? trace : 1);
+    Smoothed found;
+    for (int order = std::min(wishes.penalty_order, highest_degree(equations.axes)); order >= 0; --order) {
+        const StencilMatrix form = penalty(equations.axes, order);
+        const double size = form.trace().high;
+        PenalisedSystem system(equations, &form);
+        if (size > 0 && system.try_factorise(scale / size) < 0) {
+            found.x = settled(equations, system);
+            found.freedom = system.freedom();
+            complete(system, conditions, equations.dim, found);
+            found.residual = 0;
+            return found;
+        }
+    }
+    fail(Status::rank, "the data do not determine the control points, whatever is penalised");
 }
 
 // In units of the scales, as equations are.
@@ -131,8 +155,9 @@ FitWishes scaled(FitWishes wishes, const StatisticsForm &form) {
 
 } // namespace
 
-Fitted fit(const Statistics &statistics, const Axes &axes, const FitWishes &given) {
+Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &given) {
     const StatisticsForm &units = statistics.form();
+    const Axes axes = clamped_axes(wanted);
     const FitWishes wishes = scaled(given, units);
     const std::optional<StencilMatrix> form = penalty_for(axes, wishes);
     const NormalEquations data = normal_equations(statistics, axes);
@@ -142,9 +167,11 @@ Fitted fit(const Statistics &statistics, const Axes &axes, const FitWishes &give
         conditions.add_squares(with_conditions.emplace(data));
     }
     const NormalEquations &equations = with_conditions ? *with_conditions : data;
-    const Smoothed found = solved(equations, form ? &*form : nullptr, wishes, conditions);
+    const Smoothed found = wishes.regularise && wishes.smoothing == Smoothing::none
+                               ? regularised(equations, wishes, conditions)
+                               : solved(equations, form ? &*form : nullptr, wishes, conditions);
     Fitted result{};
-    result.spline = spline_of(data, found.x, units.value_exponent);
+    result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
     result.weight = std::ldexp(data.weight.high, units.weight_exponent);
     result.squares = std::ldexp(found.squares, units.weight_exponent + 2 * units.value_exponent);
     result.lambda = std::ldexp(found.lambda, units.weight_exponent);

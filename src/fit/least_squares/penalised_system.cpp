@@ -79,14 +79,18 @@ PenalisedSystem::PenalisedSystem(const NormalEquations &equations, const Stencil
 }
 
 void PenalisedSystem::factorise(double lambda) {
+    if (const int64_t unknown = try_factorise(lambda); unknown >= 0) {
+        fail_rank(unknown);
+    }
+}
+
+int64_t PenalisedSystem::try_factorise(double lambda) {
     lambda_ = smooth_.values.empty() ? 0 : lambda;
     for (size_t e = 0; e < smooth_.values.size(); ++e) {
         sum_.values[e] = data_.values[e] + DoubleDouble(lambda_) * smooth_.values[e];
     }
     in_double_ = factorise_in_double();
-    if (!in_double_) {
-        factorise_precisely();
-    }
+    return in_double_ ? -1 : factorise_precisely();
 }
 
 bool PenalisedSystem::factorise_in_double() {
@@ -101,7 +105,7 @@ bool PenalisedSystem::factorise_in_double() {
     return factors_->factorise(sum, floors) < 0;
 }
 
-void PenalisedSystem::factorise_precisely() {
+int64_t PenalisedSystem::factorise_precisely() {
     std::vector<double> floors = diagonal_of(sum_);
     for (size_t i = 0; i < floors.size(); ++i) {
         floors[i] = least_precise_pivot * floors[i] +
@@ -110,9 +114,8 @@ void PenalisedSystem::factorise_precisely() {
     if (!precise_) {
         precise_.emplace(sum_);
     }
-    if (const int64_t bad = precise_->factorise(sum_, floors); bad >= 0) {
-        fail_rank(order_[static_cast<size_t>(bad)]);
-    }
+    const int64_t bad = precise_->factorise(sum_, floors);
+    return bad < 0 ? -1 : order_[static_cast<size_t>(bad)];
 }
 
 void PenalisedSystem::fail_rank(int64_t unknown) const {
@@ -201,7 +204,9 @@ PenalisedSystem::Numbers PenalisedSystem::solve(const Numbers &right, int64_t wi
     Numbers x;
     if (!refine(own, width, x) && in_double_) {
         in_double_ = false;
-        factorise_precisely();
+        if (const int64_t unknown = factorise_precisely(); unknown >= 0) {
+            fail_rank(unknown);
+        }
         (void)refine(own, width, x);
     }
     return restored(x, width);

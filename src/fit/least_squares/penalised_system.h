@@ -19,7 +19,9 @@ public:
     // Without a penalty P is 0.
     PenalisedSystem(const NormalEquations &equations, const StencilMatrix *penalty);
 
-    // Throws Status::rank naming a control point that the data do not determine.
+    // Returns -1, or an unknown that is not determined.
+    [[nodiscard]] int64_t try_factorise(double lambda);
+    // Throws Status::rank naming the control point.
     void factorise(double lambda);
     // Solutions for right sides [unknowns][width].
     [[nodiscard]] Numbers solve(const Numbers &right, int64_t width);
@@ -40,7 +42,7 @@ public:
 
 private:
     [[nodiscard]] bool factorise_in_double();
-    void factorise_precisely();
+    [[nodiscard]] int64_t factorise_precisely();
     [[nodiscard]] bool refine(const Numbers &right, int64_t width, Numbers &x) const;
     void correct(Numbers &residual, int64_t width) const;
     // Rows in the order of elimination, and back.

@@ -191,6 +191,10 @@ SplinePtr unclamp_upper(const SplinePtr &spline, int axis, std::span<const doubl
     return continued(*spline, axis, unclamped_upper(spline->axis(axis), beyond), reversed, flag_advice);
 }
 
+SplinePtr unclamp_lower(const SplinePtr &spline, int axis, std::span<const double> below) {
+    return reverse(*unclamp_upper(reverse(*spline, axis, false), axis, negated(below), true), axis, false);
+}
+
 // The knots of the domain, its ends once, and `degree` more on either side that repeat them.
 std::vector<double> repeated_knots(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();
@@ -236,8 +240,20 @@ SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends) {
     }
     if (ends.lower) {
         check_copies(knots, 0, p, period, false, axis);
-        const std::vector<double> below = negated(std::span<const double>(knots).first(p));
-        result = reverse(*unclamp_upper(reverse(*result, axis, false), axis, below, true), axis, false);
+        result = unclamp_lower(result, axis, std::span<const double>(knots).first(p));
+    }
+    return result;
+}
+
+SplinePtr with_end_knots(const SplinePtr &spline, int axis, std::span<const double> below,
+                         std::span<const double> above) {
+    const auto [lower, upper] = spline->axis(axis).domain();
+    SplinePtr result = spline;
+    if (std::ranges::any_of(above, [upper](double knot) { return knot != upper; })) {
+        result = unclamp_upper(result, axis, above, false);
+    }
+    if (std::ranges::any_of(below, [lower](double knot) { return knot != lower; })) {
+        result = unclamp_lower(result, axis, below);
     }
     return result;
 }

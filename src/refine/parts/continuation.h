@@ -31,4 +31,9 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
 // as the period. Other ends stay. Throws as extend() does, and Status::knots_merge.
 SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends);
 
+// The same for an axis with clamped ends, over given knots beyond the domain: `degree` of them, not decreasing, on either
+// side.
+SplinePtr with_end_knots(const SplinePtr &spline, int axis, std::span<const double> below,
+                         std::span<const double> above);
+
 } // namespace nrb::refine

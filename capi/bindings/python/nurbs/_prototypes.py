@@ -111,6 +111,8 @@ PROTOTYPES = {
     "nurbs_statistics_clone": "i pp",
     "nurbs_statistics_destroy": "v p",
     "nurbs_statistics_size": "i pppppp",
+    "nurbs_statistics_to_bytes": "i plpp",
+    "nurbs_statistics_from_bytes": "i plp",
     "nurbs_fit_options_init": "i pl",
     "nurbs_fit": "i ppppluppp",
     "nurbs_fit_with": "i pppplupppp",

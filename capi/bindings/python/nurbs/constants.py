@@ -88,6 +88,8 @@ NURBS_ERROR_FORMAT = 400  # not a file of a known format
 NURBS_ERROR_TRUNCATED = 401  # the file ends, or a section is missing, before its contents are complete
 NURBS_ERROR_SYNTAX = 402  # the file breaks the rules of its format
 NURBS_ERROR_UNSUPPORTED = 403  # an entity that this version does not read (only in notes)
+NURBS_ERROR_CHECKSUM = 404  # bytes of a handle are not those that were written
+NURBS_ERROR_VERSION = 405  # bytes of a handle have a later version of the form
 NURBS_ERROR_INTERNAL = 900  # a defect of the library; please report it
 
 # --- Flags by axis

@@ -434,6 +434,10 @@ pub const NURBS_ERROR_TRUNCATED: nurbs_status = 401;
 pub const NURBS_ERROR_SYNTAX: nurbs_status = 402;
 /// an entity that this version does not read (only in notes)
 pub const NURBS_ERROR_UNSUPPORTED: nurbs_status = 403;
+/// bytes of a handle are not those that were written
+pub const NURBS_ERROR_CHECKSUM: nurbs_status = 404;
+/// bytes of a handle have a later version of the form
+pub const NURBS_ERROR_VERSION: nurbs_status = 405;
 /// a defect of the library; please report it
 pub const NURBS_ERROR_INTERNAL: nurbs_status = 900;
 
@@ -1627,6 +1631,22 @@ extern "C" {
         count: *mut i64,
         cells: *mut i64,
         weight: *mut f64,
+    ) -> nurbs_status;
+    /// Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever their
+    /// order.
+    ///
+    /// May be null: `bytes`, `size`.
+    pub fn nurbs_statistics_to_bytes(
+        statistics: *const nurbs_statistics,
+        cap: i64,
+        bytes: *mut c_void,
+        size: *mut i64,
+    ) -> nurbs_status;
+    /// Statistics from the bytes of nurbs_statistics_to_bytes().
+    pub fn nurbs_statistics_from_bytes(
+        bytes: *const c_void,
+        size: i64,
+        out: *mut *mut nurbs_statistics,
     ) -> nurbs_status;
     /// Fills an options struct with the defaults.
     pub fn nurbs_fit_options_init(options: *mut nurbs_fit_options, struct_size: i64) -> nurbs_status;

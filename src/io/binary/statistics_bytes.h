@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Statistics as bytes.
+#pragma once
+
+#include "fit/statistics/statistics.h"
+#include "io/binary/envelope.h"
+
+#include <vector>
+
+namespace nrb::io {
+
+// The numbers of the header are axes, dim, and the exponents of the scales of values and of weights. The body, each part at a
+// multiple of 64 bytes:
+//
+//     number of cells with data, of sums of a cell, then of each axis its degree and the number of its breaks
+//     the breaks of all axes, one after the other
+//     the cells, rising; their counts
+//     the sums of all cells, 24 bytes each, in two's complement
+//
+// The same statistics have the same bytes, on every machine.
+std::vector<unsigned char> to_bytes(const fit::Statistics &statistics);
+size_t size_in_bytes(const fit::Statistics &statistics) noexcept;
+
+// Throws what ByteReader does, and Status::syntax for numbers that no statistics have.
+fit::Statistics statistics_from(std::span<const unsigned char> bytes);
+
+} // namespace nrb::io
