@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Least squares.
-#include "fit/least_squares/fit_points.h"
+#include "base/checked.h"
+#include "base/tolerance.h"
+#include "fit/adaptive/fit_tolerance.h"
 #include "fit_arguments.h"
 #include "guard.h"
 #include "spline_data.h"
@@ -131,6 +133,62 @@ void tell(const fit::Fitted &fit, int64_t data_count, int dim, double largest, i
     report->reserved = 0;
 }
 
+// The range of the parameters of an axis that are finite.
+Interval range_of(const ConstRecords &params, int64_t k) {
+    Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (int64_t i = 0; i < params.count; ++i) {
+        const double t = params(i, k);
+        if (std::isfinite(t)) {
+            range = {std::min(range.lower, t), std::max(range.upper, t)};
+        }
+    }
+    return range;
+}
+
+fit::FitDomain checked_domain(const nurbs_data &data, const ConstRecords &params, const int32_t *degrees,
+                              const double *domain, uint32_t flags) {
+    require(degrees, "degrees");
+    fit::FitDomain result;
+    for (int k = 0; k < data.axes; ++k) {
+        check_degree(degrees[k], k);
+        result.degrees.push_back(degrees[k]);
+        result.periodic[static_cast<size_t>(k)] = decode_periodic(flags, data.axes, k);
+        const Interval range =
+            domain == nullptr ? range_of(params, k) : Interval{domain[2 * k], domain[2 * k + 1]};
+        if (!(range.lower < range.upper && std::isfinite(range.upper - range.lower))) {
+            fail(Status::empty_domain, "domain[%d] = [%s, %s], expected a finite interval of some length", k,
+                 Number(range.lower).text, Number(range.upper).text);
+        }
+        result.domains.push_back(range);
+    }
+    return result;
+}
+
+int64_t checked_limit(int64_t max_count, const fit::FitDomain &domain) {
+    check_length(max_count, "max_count");
+    int64_t least = 1;
+    for (const int degree : domain.degrees) {
+        least *= degree + 1;
+    }
+    if (max_count != 0 && max_count < least) {
+        fail(Status::too_few_points, "max_count = %lld, expected 0 or at least %lld",
+             static_cast<long long>(max_count), static_cast<long long>(least));
+    }
+    return max_count == 0 ? max_doubles : max_count;
+}
+
+// Any axes over the domain: conditions are checked with them.
+Spline::Axes simplest_axes(const fit::FitDomain &domain) {
+    Spline::Axes axes;
+    for (size_t k = 0; k < domain.degrees.size(); ++k) {
+        const auto order = static_cast<size_t>(domain.degrees[k]) + 1;
+        std::vector<double> knots(2 * order, domain.domains[k].upper);
+        std::fill_n(knots.begin(), order, domain.domains[k].lower);
+        axes.push_back(std::make_shared<const KnotVector>(domain.degrees[k], std::move(knots)));
+    }
+    return axes;
+}
+
 } // namespace
 
 } // namespace nrb::capi
@@ -188,5 +246,37 @@ nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32_t *degree
                                    const nurbs_call_options *call, nurbs **out) {
     return watched(call, out, [&] {
         return nurbs_fit_points(data, degrees, counts, knots, knot_count, flags, options, report, out);
+    });
+}
+
+nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees, const double *domain,
+                                 double tolerance, int64_t max_count, uint32_t flags,
+                                 const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const CheckedData given = checked_data(data);
+        check_at_least(data->n, 1, "n");
+        check_tolerance(tolerance, "tolerance");
+        const fit::FitDomain over = checked_domain(*data, given.data.params, degrees, domain, flags);
+        const int64_t limit = checked_limit(max_count, over);
+        const fit::FitWishes wishes = checked_wishes(options, simplest_axes(over), data->dim);
+        check_report(report);
+        const fit::ToleranceFit made =
+            fit::fit_to_tolerance(given.data, given.rules, over, tolerance, limit, wishes);
+        const fit::FittedPoints &points = made.points;
+        give(points.fit.spline, out);
+        tell(points.fit, points.data_count, data->dim, points.largest, points.largest_index, report);
+        if (report != nullptr && !made.reached) {
+            report->bits |= NURBS_FIT_TARGET_MISSED;
+        }
+    });
+}
+
+nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const int32_t *degrees, const double *domain,
+                                      double tolerance, int64_t max_count, uint32_t flags,
+                                      const nurbs_fit_options *options, nurbs_fit_report *report,
+                                      const nurbs_call_options *call, nurbs **out) {
+    return watched(call, out, [&] {
+        return nurbs_fit_tolerance(data, degrees, domain, tolerance, max_count, flags, options, report, out);
     });
 }

@@ -2580,6 +2580,50 @@ NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32
                                              uint32_t flags, const nurbs_fit_options *options,
                                              nurbs_fit_report *report, const nurbs_call_options *call,
                                              nurbs **out);
+
+/** \brief A spline with few control points that no datum is farther from than a tolerance. Knots are simple and
+ * lie where a first fit over even ones says that they are needed; as many as the tolerance asks for are found
+ * with some of the data, and checked with all. With several axes each has as many as it needs beside the
+ * others. Where data leave control points open, the fit with the smallest penalty is taken.
+ * \param[in] data the data.
+ * \param[in] degrees [axes] degrees.
+ * \param[in] domain [axes][2] or NULL: start and end of each axis; NULL for the range of the parameters.
+ * \param[in] tolerance >= 0, the largest distance |y_i - s(t_i)| that is allowed.
+ * \param[in] max_count most control points, with the copies of periodic axes; 0: as many as data.
+ * \param[in] flags NURBS_PERIODIC per axis.
+ * \param[in] options or NULL: what is wanted besides; regularize is not read.
+ * \param[in,out] report or NULL: where answers go; its bits have NURBS_FIT_TARGET_MISSED if the result is only
+ *   the closest one that was met.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS, _DEGREE,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _RULE,
+ *   _ORDER, _FACTOR, _CONTRADICTION, _NOT_REPRESENTABLE; _TOLERANCE for one that is negative or NaN,
+ *   _EMPTY_DOMAIN for a domain without length, _COUNT also for no data, _TOO_FEW_POINTS for a max_count below
+ *   the product of degree + 1.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees, const double *domain,
+                                           double tolerance, int64_t max_count, uint32_t flags,
+                                           const nurbs_fit_options *options, nurbs_fit_report *report,
+                                           nurbs **out);
+
+/** \brief nurbs_fit_tolerance() as a call that can be watched and ended.
+ * \param[in] data as for nurbs_fit_tolerance().
+ * \param[in] degrees as for nurbs_fit_tolerance().
+ * \param[in] domain as for nurbs_fit_tolerance().
+ * \param[in] tolerance as for nurbs_fit_tolerance().
+ * \param[in] max_count as for nurbs_fit_tolerance().
+ * \param[in] flags as for nurbs_fit_tolerance().
+ * \param[in] options as for nurbs_fit_tolerance().
+ * \param[in,out] report as for nurbs_fit_tolerance().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_fit_tolerance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const int32_t *degrees,
+                                                const double *domain, double tolerance, int64_t max_count,
+                                                uint32_t flags, const nurbs_fit_options *options,
+                                                nurbs_fit_report *report, const nurbs_call_options *call,
+                                                nurbs **out);
 /** @} */
 
 /** \defgroup continuity Continuity

@@ -1302,6 +1302,37 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_points_with
+        !> A spline with few control points that no datum is farther from than a tolerance.
+        function nurbs_fit_tolerance(data, degrees, domain, tolerance, max_count, flags, options, report, &
+                out) bind(c) result(r)
+            import
+            type(nurbs_data), intent(in) :: data
+            integer(c_int32_t), intent(in) :: degrees(*)
+            real(c_double), intent(in), optional :: domain(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: max_count
+            integer(c_int32_t), value :: flags
+            type(nurbs_fit_options), intent(in), optional :: options
+            type(nurbs_fit_report), intent(inout), optional :: report
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_tolerance
+        !> nurbs_fit_tolerance() as a call that can be watched and ended.
+        function nurbs_fit_tolerance_with(data, degrees, domain, tolerance, max_count, flags, options, &
+                report, call, out) bind(c) result(r)
+            import
+            type(nurbs_data), intent(in) :: data
+            integer(c_int32_t), intent(in) :: degrees(*)
+            real(c_double), intent(in), optional :: domain(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: max_count
+            integer(c_int32_t), value :: flags
+            type(nurbs_fit_options), intent(in), optional :: options
+            type(nurbs_fit_report), intent(inout), optional :: report
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_tolerance_with
         ! --- Continuity
         !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
         !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

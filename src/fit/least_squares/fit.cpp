@@ -120,9 +120,17 @@ Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, con
     return found;
 }
 
-// The penalty of the highest order that decides: that of values always does.
+// The penalty of the highest order that decides, if the data do not: that of values always does.
 Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, const Conditions &conditions) {
     constexpr double part = 0x1p-30;
+    PenalisedSystem alone(equations, nullptr);
+    if (alone.try_factorise(0) < 0) {
+        Smoothed found;
+        found.x = alone.solve(equations.right, equations.dim);
+        found.freedom = static_cast<double>(equations.matrix.size());
+        complete(alone, conditions, equations.dim, found);
+        return found;
+    }
     const double trace = equations.matrix.trace().high, scale = part * (trace > 0 ? trace : 1);
     Smoothed found;
     for (int order = std::min(wishes.penalty_order, highest_degree(equations.axes)); order >= 0; --order) {

@@ -1710,6 +1710,35 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A spline with few control points that no datum is farther from than a tolerance.
+    ///
+    /// May be null: `domain`, `options`, `report`.
+    pub fn nurbs_fit_tolerance(
+        data: *const nurbs_data,
+        degrees: *const i32,
+        domain: *const f64,
+        tolerance: f64,
+        max_count: i64,
+        flags: u32,
+        options: *const nurbs_fit_options,
+        report: *mut nurbs_fit_report,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_fit_tolerance() as a call that can be watched and ended.
+    ///
+    /// May be null: `domain`, `options`, `report`, `call`.
+    pub fn nurbs_fit_tolerance_with(
+        data: *const nurbs_data,
+        degrees: *const i32,
+        domain: *const f64,
+        tolerance: f64,
+        max_count: i64,
+        flags: u32,
+        options: *const nurbs_fit_options,
+        report: *mut nurbs_fit_report,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     // --- Continuity
     /// Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
     /// named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "fit/adaptive/fit_tolerance.h"
+
+#include "base/watch.h"
+#include "basis/generators.h"
+#include "eval/evaluate.h"
+#include "fit/adaptive/find_breaks.h"
+#include "fit/adaptive/knot_density.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::fit {
+
+namespace {
+
+using Axes = std::vector<KnotVectorPtr>;
+
+// Of simple knots those that are not near a break, and the breaks.
+std::vector<Break> with_breaks(const std::vector<double> &inner, const std::vector<Break> &breaks) {
+    constexpr double near = 0.25; // of the distance to the next knot
+    std::vector<Break> all = breaks;
+    for (size_t i = 0; i < inner.size(); ++i) {
+        const double before = i > 0 ? inner[i] - inner[i - 1] : INFINITY;
+        const double after = i + 1 < inner.size() ? inner[i + 1] - inner[i] : INFINITY;
+        const double reach = near * std::min(before, after);
+        if (std::ranges::none_of(
+                breaks, [&](const Break &b) { return std::abs(b.param - inner[i]) <= (reach < INFINITY ? reach : 0); })) {
+            all.push_back({inner[i], 1});
+        }
+    }
+    std::ranges::sort(all, {}, &Break::param);
+    return all;
+}
+
+// Inside a domain, clamped or periodic.
+KnotVectorPtr axis_over(const FitDomain &domain, size_t k, const std::vector<Break> &inner) {
+    const int p = domain.degrees[k];
+    const auto [lower, upper] = domain.domains[k];
+    if (domain.periodic[k]) {
+        std::vector<double> breaks{lower};
+        std::vector<int32_t> multiplicities{1};
+        int64_t count = 2 * p + 2;
+        for (const Break &knot : inner) {
+            breaks.push_back(knot.param);
+            multiplicities.push_back(knot.multiplicity);
+            count += knot.multiplicity;
+        }
+        breaks.push_back(upper);
+        multiplicities.push_back(1);
+        std::vector<double> knots(static_cast<size_t>(count));
+        periodic_knots(p, breaks, multiplicities.data(), knots);
+        return make_knot_vector(p, std::move(knots), true, static_cast<int>(k));
+    }
+    std::vector<double> knots(static_cast<size_t>(p) + 1, lower);
+    for (const Break &knot : inner) {
+        knots.insert(knots.end(), static_cast<size_t>(knot.multiplicity), knot.param);
+    }
+    knots.insert(knots.end(), static_cast<size_t>(p) + 1, upper);
+    return make_knot_vector(p, std::move(knots), false, static_cast<int>(k));
+}
+
+std::vector<double> even_knots(Interval domain, int64_t spans) {
+    std::vector<double> knots;
+    for (int64_t i = 1; i < spans; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(spans);
+        const double knot = domain.lower * (1 - part) + domain.upper * part;
+        if (knot > (knots.empty() ? domain.lower : knots.back()) && knot < domain.upper) {
+            knots.push_back(knot);
+        }
+    }
+    return knots;
+}
+
+int64_t unknowns_of(const Axes &axes) noexcept {
+    int64_t count = 1;
+    for (const KnotVectorPtr &axis : axes) {
+        count *= axis->distinct_layers();
+    }
+    return count;
+}
+
+// Some of the data, packed: the first and last ones, and others at places that follow no row of a grid.
+class Subset {
+public:
+    Subset(const Data &all, int64_t size) {
+        constexpr double golden = 0.6180339887498949;
+        const int64_t n = all.params.count;
+        const double step = static_cast<double>(n) / static_cast<double>(size);
+        std::vector<int64_t> chosen;
+        for (int64_t j = 0; j < size; ++j) {
+            const double shift = std::fmod(golden * static_cast<double>(j), 1);
+            const auto i = static_cast<int64_t>((static_cast<double>(j) + shift) * step);
+            chosen.push_back(j == 0 ? 0 : j + 1 == size ? n - 1 : std::min(i, n - 1));
+        }
+        if (all.params.width == 1) { // those of curves in order
+            std::ranges::stable_sort(chosen, {}, [&](int64_t i) { return all.params(i, 0); });
+        }
+        for (const int64_t i : chosen) {
+            append(all, i);
+        }
+        const auto view = [&](const std::vector<double> &packed, int64_t width) {
+            return ConstRecords{packed.data(), size, width, width, 1};
+        };
+        data_.params = view(params_, all.params.width);
+        data_.values = view(values_, all.values.width);
+        if (all.weights.data != nullptr) {
+            data_.weights = view(weights_, 1);
+        }
+    }
+    Subset(const Subset &) = delete;
+    Subset &operator=(const Subset &) = delete;
+    [[nodiscard]] const Data &data() const noexcept { return data_; }
+
+private:
+    void append(const Data &all, int64_t i) {
+        for (int64_t k = 0; k < all.params.width; ++k) {
+            params_.push_back(all.params(i, k));
+        }
+        for (int64_t c = 0; c < all.values.width; ++c) {
+            values_.push_back(all.values(i, c));
+        }
+        if (all.weights.data != nullptr) {
+            weights_.push_back(all.weights(i, 0));
+        }
+    }
+
+    std::vector<double> params_, values_, weights_;
+    Data data_;
+};
+
+class ToleranceSearch {
+public:
+    ToleranceSearch(const Data &data, const eval::AxisRules &rules, const FitDomain &domain, double tolerance,
+                    int64_t max_count, const FitWishes &wishes)
+        : all_(data), rules_(rules), domain_(domain), tolerance_(tolerance), max_count_(max_count),
+          wishes_(wishes) {
+        wishes_.regularise = wishes_.smoothing == Smoothing::none;
+    }
+
+    ToleranceFit fit() {
+        constexpr int64_t for_each_unknown = 12;
+        constexpr int most_rounds = 4;
+        int64_t size = std::min(all_.params.count, some);
+        for (;;) {
+            const Subset subset(all_, size);
+            const bool reached = find_densities(subset.data());
+            const bool whole = size == all_.params.count;
+            if (!reached && !whole) {
+                size = std::min(all_.params.count, 4 * size);
+                continue;
+            }
+            const Counts counts = fewest(subset.data());
+            const int64_t wanted = for_each_unknown * unknowns_of(axes_with(counts));
+            if (whole || size >= wanted) {
+                return finished(counts, most_rounds);
+            }
+            size = std::min(all_.params.count, 2 * wanted);
+        }
+    }
+
+private:
+    static constexpr int64_t some = 2000; // data that are looked at first
+
+    // From a fit over even spans, with the breaks that it shows; whether that does for some of the data.
+    bool find_densities(const Data &data) {
+        even_ = even_fit(data);
+        if (even_.largest > tolerance_ && domain_.find_breaks && domain_.degrees.size() == 1 &&
+            add_breaks(data)) {
+            even_ = even_fit(data);
+        }
+        densities_.clear();
+        for (size_t k = 0; k < domain_.degrees.size(); ++k) {
+            densities_.emplace_back(even_.spline, static_cast<int>(k));
+        }
+        return even_.largest <= tolerance_;
+    }
+    bool add_breaks(const Data &data) {
+        const double span =
+            (domain_.domains[0].upper - domain_.domains[0].lower) / static_cast<double>(even_.spans);
+        const BreakSearch search(data, distances(data, *even_.spline), domain_.degrees[0], span, tolerance_);
+        const std::vector<Break> found = search.breaks(all_);
+        for (const Break &one : found) {
+            std::erase_if(breaks_, [&](const Break &old) { return std::abs(old.param - one.param) <= span; });
+            breaks_.push_back(one);
+        }
+        return !found.empty();
+    }
+    [[nodiscard]] std::vector<double> distances(const Data &data, const Spline &spline) const {
+        const int64_t n = data.params.count, dim = spline.dim();
+        std::vector<double> points(static_cast<size_t>(n * dim)), result;
+        eval::AxisRules rules = rules_;
+        rules[0].nan = true;
+        eval::evaluate_points(spline, rules, 0, data.params, {points.data(), n, dim, dim, 1});
+        for (int64_t i = 0; i < n; ++i) {
+            result.push_back(norm_of(static_cast<int>(dim), [&](int c) {
+                return points[static_cast<size_t>(i * dim + c)] - data.values(i, c);
+            }));
+        }
+        return result;
+    }
+    // Numbers of inner knots, of each axis.
+    using Counts = std::vector<int64_t>;
+
+    // The smallest numbers that do for the data, or the largest ones that are allowed: first on all axes at once, then on one
+    // after the other, because what the density finds where an axis needs no knots is noise.
+    [[nodiscard]] Counts fewest(const Data &data) const {
+        const int64_t most = largest_level(data);
+        int64_t above = std::min(even_.spans, most), below = -1;
+        while (above < most && !enough(counts_at(above), data)) { // even spans were better
+            below = above;
+            above = std::min(most, above + above / 4 + 1);
+        }
+        above = smallest(below, above, [&](int64_t level) { return enough(counts_at(level), data); });
+        Counts counts = counts_at(above);
+        for (size_t k = 0; counts.size() > 1 && k < counts.size(); ++k) {
+            counts[k] = smallest(-1, counts[k], [&](int64_t count) {
+                Counts fewer = counts;
+                fewer[k] = count;
+                return enough(fewer, data);
+            });
+        }
+        return counts;
+    }
+    // By bisection, of those above `below`, if `above` is one.
+    template <class Test>
+    static int64_t smallest(int64_t below, int64_t above, Test &&test) {
+        while (below + 1 < above) {
+            const int64_t middle = below + (above - below) / 2;
+            (test(middle) ? above : below) = middle;
+        }
+        return above;
+    }
+    // The first of 1, 2, 4, ... even spans that do, or the last ones that are allowed.
+    struct EvenFit {
+        int64_t spans;
+        SplinePtr spline;
+        double largest;
+    };
+    [[nodiscard]] EvenFit even_fit(const Data &data) const {
+        EvenFit found{};
+        for (int64_t spans = 1;; spans *= 2) {
+            const Axes axes = even_axes(spans);
+            if (spans > 1 && too_many(axes, data)) {
+                return found;
+            }
+            const FittedPoints fine = fit_points(data, rules_, axes, wishes_, true);
+            found = {spans, fine.fit.spline, fine.largest};
+            if (fine.largest <= tolerance_) {
+                return found;
+            }
+        }
+    }
+    [[nodiscard]] bool enough(const Counts &counts, const Data &data) const {
+        return fit_points(data, rules_, axes_with(counts), wishes_, true).largest <= tolerance_;
+    }
+    [[nodiscard]] int64_t largest_level(const Data &data) const {
+        const auto allowed = [&](int64_t level) { return !too_many(axes_with(counts_at(level)), data); };
+        int64_t below = 0, above = 1;
+        while (allowed(above)) {
+            below = above;
+            above *= 2;
+        }
+        return smallest(below, above, [&](int64_t level) { return !allowed(level); }) - 1;
+    }
+
+    // With all data, and more knots where that is not enough.
+    ToleranceFit finished(Counts counts, int most_rounds) {
+        ToleranceFit best{};
+        for (int round = 1; round <= most_rounds; ++round) {
+            const Axes axes = axes_with(counts);
+            if (round > 1 && too_many(axes, all_)) {
+                break;
+            }
+            FittedPoints one = fit_points(all_, rules_, axes, wishes_, true);
+            if (round == 1 || one.largest < best.points.largest) {
+                best.points = std::move(one);
+            }
+            best.rounds = round;
+            best.reached = best.points.largest <= tolerance_;
+            if (best.reached) {
+                break;
+            }
+            for (int64_t &count : counts) {
+                count += std::max<int64_t>(1, count / 50) * (int64_t{1} << round) / 2;
+            }
+        }
+        return best;
+    }
+
+    [[nodiscard]] Axes even_axes(int64_t spans) const {
+        Axes axes;
+        for (size_t k = 0; k < domain_.degrees.size(); ++k) {
+            axes.push_back(axis_over(domain_, k, with_breaks(even_knots(domain_.domains[k], spans), breaks_)));
+        }
+        return axes;
+    }
+    // So many inner knots along the axis that needs most, as many parts of them along others as these need.
+    [[nodiscard]] Counts counts_at(int64_t level) const {
+        double most = 0;
+        for (const KnotDensity &density : densities_) {
+            most = std::max(most, density.content());
+        }
+        Counts counts;
+        for (const KnotDensity &density : densities_) {
+            counts.push_back(
+                static_cast<int64_t>(std::ceil(density.content() / most * static_cast<double>(level))));
+        }
+        return counts;
+    }
+    [[nodiscard]] Axes axes_with(const Counts &counts) const {
+        Axes axes;
+        for (size_t k = 0; k < counts.size(); ++k) {
+            axes.push_back(axis_over(domain_, k, with_breaks(densities_[k].knots(counts[k]), breaks_)));
+        }
+        return axes;
+    }
+    // Also where knots are nearly as near to each other as data: of many data that would be noise, and of some of them others
+    // lie between.
+    [[nodiscard]] bool too_many(const Axes &axes, const Data &data) const noexcept {
+        const int64_t for_each_unknown = all_.params.count > some ? 3 : 1;
+        int64_t count = 1;
+        for (const KnotVectorPtr &axis : axes) {
+            count *= axis->count();
+        }
+        return count > max_count_ || for_each_unknown * unknowns_of(axes) > data.params.count;
+    }
+
+    const Data &all_;
+    const eval::AxisRules &rules_;
+    const FitDomain &domain_;
+    double tolerance_;
+    int64_t max_count_;
+    FitWishes wishes_;
+    EvenFit even_{};
+    std::vector<Break> breaks_;
+    std::vector<KnotDensity> densities_;
+};
+
+} // namespace
+
+ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, const FitDomain &domain,
+                              double tolerance, int64_t max_count, const FitWishes &wishes) {
+    return ToleranceSearch(data, rules, domain, tolerance, max_count, wishes).fit();
+}
+
+} // namespace nrb::fit
