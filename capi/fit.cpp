@@ -26,7 +26,8 @@ double checked_factor(double factor, const char *name) {
     return factor;
 }
 
-fit::FitCondition checked_condition(const nurbs_fit_options &options, int64_t i, const Spline::Axes &axes, int dim) {
+fit::FitCondition checked_condition(const nurbs_fit_options &options, int64_t i, const Spline::Axes &axes,
+                                    int dim) {
     const auto count = std::ssize(axes);
     fit::FitCondition condition{};
     for (int64_t k = 0; k < count; ++k) {
@@ -79,7 +80,8 @@ fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Ax
     wishes.smoothing = static_cast<fit::Smoothing>(given.smoothing);
     wishes.penalty_order = given.penalty_order;
     wishes.regularise = given.regularize == 1;
-    const double lambda = checked_factor(given.lambda, "lambda"), target = checked_factor(given.target, "target");
+    const double lambda = checked_factor(given.lambda, "lambda"),
+                 target = checked_factor(given.target, "target");
     wishes.value = given.smoothing == NURBS_SMOOTHING_LAMBDA ? lambda : target;
     check_length(given.conditions, "options: conditions");
     if (given.conditions > 0) {

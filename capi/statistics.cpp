@@ -40,10 +40,10 @@ CheckedData checked_data(const nurbs_data *data) {
             fail(Status::flags, "data: flags = 0x%x: there are no cells to extrapolate to", given.flags);
         }
     }
-    checked.data.params = input("params", given.params, given.n, given.axes, given.param_stride,
-                                given.param_component_stride);
-    checked.data.values = input("values", given.values, given.n, given.dim, given.value_stride,
-                                given.value_component_stride);
+    checked.data.params =
+        input("params", given.params, given.n, given.axes, given.param_stride, given.param_component_stride);
+    checked.data.values =
+        input("values", given.values, given.n, given.dim, given.value_stride, given.value_component_stride);
     if (given.weights != nullptr) {
         checked.data.weights = input("weights", given.weights, given.n, given.weight_stride);
     }
@@ -65,7 +65,8 @@ int checked_scale(double scale, const char *name) {
 KnotVectorPtr checked_breaks(const double *breaks, int64_t count, int axis, int64_t offset) {
     for (int64_t i = 1; i < count; ++i) {
         if (breaks[i] <= breaks[i - 1]) {
-            fail(Status::knots_decreasing, "breaks[%lld] = %s on axis %d, expected more than breaks[%lld] = %s",
+            fail(Status::knots_decreasing,
+                 "breaks[%lld] = %s on axis %d, expected more than breaks[%lld] = %s",
                  static_cast<long long>(offset + i), Number(breaks[i]).text, axis,
                  static_cast<long long>(offset + i - 1), Number(breaks[i - 1]).text);
         }
@@ -115,8 +116,8 @@ nurbs_status nurbs_data_init(nurbs_data *data, int64_t struct_size) {
 }
 
 nurbs_status nurbs_statistics_create(int32_t axes, const int32_t *degrees, const int64_t *break_counts,
-                                     const double *breaks, int64_t break_total, int32_t dim, double value_scale,
-                                     double weight_scale, nurbs_statistics **out) {
+                                     const double *breaks, int64_t break_total, int32_t dim,
+                                     double value_scale, double weight_scale, nurbs_statistics **out) {
     return guard([&] {
         require_out(out);
         fit::StatisticsForm form = *checked_form(axes, degrees, break_counts, breaks, break_total);
@@ -202,17 +203,17 @@ nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics, int32_t *
 }
 
 nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statistics, int64_t cap, void *bytes,
-                                       int64_t *size) {
+                                       int64_t *length) {
     return guard([&] {
         const fit::Statistics &own = *statistics_of(statistics);
         const auto needed = static_cast<int64_t>(io::size_in_bytes(own));
         if (checked_cap(cap, needed) > 0) {
             require(bytes, "bytes");
-            check_apart({{"bytes", bytes, cap}, memory("size", size, 1)}, {});
+            check_apart({{"bytes", bytes, cap}, memory("length", length, 1)}, {});
             const std::vector<unsigned char> made = io::to_bytes(own);
             std::memcpy(bytes, made.data(), made.size());
         }
-        put(size, needed);
+        put(length, needed);
     });
 }
 
@@ -221,6 +222,7 @@ nurbs_status nurbs_statistics_from_bytes(const void *bytes, int64_t size, nurbs_
         require_out(out);
         check_length(size, "size");
         require(bytes, "bytes");
-        give(io::statistics_from({static_cast<const unsigned char *>(bytes), static_cast<size_t>(size)}), out);
+        give(io::statistics_from({static_cast<const unsigned char *>(bytes), static_cast<size_t>(size)}),
+             out);
     });
 }

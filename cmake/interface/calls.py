@@ -117,12 +117,16 @@ def packed(model, entry, value):
     yield from (f"{entry.name}.{field.name} = {argument(model, field, of, 'o.')};" for field, of in value.fields)
 
 
+def handles(model, entry, value):
+    return array(f"const {entry.base} *const", entry.name, (handle(model, name, entry) for name in value.names))
+
+
 def declarations(model, entry, value):
     match value:
         case Numbers(values=[_, *_], name=""):
             yield from array(f"static constexpr {entry.base}", entry.name, map(number, value.values))
         case Handles():
-            yield from array("const nurbs *const", entry.name, (handle(model, name, entry) for name in value.names))
+            yield from handles(model, entry, value)
         case Items():
             yield from items(model, entry, value)
         case Struct():
@@ -193,13 +197,13 @@ def literal(text):
 
 
 def struct_of_inputs(model):
-    splines, lists = members(model, "nurbs"), members(model, "nurbs_list")
+    kinds = {"nurbs": "splines", "nurbs_list": "lists", "nurbs_statistics": "all_statistics"}
     yield "// What is made once for all calls."
     yield "struct Inputs {"
-    yield f"    nurbs *{', *'.join(splines)};"
-    yield f"    nurbs_list *{', *'.join(lists)};"
+    yield from (f"    {kind} *{', *'.join(members(model, kind))};" for kind in kinds)
     yield "};\n"
-    for kind, name, names in (("nurbs", "splines", splines), ("nurbs_list", "lists", lists)):
+    for kind, name in kinds.items():
+        names = members(model, kind)
         yield from array(f"inline constexpr {kind} *Inputs::*const", name, (f"&Inputs::{name}" for name in names))
 
 
@@ -210,6 +214,9 @@ def constants(model):
     yield "} // namespace arrays\n"
     yield "namespace texts {"
     for name, text in model.texts.items():
+        if isinstance(text, bytes):
+            yield from array("inline constexpr unsigned char", name, map(str, text))
+            continue
         *before, last = literal(text)
         yield from (f"inline constexpr char {name}[] =", *before, last + ";")
     yield "} // namespace texts\n"
@@ -236,6 +243,8 @@ def maker(model, entry):
 
 def checks_of_output():
     for kind, name in calls_model.ARRAYS.items():
+        if kind == "void":
+            continue
         yield f"static_assert(sizeof(Output::{name}) == {calls_model.LENGTHS[name]} * sizeof({kind}));"
 
 

@@ -12,8 +12,8 @@ The rules are those of README.md in tests/capi/calls.
 import re
 
 import calls_model
-from calls_model import (Bytes, CallsError, Handle, Handles, Items, NewHandle, NewStruct, Null, Number, Numbers, Path, Slot,
-                         Struct, StructSize, inputs_of)
+from calls_model import (Bytes, CallsError, Handle, Handles, Items, NewHandle, NewStruct, Null, Number, Numbers, Packed, Path,
+                         Slot, Struct, StructSize, inputs_of)
 from calls_terms import Facts, Sizes, extent
 from extents import Term
 from shapes import Shapes
@@ -36,7 +36,7 @@ class ArgumentReader:
         self.problems = []
         self.values = {}
         self.used = dict.fromkeys(calls_model.LENGTHS, 0)
-        self.places = {"nurbs": ["out", "other"], "nurbs_list": ["list"]}
+        self.places = {"nurbs": ["out", "other"], "nurbs_list": ["list"], "nurbs_statistics": ["statistics"]}
 
     def arguments(self):
         self.check_names()
@@ -108,7 +108,7 @@ class ArgumentReader:
         return name
 
     def input_named(self, name, kind):
-        what = "spline" if kind == "nurbs" else "list"
+        what = "spline" if kind == "nurbs" else kind.removeprefix("nurbs_")
         return self.one_of(name, [key for key, value in self.model.inputs.items() if value.kind == kind], what)
 
     def handle(self, entry, value):
@@ -127,10 +127,22 @@ class ArgumentReader:
         return Items(self.input_named(value, "nurbs_list"), int(count[1]))
 
     def struct(self, name, value):
-        fields = {entry.name for struct in self.manual.structs if struct.name == name for entry in struct.fields}
-        for key in value.keys() - fields:
+        fields = {entry.name: entry for struct in self.manual.structs if struct.name == name for entry in struct.fields}
+        for key in value.keys() - fields.keys():
             raise CallsError(f"{name} has no field {key}; it has {', '.join(sorted(fields))}")
+        if any(entry.pointers and entry.shape for entry in fields.values()):
+            return Packed(name, tuple(self.member(entry, value) for entry in fields.values()
+                                      if entry.name in value or entry.name == "struct_size"))
         return Struct(name, tuple((key, Number(number)) for key, number in value.items()))
+
+    def member(self, entry, value):
+        if entry.name == "struct_size":
+            return entry, StructSize(self.holder(entry))
+        given = value[entry.name]
+        return entry, self.numbers(given, entry.base) if entry.pointers else self.number(given, entry.base)
+
+    def holder(self, entry):
+        return next(struct.name for struct in self.manual.structs if any(field is entry for field in struct.fields))
 
     def number(self, value, base):
         if isinstance(value, str):
@@ -197,7 +209,7 @@ class ArgumentReader:
             return len(value.values)
         if isinstance(value, Handles):
             return len(value.names)
-        return len(self.model.texts[value.text].encode()) if isinstance(value, Bytes) else None
+        return len(calls_model.encoded(self.model.texts[value.text])) if isinstance(value, Bytes) else None
 
     def argument(self, name):
         """What a term of a shape is given; numbers of pieces that only the call tells are those of the spline."""
@@ -228,6 +240,9 @@ class ArgumentReader:
     def output_value(self, entry, index):
         if entry.name in self.without or entry.nullable and not self.outputs:
             return Null()
+        if entry.base in self.structs and entry.direction == "in,out":
+            fields = next(struct.fields for struct in self.manual.structs if struct.name == entry.base)
+            return Packed(entry.base, ((fields[0], StructSize(entry.base)),))
         if entry.base in self.structs:
             return NewStruct(entry.base)
         if entry.base in self.manual.handles:

@@ -4,7 +4,7 @@
     model = calls_reader.read(manual, top)     manual: what header.read(top) gives
 
     model.arrays             {name: (Number, ...)}, arrays that several calls share
-    model.texts              {name: text}, the contents of files
+    model.texts              {name: text or bytes}, the contents of files
     model.inputs             {name: Input}, splines and lists, in an order in which they can be made
     model.groups             {name: [Call, ...]}, a group for each file: "data", "evaluation", ...
     model.calls()            the calls of all groups
@@ -29,9 +29,9 @@ A value is one of these:
     Items        an array of the splines of a list: as many as it says, from the first one on
     Bytes, Path  the contents of a text, and the path of a file that holds it
     Struct       a struct of nurbs.h: as its function NURBS_..._init leaves it, but for the fields given
-    Packed       a struct of nurbs.h whose fields are arguments of another function; what is not given is 0
+    Packed       a struct of nurbs.h with arrays; what is not given is 0
     NewStruct    a struct that the function fills, StructSize its size
-    NewHandle    where a new handle goes: "out" (the first one), "other" (the second one) or "list"
+    NewHandle    where a new handle goes: "out" (the first one), "other" (the second one), "list" or "statistics"
     Slot         where other outputs go: an array of the test's struct Output, the first element, and how many elements
                  the function may write there by its shape, strides included
     Null         NULL
@@ -44,7 +44,7 @@ from dataclasses import dataclass, field
 FOLDER = "tests/capi/calls"
 # The arrays of the struct Output, for the types of outputs, and their lengths.
 ARRAYS = {"double": "values", "float": "singles", "int64_t": "spans", "int32_t": "states", "nurbs_status": "states",
-          "char": "text"}
+          "char": "text", "void": "text"}
 LENGTHS = {"values": 1024, "singles": 64, "spans": 64, "states": 64, "text": 128}
 
 
@@ -145,7 +145,7 @@ class Call:
 @dataclass
 class Input:
     name: str
-    kind: str  # "nurbs" or "nurbs_list"
+    kind: str  # "nurbs", "nurbs_list", ...
     shared: bool
     call: Call
 
@@ -159,6 +159,10 @@ class Model:
 
     def calls(self):
         return [call for group in self.groups.values() for call in group]
+
+
+def encoded(text):
+    return text.encode() if isinstance(text, str) else text
 
 
 def inputs_of(value):

@@ -57,7 +57,8 @@ class Reader:
     def read_inputs(self, table):
         for key in table.keys() - {"arrays", "texts", "shared", "made"}:
             self.problems.append(f"{INPUTS}.toml: {key} is none of arrays, texts, shared, made")
-        self.model.texts = table.get("texts", {})
+        for name, text in table.get("texts", {}).items():
+            self.model.texts[name] = text if isinstance(text, str) else bytes.fromhex(text["hex"])
         for name, values in table.get("arrays", {}).items():
             self.model.arrays[name] = tuple(Number(value) for value in values)
         for kind in ("shared", "made"):

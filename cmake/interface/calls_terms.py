@@ -8,10 +8,10 @@ import math
 import operator
 from itertools import accumulate
 
-from calls_model import CallsError, Number, Numbers, inputs_of
+from calls_model import CallsError, Number, Numbers, Packed, inputs_of
 
 
-TELLING = ("nurbs_create", "nurbs_create_homogeneous", "nurbs_create_bezier")
+TELLING = ("nurbs_create", "nurbs_create_homogeneous", "nurbs_create_bezier", "nurbs_statistics_create")
 
 
 class Facts:
@@ -59,6 +59,21 @@ class Facts:
         return len(set(knots[first + self.degrees[axis]:first + self.counts[axis] + 1])) - 1
 
 
+class Members:
+    """What the fields of a struct tell."""
+
+    def __init__(self, fields):
+        self.fields = fields
+
+    @property
+    def dim(self):
+        return self.fields["dim"].value
+
+    @property
+    def degrees(self):
+        return [0] * self.fields["axes"].value
+
+
 def extent(records, width, stride=0, component_stride=0):
     """From the first element to the last, strides included."""
     step = component_stride or 1
@@ -101,8 +116,13 @@ class Sizes:
         return math.prod(self.of(extents))
 
     def facts(self, name):
-        """Of several splines those of the first one."""
-        first = next(iter(inputs_of(self.given(name))))
+        """Of several splines those of the first one; of statistics with data those of what they were added to."""
+        given = self.given(name)
+        if isinstance(given, Packed):
+            return Members({entry.name: value for entry, value in given.fields})
+        first = next(iter(inputs_of(given)))
+        while self.inputs[first].call.function.name == "nurbs_statistics_add":
+            first = self.inputs[first].call.value("statistics").name
         return Facts(first, self.inputs[first].call)
 
     def number(self, term):

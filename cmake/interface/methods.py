@@ -14,7 +14,7 @@ class MethodError(Exception):
     """A call does not suit its function."""
 
 
-KINDS = {"nurbs": "spline", "nurbs_list": "list", "void": "bytes"}
+KINDS = {"nurbs": "spline", "nurbs_list": "list", "nurbs_statistics": "statistics"}
 
 
 def similar(name, names):
@@ -45,7 +45,9 @@ class Maker:
     def kind(self, parameter):
         name, base, pointers = parameter.name, parameter.base, parameter.pointers
         if base in self.manual.handles:
-            return KINDS[base] + "s" if pointers == 2 and parameter.is_const else KINDS[base]
+            if pointers == 2 and parameter.is_const:
+                return "splines" if base == "nurbs" else "handles"
+            return KINDS[base]
         if base == "char":
             return "text" if parameter.direction == "out" else "path"
         if base in {struct.name for struct in self.manual.structs}:
@@ -77,13 +79,14 @@ class Maker:
                    if value.kind in ("number", "cap") and not value.is_output}
         arrays = {value.name for value in self.values.values() if value.kind == "array"}
         splines = [value.name for value in self.values.values()
-                   if value.kind in ("spline", "splines") and not value.is_output]
+                   if value.kind in ("spline", "splines", "statistics") and not value.is_output
+                   or value.base == "nurbs_data"]
         reader = extents.Reader(numbers, arrays, splines, where)
         for name in shapes.keys() - self.values.keys():
             raise MethodError(f"shape.{name}: there is no parameter {name}")
         for value in self.values.values():
             shape = shapes.get(value.name, value.parameter.shape)
-            if value.kind in ("array", "splines", "bytes") and shape:
+            if value.kind in ("array", "splines", "handles", "bytes") and shape:
                 value.extents = reader.shape(shape)
         self.definitions = {name: reader.term(text) for name, text in where.items() if name in numbers}
 
@@ -161,7 +164,7 @@ class Maker:
         if record is None:
             raise MethodError(f"there is no record [{pattern.record}]{similar(pattern.record, self.records)}")
         if record.struct:
-            return Take(next(value.name for value in self.values.values() if value.kind == "options"))
+            return Take(next(value.name for value in self.values.values() if value.base == record.struct))
         fields = pattern.fields or tuple(self.usual_fields(record))
         names = [name or self.name_in_order(record, place, inner) for place, (name, inner) in enumerate(fields)]
         for name in names:
@@ -177,7 +180,7 @@ class Maker:
 
     def usual_fields(self, record):
         """Each field from the parameter of its name; those that the function does not have are left out."""
-        made = [value.name for value in self.values.values() if value.kind in ("spline", "list") and value.is_output]
+        made = [value.name for value in self.values.values() if value.kind in model.HANDLES and value.is_output]
         for name in record.fields:
             source = record.sources.get(name, name)
             if name in ("spline", "splines") and made:
@@ -197,7 +200,7 @@ class Maker:
     # Checks.
 
     def check(self, method):
-        if method.receiver not in ("", "out", "Spline", "List", "ReadOptions", *self.values):
+        if method.receiver not in ("", "out", *model.HANDLES.values(), *self.values):
             raise MethodError(f"the function has no parameter {method.receiver} that could be the receiver")
         self.check_arguments(method)
         self.check_results(method)

@@ -17,15 +17,18 @@ from dataclasses import dataclass, field
 import signature
 
 LANGUAGES = ("cpp", "rust", "fortran")
+#: Kinds of handles, and the types that own them: in C++ and Rust the name, in Fortran nurbs_ and the kind.
+HANDLES = {"spline": "Spline", "list": "List", "statistics": "Statistics"}
 
 
 @dataclass
 class Value:
     """A parameter of a C function and its part in a call.
 
-    kind   "spline", "list": a handle; "splines": an array of them; "number"; "array" of numbers, also with strides;
-           "stride", "component_stride": of the array `of`; "text": characters; "path": a zero-terminated text; "bytes";
-           "options": a struct; "count": how much there is for the parameter cap, "cap" itself
+    kind   "spline", "list", "statistics": a handle; "splines", "handles": an array of those of splines, of others;
+           "number"; "array" of numbers, also with strides; "stride", "component_stride": of the array `of`; "text":
+           characters; "path": a zero-terminated text; "bytes"; "options": a struct; "count": how much there is for the
+           parameter cap, "cap" itself
     """
 
     parameter: object  # header.Parameter
@@ -86,6 +89,10 @@ class Record:
     def is_used(self, language):
         return bool(self.uses.get(language)) or self.struct != "" or self.splines > 0
 
+    def has_defaults(self, manual):
+        """Whether a function of nurbs.h fills the struct that it holds; if not, all of it is answers."""
+        return f"{self.struct}_init" in {function.name for function in manual.functions}
+
     def renamed(self, language, name):
         return self.options.get(language, {}).get("rename", {}).get(name, name)
 
@@ -120,7 +127,7 @@ class Method:
     @property
     def made(self):
         """The outputs that are handles."""
-        return [value for value in self.values.values() if value.kind in ("spline", "list") and value.is_output]
+        return [value for value in self.values.values() if value.kind in HANDLES and value.is_output]
 
     @property
     def is_counted(self):
@@ -138,7 +145,7 @@ class Method:
         """Pointers that this method passes as NULL."""
         own = {self.receiver, *self.given}
         return [value for value in self.values.values()
-                if not value.is_output and value.kind in ("array", "splines", "spline", "options", "path", "bytes", "list")
+                if not value.is_output and value.kind in ("array", "splines", "handles", "options", "path", "bytes", *HANDLES)
                 and value.name not in own]
 
     def sources(self, name):

@@ -2,6 +2,7 @@
 """The second half of a Rust body: room for the results, the call, and what is returned."""
 
 from methods import MethodError
+import model
 from signature import Each, Several, Struct, Take
 
 import rust_types as types
@@ -40,8 +41,8 @@ class Body:
     def variable(self, name):
         """Of the field that it becomes, if nothing else has that name."""
         value = self.values[name]
-        if value.kind in ("spline", "list"):
-            return {"spline": "spline", "list": "list"}[value.kind] if name == "out" else name
+        if value.kind in model.HANDLES:
+            return value.kind if name == "out" else name
         result = self.method.result
         fields = {inner.name: field for field, inner in self.fields(result) if isinstance(inner, Take) and not inner.last}
         taken = {words.name(argument.name) for argument in self.method.arguments} | LENGTHS
@@ -129,8 +130,7 @@ class Body:
             return [*lines, *self.plain_call()]
         last = made[-1]
         self.targets[last.name] = ["out"]
-        kind = {"spline": "Spline", "list": "List"}[last.kind]
-        call = f"{kind}::made(|out| unsafe {{ {self.call()} }})"
+        call = f"{model.HANDLES[last.kind]}::made(|out| unsafe {{ {self.call()} }})"
         return [*lines, call if self.is_tail() else f"let {self.names[last.name]} = {call}?;"]
 
     def outputs(self):
@@ -175,6 +175,9 @@ class Body:
         if value.kind == "number":
             self.targets[value.name] = [f"&mut {name}"]
             return [f"let mut {name} = {words.zero(value)};"]
+        if value.kind == "options":
+            self.targets[value.name] = [f"{name}.raw_mut()"]
+            return [f"let mut {name} = {types.struct_type(value, self.binding)}::empty();"]
         sizes = self.sizes(value)
         many = sizes and len(sizes) > 1 or not sizes and words.row(value)
         pointer = f"{name}.as_mut_ptr(){'.cast()' if many else ''}"

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The first half of a Rust body: lengths that follow from arrays, checks of the others, and what the C function gets."""
 
+import model
 from extents import FUNCTIONS
+from methods import KINDS
 from signature import By, Struct, Take
 
 import rust_types as types
@@ -51,7 +53,7 @@ class Inputs:
         """The spline behind a parameter."""
         if name == self.method.receiver:
             return "self"
-        return f"{self.reach[name]}[0]" if self.values[name].kind == "splines" else self.reach[name]
+        return f"{self.reach[name]}[0]" if self.values[name].kind in ("splines", "handles") else self.reach[name]
 
     def array(self, name):
         """An array, or what an output holds, as an argument of a function."""
@@ -89,7 +91,7 @@ class Inputs:
             if value.kind == "array" and types.is_records(self.method, argument, value):
                 self.statements.append(f"let {name} = {self.reach[name]}.into();")
                 self.reach[name] = name
-            elif value.kind == "splines":
+            elif value.kind in ("splines", "handles"):
                 self.handles(value, argument)
             elif value.kind == "path":
                 self.statements.append(f"let {name} = path_text({self.reach[name]})?;")
@@ -98,7 +100,8 @@ class Inputs:
         """Arrays of handles."""
         name, reached = value.name, self.reach[value.name]
         if not words.fixed(value.extents):
-            self.statements.append(f"let {reached} = handles({reached});")
+            of = "handles" if value.kind == "splines" else f"{KINDS[value.base]}_handles"
+            self.statements.append(f"let {reached} = {of}({reached});")
             self.pointers[name] = [f"{reached}.as_ptr()"]
         elif self.may_lack(value, argument):
             self.statements.append(f"let {name} = {reached}.map(|splines| splines.map(Spline::raw));")
@@ -295,15 +298,22 @@ class Inputs:
             return []
         if value in self.method.left_out:
             return ["null()"] + ["0"] * value.strides
-        if value.kind in ("spline", "list"):
+        if value.kind in model.HANDLES:
             return [f"{self.handle(name)}.raw()"]
         if value.kind == "options":
-            return [f"options_pointer({self.reach[name]})"]
+            return [self.struct(value)]
         if value.kind == "path":
             return [f"{name}.as_ptr()"]
         if value.kind == "bytes":
             return [f"{self.reach[name]}.as_ptr().cast()"]
         return [self.number(value)] if value.kind == "number" else self.pointers[name]
+
+    def struct(self, value):
+        """A pointer to it, or to nothing where it may be left out."""
+        if not self.arguments[value.name].optional:
+            return f"{self.reach[value.name]}.raw()"
+        name = {"ReadOptions": "options", "FitOptions": "fit_options"}[types.struct_type(value, self.binding)]
+        return f"{name}_pointer({self.reach[value.name]})"
 
     def number(self, value):
         text, kind = self.numbers[value.name]

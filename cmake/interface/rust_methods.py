@@ -4,6 +4,7 @@
 import re
 
 import header
+import model
 import rust_records as records
 import rust_words as words
 from rust_body import Body
@@ -16,6 +17,7 @@ CRATE = {
     "arrays": ["by_axis", "counts_of", "exactly", "exactly_mut", "flat", "if_given", "knots_by_axis", "layout", "optional",
                "pairs_by_axis", "pointer_mut", "rows", "truths", "Records", "RecordsMut"],
     "call": ["Call"],
+    "data": ["fit_options_pointer", "Data", "FitOptions", "FitReport"],
     "error": ["check", "value", "Result"],
     "list": ["options_pointer", "path_text", "written", "List", "ReadOptions"],
     "moments": ["moments_of"],
@@ -23,6 +25,7 @@ CRATE = {
     "sizes": ["axes_of", "basis_width", "bezier_count", "bezier_points", "homogeneous", "knot_count", "matrix_size",
               "periodic_count", "positive", "product", "sum", "times"],
     "spline": ["handles", "Spline"],
+    "statistics": ["statistics_handles", "Statistics"],
 }
 STANDARD = {"std::path": ["Path"], "std::ptr": ["null", "null_mut"]}
 
@@ -81,7 +84,7 @@ def content(group, binding):
     blocks = [list(records.lines(record, binding)) for record in group.records("rust") if record.uses.get("rust")]
     found = methods_of(group)
     blocks += [lines for method in found if class_of(method) == "" for lines in forms(method, binding)]
-    for name in ("Spline", "List"):
+    for name in model.HANDLES.values():
         blocks += [list(block(name, about, members, binding)) for about, members in sections(group, name)]
     for place, lines in enumerate(blocks):
         if place:
@@ -91,7 +94,7 @@ def content(group, binding):
 
 def class_of(method):
     value = method.values.get(method.receiver)
-    return {"spline": "Spline", "list": "List"}[value.kind] if value else method.receiver
+    return model.HANDLES[value.kind] if value else method.receiver
 
 
 def sections(group, name):

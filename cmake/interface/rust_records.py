@@ -52,7 +52,7 @@ def lifetime(kinds):
 def derived(kinds, binding, has_default):
     """What all fields can: nothing that holds a Vec is copied, nothing that holds a spline has a default."""
     text = " ".join(kinds)
-    handles = re.search(r"\b(Spline|List)\b", text)
+    handles = re.search(r"\b(Spline|List|Statistics)\b", text)
     if "List" in text:
         return ["Debug"]
     yes = ["Clone"]

@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass, field
 
+import model
+from methods import KINDS
 from signature import By, Each, Several, Struct, Take
 
 import rust_words as words
@@ -23,7 +25,7 @@ class Signature:
     def text(self, suffix="", fills=False, watched=False):
         result = "()" if fills else result_type(self.method, self.binding)
         declared = self.parameters(fills) + (["call: &mut Call"] if watched else [])
-        receiver = [] if self.method.receiver in ("", "Spline", "List") else ["&self"]
+        receiver = [] if self.method.receiver in ("", *model.HANDLES.values()) else ["&self"]
         generics = f"<{', '.join(self.lifetimes)}>" if self.lifetimes else ""
         listed = ", ".join(receiver + declared)
         return f"pub fn {self.method.name}{suffix}{generics}({listed}) -> Result<{result}> {{"
@@ -109,24 +111,30 @@ def several(method, pattern):
 
 
 def single_type(value):
-    return "&Spline" if value.kind == "spline" else words.SCALARS[value.base]
+    return f"&{model.HANDLES[value.kind]}" if value.kind in model.HANDLES else words.SCALARS[value.base]
 
 
 def taken_type(method, argument, value, binding):
     sizes = words.fixed(value.extents)
     if value.kind == "splines":
         return f"[&Spline; {sizes[0]}]" if sizes else "&[&Spline]"
+    if value.kind == "handles":
+        return f"&[&{model.HANDLES[KINDS[value.base]]}]"
     if value.kind == "path":
         return "impl AsRef<Path>"
     if value.kind == "bytes":
         return "&[u8]"
     if value.kind == "options":
-        return "&" + next(record.key for record in binding.all_records.values() if record.struct == value.base)
+        return f"&{struct_type(value, binding)}"
     if value.kind == "array":
         if sizes and (argument.optional or not value.nullable):
             return f"&{words.nested(words.element(value), sizes)}"
         return f"&[{'usize' if is_size(method, value) else words.element(value)}]"
     return "usize" if is_size(method, value) else single_type(value)
+
+
+def struct_type(value, binding):
+    return next(record.key for record in binding.all_records.values() if record.struct == value.base)
 
 
 # What comes back.
@@ -147,8 +155,10 @@ def pattern_type(method, pattern, binding, in_rows=False):
     value = method.values[pattern.name]
     if pattern.last:
         return words.nested(words.element(value), [pattern.last - pattern.first])
-    if value.kind in ("spline", "list"):
-        return {"spline": "Spline", "list": "List"}[value.kind]
+    if value.kind in model.HANDLES:
+        return model.HANDLES[value.kind]
+    if value.kind == "options":
+        return struct_type(value, binding)
     if value.kind == "text":
         return "String"
     if value.kind == "array":

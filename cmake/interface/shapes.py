@@ -17,6 +17,7 @@ import extents
 TABLE = Path(__file__).resolve().parents[2] / "capi/bindings/table"
 PROPERTIES = {"axes": "axes_of", "dim": "dim_of", "N": "points_of", "rational": "rational_of"}
 OF_SPLINE = {"degree": "degree_of", "count": "count_of", "active": "order_product"}
+OWNERS = ("nurbs", "nurbs_statistics", "nurbs_data")  # what knows a number of axes and a dimension
 STRIDES = ("_stride", "_component_stride")
 
 
@@ -32,7 +33,7 @@ class Shapes:
         self.parameters = function.parameters
         numbers = {entry.name for entry in self.parameters if not entry.pointers}
         self.arrays = {entry.name: entry for entry in self.parameters if entry.shape}
-        self.splines = {entry.name: entry for entry in self.parameters if entry.base == "nurbs" and entry.is_const}
+        self.splines = {entry.name: entry for entry in self.parameters if entry.base in OWNERS and entry.is_const}
         where = definitions().get(function.name.removesuffix("_with"), {})
         self.reader = extents.Reader(numbers, self.arrays, list(self.splines), where)
 

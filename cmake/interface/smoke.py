@@ -16,6 +16,8 @@ Every program prints what its calls return, as tests/bindings/compare_smoke.py d
 from dataclasses import dataclass
 
 from calls_model import NewHandle, Null, Number, Packed, Slot
+from methods import KINDS
+from model import HANDLES
 import signature
 
 FOLDER = "tests/bindings/generated"
@@ -70,18 +72,18 @@ class Planner:
         methods = entry.methods.get(self.language)
         if not methods:
             return None
-        values = values_of(call)
+        values = values_of(call, {value.name for value in methods[0].values.values()})
         for method in methods:
             if suits(method, values):
                 return Step(call, method, watched, values)
         raise SmokeError(f"{call.name}: no form of {name} takes these arguments in {self.language}")
 
 
-def values_of(call):
-    """{parameter: value}; those of a struct that only packs arguments are arguments."""
+def values_of(call, own=()):
+    """{parameter: value}; those of a struct that only packs arguments, of other names than `own`, are arguments."""
     values = {}
     for entry, value in call.arguments:
-        if isinstance(value, Packed):
+        if isinstance(value, Packed) and entry.name not in own:
             values.update((field.name, of) for field, of in value.fields)
         else:
             values[entry.name] = value
@@ -94,11 +96,23 @@ def suits(method, values):
     for name, value in method.values.items():
         given = values.get(name, Null())
         absent = isinstance(given, (Null, Slot, NewHandle))
-        if value.is_output or value.kind not in ("array", "spline", "splines", "list", "path", "bytes", "options"):
+        if value.is_output or value.kind not in ("array", "splines", "handles", "path", "bytes", "options", *HANDLES):
             continue
         if not absent and name not in own or absent and name in own and not value.nullable:
             return False
     return True
+
+
+def fields_of(given, manual):
+    """(header.Field, value) of a struct that is given, without its size."""
+    fields = {field.name: field for struct in manual.structs if struct.name == given.type for field in struct.fields}
+    pairs = [(field, of) if isinstance(given, Packed) else (fields[field], of) for field, of in given.fields]
+    return [(field, of) for field, of in pairs if field.name != "struct_size"]
+
+
+def class_of(kind):
+    """The type that owns a handle of nurbs.h."""
+    return HANDLES[KINDS[kind]]
 
 
 def plan(binding, model, language):

@@ -40,13 +40,14 @@ def numbers(value, base):
 class Writer:
     """Of one step."""
 
-    def __init__(self, step, binding, model):
-        self.step, self.binding, self.model = step, binding, model
+    def __init__(self, step, binding, model, given="in."):
+        """given: before the names of inputs that are shared."""
+        self.step, self.binding, self.model, self.given = step, binding, model, given
         self.method = step.method
         self.before = []
 
     def spline(self, name):
-        return f"in.{name}" if self.model.inputs[name].shared else name
+        return f"{self.given}{name}" if self.model.inputs[name].shared else name
 
     # Arguments.
 
@@ -76,12 +77,12 @@ class Writer:
 
     def value(self, argument, value):
         given = self.step.given(value.name)
+        if isinstance(given, Null):
+            return "{}"
         if value.kind == "options":
             return self.options(argument.name, given)
         if value.kind == "path":
             return f"{given.text}_path()"
-        if isinstance(given, Null):
-            return "{}"
         kind = parameters.array_type(self.method, argument, value) if value.kind == "array" else ""
         if "std::array" in kind:
             exact = words.array_of(words.SCALARS[value.base], words.fixed(value.extents))
@@ -91,7 +92,13 @@ class Writer:
     def options(self, name, given):
         record = next(record for record in self.binding.all_records.values() if record.struct == given.type)
         self.before.append(f"n::{record.key} {name};")
-        self.before += [f"{name}.{field} = {number(of, 'double')};" for field, of in given.fields]
+        for field, of in smoke.fields_of(given, self.binding.manual):
+            if isinstance(of, Numbers):
+                array = f"{name}_{field.name}"
+                self.before.append(f"static constexpr {words.SCALARS[field.base]} {array}[] = {{{numbers(of, field.base)}}};")
+                self.before.append(f"{name}.{field.name} = {array};")
+            else:
+                self.before.append(f"{name}.{field.name} = {number(of, field.base)};")
         return name
 
     def plain(self, value, given):
@@ -110,7 +117,7 @@ class Writer:
                 return f"std::as_bytes(std::span({given.text}))"
 
     def splines(self, value, texts):
-        kind = "std::array" if words.fixed(value.extents) else "std::vector<n::Spline>"
+        kind = "std::array" if words.fixed(value.extents) else f"std::vector<n::{smoke.class_of(value.base)}>"
         size = f"<n::Spline, {len(texts)}>" if kind == "std::array" else ""
         return f"{kind}{size}{{{', '.join(texts)}}}"
 
@@ -136,6 +143,8 @@ class Writer:
             return
         yield f"const auto found = {call};"
         for expression, parameter in self.shown():
+            if self.method.values[parameter].kind == "options":
+                continue
             yield f'show("{parameter}", {expression});'
 
 
@@ -157,9 +166,9 @@ def shown(expression, pattern):
             yield from shown(f"{expression}.{member}", inner)
 
 
-def made(step, binding, model):
+def made(step, binding, model, given="in."):
     """Expression of an input, and what stands before it."""
-    writer = Writer(step, binding, model)
+    writer = Writer(step, binding, model, given)
     call = writer.call()
     return writer.before, call
 
@@ -171,7 +180,7 @@ def block(step, binding, model):
         inner = next(entry for entry in model.inputs.values() if entry.name == name)
         before, call = made(smoke.Planner(binding, "cpp").step(inner.call), binding, model)
         yield from ("    " + line for line in before)
-        yield f"    const n::{'List' if inner.kind == 'nurbs_list' else 'Spline'} {name} = {call};"
+        yield f"    const n::{smoke.class_of(inner.kind)} {name} = {call};"
     yield from ("    " + line for line in Writer(step, binding, model).lines())
     yield "}"
 
@@ -180,9 +189,10 @@ def inputs(plan, binding, model):
     yield "struct Inputs {"
     for step, entry in zip(plan.inputs, model.inputs.values()):
         if entry.shared:
-            before, call = made(step, binding, model)
-            kind = "List" if entry.kind == "nurbs_list" else "Spline"
-            yield f"    n::{kind} {entry.name} = {call};"
+            before, call = made(step, binding, model, "")
+            if before:
+                call = f"[&] {{ {' '.join(before)} return {call}; }}()"
+            yield f"    n::{smoke.class_of(entry.kind)} {entry.name} = {call};"
     yield "};"
 
 
@@ -190,6 +200,9 @@ def files(binding, model):
     plan = smoke.plan(binding, model, "cpp")
     lines = [NOTICE]
     for name, text in model.texts.items():
+        if isinstance(text, bytes):
+            lines += [f"constexpr unsigned char {name}[] = {{{', '.join(map(str, text))}}};", ""]
+            continue
         lines += [f"const std::string {name} = R\"({text})\";", f"std::string {name}_path() {{",
                   f"    return written(\"smoke_calls_cpp.{name}\", {name});", "}", ""]
     lines += [*inputs(plan, binding, model), ""]

@@ -12,6 +12,8 @@ from calls_terms import Sizes
 from fortran_methods.dummies import dummies
 from fortran_methods.statements import statement
 from fortran_methods.words import Words
+from methods import KINDS
+from model import HANDLES
 from signature import Each, Several, Struct, Take
 
 PATH = f"{smoke.FOLDER}/smoke_calls.f90"
@@ -80,7 +82,7 @@ class Writer:
             case Handle():
                 return given.name
             case Handles():
-                return self.splines(name, list(given.names))
+                return self.splines(name, list(given.names), value.base)
             case Items():
                 return self.items(name, given)
             case Bytes():
@@ -90,8 +92,8 @@ class Writer:
             case _:
                 return self.options(name, given)
 
-    def splines(self, name, names):
-        self.declared.append(f"type(nurbs_spline) :: {name}_given({len(names)})")
+    def splines(self, name, names, base):
+        self.declared.append(f"type(nurbs_{KINDS[base]}) :: {name}_given({len(names)})")
         self.before += [f"{name}_given({i + 1}) = {other}" for i, other in enumerate(names)]
         return f"{name}_given"
 
@@ -102,8 +104,29 @@ class Writer:
 
     def options(self, name, given):
         self.declared.append(f"type({given.type}) :: {name}_given")
-        self.before.append(f"call default_read_options({name}_given)")
-        self.before += [f"{name}_given%{field} = {real(of, 'double')}" for field, of in given.fields]
+        fields = {field.name: (field, of) for field, of in smoke.fields_of(given, self.words.binding.manual)}
+        if given.type == "nurbs_data":
+            return self.data(name, fields)
+        self.before.append(f"call default_{given.type.removeprefix('nurbs_')}({name}_given)")
+        self.before += [f"{name}_given%{field.name} = {real(of, 'double') if field.base == 'double' else of.value}"
+                        for field, of in fields.values()]
+        return f"{name}_given"
+
+    def data(self, name, fields):
+        """Arrays of data have to stay as long as the struct."""
+        n = fields["n"][1].value
+        arguments = [f"{name}_given"]
+        for field, of in fields.values():
+            if not isinstance(of, Numbers):
+                continue
+            width, own = len(of.values) // n, f"{name}_{field.name}"
+            shape = f"({n}, {width})" if field.name != "weights" else f"({n})"
+            text = f"[{', '.join(real(item, 'double') for item in of.values)}]"
+            rows = f"reshape({text}, [{n}, {width}], order=[2, 1])" if field.name != "weights" else text
+            self.declared.append(f"real(c_double), target :: {own}{shape}")
+            self.before.append(f"{own} = {rows}")
+            arguments.append(f"{field.name}={own}")
+        self.before.append(f"call data_for_fits({', '.join(arguments)})")
         return f"{name}_given"
 
     def several(self, dummy):
@@ -115,9 +138,11 @@ class Writer:
     def output(self, dummy):
         """A variable, and how it is shown."""
         value, own = dummy.value, f"{dummy.name}_found"
-        if dummy.kind in ("spline", "list"):
-            kind = "nurbs_spline" if dummy.kind == "spline" else "nurbs_list"
-            self.declared.append(f"type({kind}) :: {own}")
+        if dummy.kind in HANDLES:
+            self.declared.append(f"type(nurbs_{dummy.kind}) :: {own}")
+        elif dummy.kind == "options":
+            self.declared.append(f"type({value.base}) :: {own}")
+            return own
         elif dummy.kind == "text":
             self.declared.append(f"character(len=:), allocatable :: {own}")
         elif dummy.is_array:
@@ -191,8 +216,7 @@ class Writer:
     def lines(self):
         owner, text = self.statements()
         if owner == "found%":
-            kind = "nurbs_list" if self.method.values["out"].kind == "list" else "nurbs_spline"
-            self.declared.append(f"type({kind}) :: found")
+            self.declared.append(f"type(nurbs_{self.method.values['out'].kind}) :: found")
             self.after.append("call show('out', found)")
         if self.method.result is None:
             call = [f"call {text}"]
@@ -221,7 +245,7 @@ def block(step, planner, words, model):
     declared, statements = [], []
     for name in step.call.made:
         entry = model.inputs[name]
-        declared.append(f"type(nurbs_{'list' if entry.kind == 'nurbs_list' else 'spline'}) :: {name}")
+        declared.append(f"type(nurbs_{KINDS[entry.kind]}) :: {name}")
         inner = planner.step(entry.call)
         if inner is None:  # nurbs_clone() is assignment
             statements.append(f"{name} = {entry.call.value('g').name}")
@@ -243,6 +267,13 @@ def literal(name, text):
     yield f"        {lines[-1]}"
 
 
+def data_literal(name, data):
+    rows = ["//".join(f"char({byte})" for byte in data[i:i + 8]) for i in range(0, len(data), 8)]
+    yield f"    character(len=*), parameter :: {name}_text = &"
+    yield from (f"        {row}//&" for row in rows[:-1])
+    yield f"        {rows[-1]}"
+
+
 def files(binding, model):
     words, planner = Words(binding), smoke.Planner(binding, "fortran")
     plan = smoke.plan(binding, model, "fortran")
@@ -250,11 +281,13 @@ def files(binding, model):
     lines = [NOTICE + "program smoke_calls", "    use, intrinsic :: iso_c_binding", "    use, intrinsic :: ieee_arithmetic",
              "    use nurbs", "    use smoke_support", "    implicit none"]
     for name, text in model.texts.items():
-        lines += literal(name, text)
-    lines += [f"    type(nurbs_{'list' if entry.kind == 'nurbs_list' else 'spline'}) :: {entry.name}" for _, entry in shared]
+        lines += literal(name, text) if isinstance(text, str) else data_literal(name, text)
+    lines += [f"    type(nurbs_{KINDS[entry.kind]}) :: {entry.name}" for _, entry in shared]
+    made = [maker(step, entry, words, model) for step, entry in shared]
+    lines += [f"    {line}" for declared, _ in made for line in declared]
     lines.append("")
-    for step, entry in shared:
-        for text in maker(step, entry, words, model)[1]:
+    for _, statements in made:
+        for text in statements:
             lines += statement(text, 1)
     lines += [f"    call calls_of_{name}()" for name in plan.groups]
     lines += ["", "contains"]

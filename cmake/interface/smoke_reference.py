@@ -27,7 +27,8 @@ inline constexpr Slot slots[] = {{
 
 def places(call):
     """(parameter, value) of all outputs."""
-    found = [(name, value) for name, value in values_of(call).items() if isinstance(value, (Slot, NewHandle))]
+    found = [(name, value) for name, value in values_of(call).items()
+             if isinstance(value, NewHandle) or isinstance(value, Slot) and value.length > 0]
     return found + ([("return", call.result)] if call.result else [])
 
 

@@ -21,7 +21,7 @@ NOTICE = f"""\
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{{Call, List, Spline}};
+use nurbs::{{Call, List, Spline, Statistics}};
 use smoke_support::{{begin, by_hand, show, written}};
 """
 
@@ -54,12 +54,13 @@ def nested(items, sizes):
 class Writer:
     """Of one step."""
 
-    def __init__(self, step, binding, model):
-        self.step, self.binding, self.model = step, binding, model
+    def __init__(self, step, binding, model, given="given."):
+        """given: before the names of inputs that are shared."""
+        self.step, self.binding, self.model, self.given = step, binding, model, given
         self.method = step.method
 
     def spline(self, name):
-        return f"given.{own(name)}" if self.model.inputs[name].shared else own(name)
+        return f"{self.given}{own(name)}" if self.model.inputs[name].shared else own(name)
 
     # Arguments.
 
@@ -138,11 +139,31 @@ class Writer:
             case Items():
                 return self.splines(value, [f"&{self.spline(given.list)}.get({i})?" for i in range(given.count)])
             case Bytes():
-                return f"{given.text.upper()}.as_bytes()"
+                text = self.model.texts[given.text]
+                return f"{given.text.upper()}{'.as_bytes()' * isinstance(text, str)}"
             case calls_model.Path():
                 return f'written("smoke_calls_rust.{given.text}", {given.text.upper()})'
             case _:
-                return "&nurbs::ReadOptions::new()?" + "".join(f".{field}({number(of, 'double')})" for field, of in given.fields)
+                return getattr(self, given.type)({field.name: (field, of) for field, of
+                                                  in smoke.fields_of(given, self.binding.manual)})
+
+    # Structs, of which the crate has types of its own.
+
+    def nurbs_read_options(self, fields):
+        return "&nurbs::ReadOptions::new()?" + "".join(f".{name}({number(of, field.base)})"
+                                                      for name, (field, of) in fields.items())
+
+    def nurbs_fit_options(self, fields):
+        rule = fields["smoothing"][1].value
+        factor = fields.get("lambda", fields.get("target", (None, Number(0.0))))[1]
+        order = f".penalty_order({fields['penalty_order'][1].value})" if "penalty_order" in fields else ""
+        return f"&nurbs::FitOptions::new()?.smoothing({rule}, {number(factor, 'double')}){order}"
+
+    def nurbs_data(self, fields):
+        arrays = {name: f"&{listed(of.values, field.base)}" for name, (field, of) in fields.items() if isinstance(of, Numbers)}
+        weights = f".weights({arrays['weights']})?" if "weights" in arrays else ""
+        sizes = f"{fields['axes'][1].value}, {fields['dim'][1].value}"
+        return f"&nurbs::Data::new({sizes}, {arrays['params']}, {arrays['values']})?{weights}"
 
     def array(self, value, given):
         texts = [number(item, value.base) for item in given.values]
@@ -172,19 +193,20 @@ class Writer:
             yield f"{call};"
         else:
             yield f"let found = {call};"
-            yield from shown("found", self.method.result, self.binding)
+            yield from shown("found", self.method.result, self.binding, self.method)
 
 
-def shown(expression, pattern, binding):
+def shown(expression, pattern, binding, method):
     if isinstance(pattern, Take):
-        yield f'show("{pattern.name}", &{expression});'
+        if method.values[pattern.name].kind != "options":
+            yield f'show("{pattern.name}", &{expression});'
     elif isinstance(pattern, Each):
         yield f"for row in &{expression} {{"
-        yield from ("    " + line for line in shown("row", pattern.item, binding))
+        yield from ("    " + line for line in shown("row", pattern.item, binding, method))
         yield "}"
     else:
         for member, inner in members(pattern, binding):
-            yield from shown(expression + member, inner, binding)
+            yield from shown(expression + member, inner, binding, method)
 
 
 def members(pattern, binding):
@@ -209,13 +231,13 @@ def inputs(plan, binding, model):
     shared = [(step, entry) for step, entry in zip(plan.inputs, model.inputs.values()) if entry.shared]
     yield "struct Given {"
     for _, entry in shared:
-        yield f"    {own(entry.name)}: {'List' if entry.kind == 'nurbs_list' else 'Spline'},"
+        yield f"    {own(entry.name)}: {smoke.class_of(entry.kind)},"
     yield "}"
     yield ""
     yield "fn given() -> nurbs::Result<Given> {"
+    yield from (f"    let {own(entry.name)} = {Writer(step, binding, model, '').call()};" for step, entry in shared)
     yield "    Ok(Given {"
-    for step, entry in shared:
-        yield f"        {own(entry.name)}: {Writer(step, binding, model).call()},"
+    yield from (f"        {own(entry.name)}," for _, entry in shared)
     yield "    })"
     yield "}"
 
@@ -223,7 +245,8 @@ def inputs(plan, binding, model):
 def files(binding, model):
     plan = smoke.plan(binding, model, "rust")
     lines = [NOTICE]
-    lines += [f"const {name.upper()}: &str = r#\"{text}\"#;\n" for name, text in model.texts.items()]
+    lines += [f"const {name.upper()}: &str = r#\"{text}\"#;\n" if isinstance(text, str) else
+              f"const {name.upper()}: &[u8] = &[{', '.join(map(str, text))}];\n" for name, text in model.texts.items()]
     lines += [*inputs(plan, binding, model), ""]
     for name, steps in plan.groups.items():
         lines.append(f"fn {name}(given: &Given) -> nurbs::Result<()> {{")

@@ -2377,10 +2377,10 @@ NURBS_API nurbs_status nurbs_data_init(nurbs_data *data, int64_t struct_size);
  *   _KNOT_NOT_FINITE; _KNOTS_DECREASING for breaks that do not increase, _FACTOR for a scale that is not
  *   finite and positive.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_statistics_create(int32_t axes, const int32_t *degrees, const int64_t *break_counts,
-                                               const double *breaks, int64_t break_total, int32_t dim,
-                                               double value_scale, double weight_scale,
-                                               nurbs_statistics **out);
+NURBS_API nurbs_status nurbs_statistics_create(int32_t axes, const int32_t *degrees,
+                                               const int64_t *break_counts, const double *breaks,
+                                               int64_t break_total, int32_t dim, double value_scale,
+                                               double weight_scale, nurbs_statistics **out);
 
 /** \brief Statistics with more data: those of the handle and those of the data, added as
  * nurbs_statistics_merge() does. The cost is that of the data and of all cells that hold any: many chunks are
@@ -2424,7 +2424,7 @@ NURBS_API nurbs_status nurbs_statistics_merge(int64_t count, const nurbs_statist
 NURBS_API nurbs_status nurbs_statistics_clone(const nurbs_statistics *statistics, nurbs_statistics **out);
 
 /** \brief Frees a handle on statistics.
- * \param[in] statistics a handle, or NULL.
+ * \param[in] statistics or NULL, which does nothing: a handle.
  * \since 1.1 */
 NURBS_API void nurbs_statistics_destroy(nurbs_statistics *statistics);
 
@@ -2433,7 +2433,7 @@ NURBS_API void nurbs_statistics_destroy(nurbs_statistics *statistics);
  * \param[out] axes or NULL: number of axes.
  * \param[out] dim or NULL: dimension of the values.
  * \param[out] count or NULL: number of data that count.
- * \param[out] cells or NULL: number of cells that hold data.
+ * \param[out] cells or NULL: number of cells that hold any of them.
  * \param[out] weight or NULL: sum of the weights.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.1 */
@@ -2446,11 +2446,11 @@ NURBS_API nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics,
  * \param[in] statistics a handle.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
- * \param[out] size or NULL: number of bytes.
+ * \param[out] length or NULL: number of bytes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statistics, int64_t cap, void *bytes,
-                                                 int64_t *size);
+                                                 int64_t *length);
 
 /** \brief Statistics from the bytes of nurbs_statistics_to_bytes().
  * \param[in] bytes [size] the bytes.
@@ -2469,13 +2469,13 @@ typedef struct nurbs_fit_options {
     int32_t smoothing;     /**< a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE */
     int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; 2 */
     double lambda;         /**< the factor, for NURBS_SMOOTHING_LAMBDA, >= 0; 0 */
-    double target;         /**< for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; 0 */
-    int32_t regularize;    /**< 1: of several fits take that of the smallest penalty; 0: refuse them */
-    int32_t reserved;      /**< 0 */
-    int64_t conditions;    /**< number of equations that have to hold, >= 0; 0 */
-    const double *condition_params;  /**< [conditions][axes] where, packed; NULL */
-    const int32_t *condition_orders; /**< [conditions][axes] or NULL for 0: orders of derivatives; NULL */
-    const double *condition_targets; /**< [conditions][dim] points and derivatives, packed; NULL */
+    double target;      /**< for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; 0 */
+    int32_t regularize; /**< 1: of several fits take that of the smallest penalty; 0: refuse them */
+    int32_t reserved;   /**< 0 */
+    int64_t conditions; /**< number of equations that have to hold, >= 0; 0 */
+    const double *condition_params;  /**< [conditions][axes] or NULL: where, packed */
+    const int32_t *condition_orders; /**< [conditions][axes] or NULL for 0: orders of derivatives */
+    const double *condition_targets; /**< [conditions][dim] or NULL: points and derivatives, packed */
 } nurbs_fit_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -2488,16 +2488,16 @@ NURBS_API nurbs_status nurbs_fit_options_init(nurbs_fit_options *options, int64_
 /** \brief What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields
  * are only ever appended. \since 1.1 */
 typedef struct nurbs_fit_report {
-    int64_t struct_size;   /**< size of this struct as the caller knows it */
-    int64_t data_count;    /**< receives the number of data that count */
-    double weight;         /**< receives the sum of their weights */
-    double squares;        /**< receives sum_i w_i |y_i - s(t_i)|^2 */
-    double rms;            /**< receives the square root of squares / weight */
-    double lambda;         /**< receives the factor of the penalty */
-    double freedom;        /**< receives the trace of the influence matrix: the parameters that count */
-    double sigma;          /**< receives the standard deviation of a coordinate of weight 1 by the residuals */
-    double residual;       /**< receives |G x + lambda P x - r| / |r| of the normal equations */
-    double largest;        /**< receives the largest |y_i - s(t_i)|; NaN from nurbs_fit() */
+    int64_t struct_size; /**< size of this struct as the caller knows it */
+    int64_t data_count;  /**< receives the number of data that count */
+    double weight;       /**< receives the sum of their weights */
+    double squares;      /**< receives sum_i w_i |y_i - s(t_i)|^2 */
+    double rms;          /**< receives the square root of squares / weight */
+    double lambda;       /**< receives the factor of the penalty */
+    double freedom;      /**< receives the trace of the influence matrix: the parameters that count */
+    double sigma;        /**< receives the standard deviation of a coordinate of weight 1 by the residuals */
+    double residual;     /**< receives |G x + lambda P x - r| / |r| of the normal equations */
+    double largest;      /**< receives the largest |y_i - s(t_i)|; NaN from nurbs_fit() */
     int64_t largest_index; /**< receives where that is; -1 from nurbs_fit() */
     int32_t bits;          /**< receives a sum of NURBS_FIT_ bits */
     int32_t reserved;      /**< receives 0 */
@@ -2522,9 +2522,10 @@ typedef struct nurbs_fit_report {
  *   _PARAMETER_NOT_FINITE, _POINT_NOT_FINITE for conditions, _CONTRADICTION naming one; _RANK naming a control
  *   point that the data do not determine, _NOT_REPRESENTABLE.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees, const int64_t *counts,
-                                 const double *knots, int64_t knot_count, uint32_t flags,
-                                 const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out);
+NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees,
+                                 const int64_t *counts, const double *knots, int64_t knot_count,
+                                 uint32_t flags, const nurbs_fit_options *options, nurbs_fit_report *report,
+                                 nurbs **out);
 
 /** \brief nurbs_fit() as a call that can be watched and ended.
  * \param[in] statistics as for nurbs_fit().
@@ -2541,8 +2542,8 @@ NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_with(const nurbs_statistics *statistics, const int32_t *degrees,
                                       const int64_t *counts, const double *knots, int64_t knot_count,
-                                      uint32_t flags, const nurbs_fit_options *options, nurbs_fit_report *report,
-                                      const nurbs_call_options *call, nurbs **out);
+                                      uint32_t flags, const nurbs_fit_options *options,
+                                      nurbs_fit_report *report, const nurbs_call_options *call, nurbs **out);
 
 /** \brief The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the knots
  * as breaks and the largest value and weight as scales, in memory that does not depend on the number of data.
@@ -2560,7 +2561,8 @@ NURBS_API nurbs_status nurbs_fit_with(const nurbs_statistics *statistics, const 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *degrees, const int64_t *counts,
                                         const double *knots, int64_t knot_count, uint32_t flags,
-                                        const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out);
+                                        const nurbs_fit_options *options, nurbs_fit_report *report,
+                                        nurbs **out);
 
 /** \brief nurbs_fit_points() as a call that can be watched and ended.
  * \param[in] data as for nurbs_fit_points().
@@ -2601,10 +2603,10 @@ NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32
  *   _EMPTY_DOMAIN for a domain without length, _COUNT also for no data, _TOO_FEW_POINTS for a max_count below
  *   the product of degree + 1.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees, const double *domain,
-                                           double tolerance, int64_t max_count, uint32_t flags,
-                                           const nurbs_fit_options *options, nurbs_fit_report *report,
-                                           nurbs **out);
+NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees,
+                                           const double *domain, double tolerance, int64_t max_count,
+                                           uint32_t flags, const nurbs_fit_options *options,
+                                           nurbs_fit_report *report, nurbs **out);
 
 /** \brief nurbs_fit_tolerance() as a call that can be watched and ended.
  * \param[in] data as for nurbs_fit_tolerance().

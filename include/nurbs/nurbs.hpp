@@ -44,6 +44,7 @@
 #include <nurbs/cpp/deform.hpp>
 #include <nurbs/cpp/edit.hpp>
 #include <nurbs/cpp/fit.hpp>
+#include <nurbs/cpp/fitting.hpp>
 #include <nurbs/cpp/frames.hpp>
 #include <nurbs/cpp/handles.hpp>
 #include <nurbs/cpp/knots.hpp>

@@ -68,8 +68,8 @@ DoubleDouble ExactSum::scaled(int exponent) const noexcept {
     const auto high = static_cast<double>(size[2] >> rest);
     const auto low = static_cast<double>((size[2] << half | size[1] >> rest) >> rest);
     lowest += 64 + rest - shift; // of the higher half
-    const DoubleDouble sum = DoubleDouble::ordered_sum(times_power_of_two(high, lowest),
-                                                       times_power_of_two(low, lowest - half));
+    const DoubleDouble sum =
+        DoubleDouble::ordered_sum(times_power_of_two(high, lowest), times_power_of_two(low, lowest - half));
     return negative() ? -sum : sum;
 }
 

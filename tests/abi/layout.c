@@ -107,6 +107,74 @@ static void pin_constraint_report(void) {
     PIN(offsetof(nurbs_constraint_report, optimality), 32);
 }
 
+static void pin_data(void) {
+    nurbs_data data;
+    PIN(sizeof(nurbs_data), 96);
+    PIN(offsetof(nurbs_data, struct_size), 0);
+    PIN(offsetof(nurbs_data, n), 8);
+    PIN(offsetof(nurbs_data, axes), 16);
+    PIN(offsetof(nurbs_data, dim), 20);
+    PIN(offsetof(nurbs_data, params), 24);
+    PIN(offsetof(nurbs_data, param_stride), 32);
+    PIN(offsetof(nurbs_data, param_component_stride), 40);
+    PIN(offsetof(nurbs_data, values), 48);
+    PIN(offsetof(nurbs_data, value_stride), 56);
+    PIN(offsetof(nurbs_data, value_component_stride), 64);
+    PIN(offsetof(nurbs_data, weights), 72);
+    PIN(offsetof(nurbs_data, weight_stride), 80);
+    PIN(offsetof(nurbs_data, flags), 88);
+    PIN(offsetof(nurbs_data, reserved), 92);
+    if (nurbs_data_init(&data, (int64_t)sizeof data) != NURBS_OK) {
+        fprintf(stderr, "the library does not know the data of this size\n");
+        ++failures;
+        return;
+    }
+    PIN((size_t)data.struct_size, 96);
+    PIN((size_t)data.n, 0);
+    PIN((size_t)data.reserved, 0);
+}
+
+static void pin_fit_options(void) {
+    nurbs_fit_options options;
+    PIN(sizeof(nurbs_fit_options), 72);
+    PIN(offsetof(nurbs_fit_options, struct_size), 0);
+    PIN(offsetof(nurbs_fit_options, smoothing), 8);
+    PIN(offsetof(nurbs_fit_options, penalty_order), 12);
+    PIN(offsetof(nurbs_fit_options, lambda), 16);
+    PIN(offsetof(nurbs_fit_options, target), 24);
+    PIN(offsetof(nurbs_fit_options, regularize), 32);
+    PIN(offsetof(nurbs_fit_options, reserved), 36);
+    PIN(offsetof(nurbs_fit_options, conditions), 40);
+    PIN(offsetof(nurbs_fit_options, condition_params), 48);
+    PIN(offsetof(nurbs_fit_options, condition_orders), 56);
+    PIN(offsetof(nurbs_fit_options, condition_targets), 64);
+    if (nurbs_fit_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
+        fprintf(stderr, "the library does not know the options of a fit of this size\n");
+        ++failures;
+        return;
+    }
+    PIN((size_t)options.struct_size, 72);
+    PIN((size_t)options.penalty_order, 2);
+    PIN((size_t)options.conditions, 0);
+}
+
+static void pin_fit_report(void) {
+    PIN(sizeof(nurbs_fit_report), 96);
+    PIN(offsetof(nurbs_fit_report, struct_size), 0);
+    PIN(offsetof(nurbs_fit_report, data_count), 8);
+    PIN(offsetof(nurbs_fit_report, weight), 16);
+    PIN(offsetof(nurbs_fit_report, squares), 24);
+    PIN(offsetof(nurbs_fit_report, rms), 32);
+    PIN(offsetof(nurbs_fit_report, lambda), 40);
+    PIN(offsetof(nurbs_fit_report, freedom), 48);
+    PIN(offsetof(nurbs_fit_report, sigma), 56);
+    PIN(offsetof(nurbs_fit_report, residual), 64);
+    PIN(offsetof(nurbs_fit_report, largest), 72);
+    PIN(offsetof(nurbs_fit_report, largest_index), 80);
+    PIN(offsetof(nurbs_fit_report, bits), 88);
+    PIN(offsetof(nurbs_fit_report, reserved), 92);
+}
+
 /* Codes are compiled into callers: one that moves would be taken for another. */
 static void pin_codes(void) {
     PIN(sizeof(nurbs_status), 4);
@@ -171,6 +239,7 @@ static void pin_codes(void) {
     PIN(NURBS_ERROR_RULE, 64);
     PIN(NURBS_ERROR_SCHOENBERG_WHITNEY, 65);
     PIN(NURBS_ERROR_RANK, 66);
+    PIN(NURBS_ERROR_SCALE, 67);
     PIN(NURBS_ERROR_OUTSIDE_DOMAIN, 100);
     PIN(NURBS_ERROR_NOT_REPRESENTABLE, 200);
     PIN(NURBS_ERROR_KNOTS_MERGE, 202);
@@ -184,6 +253,8 @@ static void pin_codes(void) {
     PIN(NURBS_ERROR_TRUNCATED, 401);
     PIN(NURBS_ERROR_SYNTAX, 402);
     PIN(NURBS_ERROR_UNSUPPORTED, 403);
+    PIN(NURBS_ERROR_CHECKSUM, 404);
+    PIN(NURBS_ERROR_VERSION, 405);
     PIN(NURBS_ERROR_INTERNAL, 900);
 }
 
@@ -247,6 +318,12 @@ static void pin_kinds(void) {
     PIN(NURBS_ENDS_NOT_A_KNOT, 0);
     PIN(NURBS_ENDS_NATURAL, 1);
     PIN(NURBS_ENDS_FREE, 2);
+    PIN(NURBS_SMOOTHING_NONE, 0);
+    PIN(NURBS_SMOOTHING_LAMBDA, 1);
+    PIN(NURBS_SMOOTHING_GCV, 2);
+    PIN(NURBS_SMOOTHING_REML, 3);
+    PIN(NURBS_SMOOTHING_DISCREPANCY, 4);
+    PIN(NURBS_FIT_TARGET_MISSED, 1);
     PIN(NURBS_TANGENTS_CATMULL_ROM, 0);
     PIN(NURBS_TANGENTS_BESSEL, 1);
     PIN(NURBS_TANGENTS_AKIMA, 2);
@@ -312,7 +389,10 @@ int main(void) {
         pin_closest_answer();
         pin_constraints();
         pin_constraint_report();
+        pin_data();
+        pin_fit_options();
     }
+    pin_fit_report();
     pin_codes();
     pin_flags();
     pin_kinds();

@@ -11,7 +11,8 @@ import os
 import smoke_table
 from smoke_table import TYPES, show, text_of
 
-import smoke  # from the project, as calls_model
+import calls_model  # from the project, as smoke
+import smoke
 from calls_model import (Bytes, Handle, Handles, Items, NewHandle, NewStruct, Null, Number, Numbers, Packed, Path, Slot,
                          Struct, StructSize)
 from nurbs._prototypes import PROTOTYPES
@@ -32,7 +33,10 @@ class Library:
             function = getattr(self.library, name)
             function.restype, function.argtypes = LETTERS[result], [LETTERS[letter] for letter in arguments]
         self.structs = {struct.name: self.struct(struct) for struct in manual.structs}
-        self.handles = {name: self.made(entry.call) for name, entry in model.inputs.items() if entry.shared}
+        self.handles = {}
+        for name, entry in model.inputs.items():
+            if entry.shared:
+                self.handles[name] = self.made(entry.call)
 
     def struct(self, found):
         fields = [(field.name, ctypes.c_void_p if field.pointers or field.base not in TYPES else TYPES[field.base])
@@ -97,7 +101,7 @@ class Call:
             case Items():
                 return self.items(value)
             case Bytes():
-                text = self.library.model.texts[value.text].encode()
+                text = calls_model.encoded(self.library.model.texts[value.text])
                 return self.keep(ctypes.create_string_buffer(text, len(text)))
             case Path():
                 return self.keep(ctypes.create_string_buffer(smoke_table.file(value.text).encode()))
@@ -110,8 +114,9 @@ class Call:
             case NewHandle():
                 return self.output(entry.name if entry.name != "list" else "list", ctypes.c_void_p())
             case Slot():
-                return self.output(entry.name, (TYPES[entry.base] * max(value.length, 1)).from_buffer(
-                    bytearray(UNWRITTEN * max(value.length, 1) * ctypes.sizeof(TYPES[entry.base]))))
+                kind = ctypes.c_char if entry.base == "void" else TYPES[entry.base]
+                return self.output(entry.name, (kind * max(value.length, 1)).from_buffer(
+                    bytearray(UNWRITTEN * max(value.length, 1) * ctypes.sizeof(kind))))
 
     def output(self, name, memory):
         self.outputs[name] = memory
@@ -140,11 +145,11 @@ class Call:
         name = self.call.name
         print(f"{name}|done|")
         for parameter, value in smoke.values_of(self.call).items():
-            if isinstance(value, Slot):
+            if isinstance(value, Slot) and value.length > 0:
                 self.show_array(name, parameter, self.outputs[parameter])
             elif isinstance(value, NewHandle):
-                show_list = value.place == "list"
-                (self.show_list if show_list else self.show_spline)(name, parameter, self.outputs[parameter].value)
+                shown = {"list": self.show_list, "statistics": self.show_statistics}.get(value.place, self.show_spline)
+                shown(name, parameter, self.outputs[parameter].value)
         if self.call.result is not None:
             found = self.outputs["return"]
             show(name, "return", [found.decode() if isinstance(found, bytes) else str(found)])
@@ -174,6 +179,13 @@ class Call:
         memory = (ctypes.c_double * count)()
         self.library.call(function, g, axis, count, memory)
         return list(memory)
+
+    def show_statistics(self, name, parameter, handle):
+        length = ctypes.c_int64()
+        self.library.call("nurbs_statistics_to_bytes", handle, 0, None, ctypes.byref(length))
+        memory = ctypes.create_string_buffer(length.value)
+        self.library.call("nurbs_statistics_to_bytes", handle, length.value, memory, None)
+        show(name, f"{parameter}.bytes", map(str, memory.raw))
 
     def show_list(self, name, parameter, handle):
         count = self.library.answer("nurbs_list_count", ctypes.c_int64, handle)

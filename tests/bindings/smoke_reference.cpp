@@ -72,6 +72,15 @@ void print_spline(const char *name, const nurbs *g) {
     where = before;
 }
 
+void print_statistics(const char *name, const nurbs_statistics *statistics) {
+    int64_t length = 0;
+    CHECK_OK(nurbs_statistics_to_bytes(statistics, 0, nullptr, &length));
+    std::vector<unsigned char> bytes(static_cast<size_t>(length));
+    CHECK_OK(nurbs_statistics_to_bytes(statistics, length, bytes.data(), nullptr));
+    const std::vector<int32_t> numbers(bytes.begin(), bytes.end());
+    print_integers<int32_t>((std::string(name) + ".bytes").c_str(), numbers);
+}
+
 void print_list(const char *name, const nurbs_list *list) {
     const std::string before = where;
     where += name;
@@ -102,6 +111,8 @@ void print_slot(const Slot &slot, const calls::Output &o) {
         std::printf("%s%s|%s\n", where.c_str(), slot.parameter, o.text + first);
     } else if (place == "list") {
         print_list(slot.parameter, o.list);
+    } else if (place == "statistics") {
+        print_statistics(slot.parameter, o.statistics);
     } else {
         print_spline(slot.parameter, place == "out" ? o.out : o.other);
     }

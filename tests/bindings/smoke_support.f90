@@ -9,7 +9,7 @@ module smoke_support
 
     interface show
         module procedure show_double, show_doubles, show_singles, show_int, show_ints, show_long, show_longs
-        module procedure show_logical, show_logicals, show_text, show_spline, show_list
+        module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics
     end interface show
 
     interface flat
@@ -109,6 +109,15 @@ contains
     end subroutine show_text
 
     ! Handles.
+
+    subroutine show_statistics(name, statistics)
+        character(len=*), intent(in) :: name
+        class(nurbs_statistics), intent(in) :: statistics
+        character(kind=c_char, len=:), allocatable :: bytes
+        integer :: i
+        call statistics%to_bytes(bytes)
+        call show(name//'.bytes', [(int(ichar(bytes(i:i)), c_int32_t), i=1, len(bytes))])
+    end subroutine show_statistics
 
     subroutine show_spline(name, g)
         character(len=*), intent(in) :: name

@@ -78,6 +78,14 @@ inline void show(const std::string &name, const std::string &text) {
     std::printf("%s|%s|%s\n", call.c_str(), name.c_str(), text.c_str());
 }
 
+inline void show(const std::string &name, const libnurbs::Statistics &statistics) {
+    std::vector<std::int32_t> bytes;
+    for (const std::byte byte : statistics.to_bytes()) {
+        bytes.push_back(std::to_integer<std::int32_t>(byte));
+    }
+    show(name + ".bytes", bytes);
+}
+
 inline void show(const std::string &name, const libnurbs::Spline &spline) {
     std::vector<std::int32_t> degrees;
     std::vector<std::vector<double>> knots;

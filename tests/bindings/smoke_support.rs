@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! How the smoke test of Rust prints what calls return: see smoke_reference.cpp.
 
-use nurbs::{List, Spline};
+use nurbs::{List, Spline, Statistics};
 use std::cell::RefCell;
 
 thread_local!(static CALL: RefCell<&'static str> = const { RefCell::new("") });
@@ -92,6 +92,13 @@ impl Show for Spline {
         show(&format!("{name}.degrees"), &degrees);
         show(&format!("{name}.knots"), &knots);
         show(&format!("{name}.points"), &self.homogeneous_points().expect(name));
+    }
+}
+
+impl Show for Statistics {
+    fn lines(&self, name: &str) {
+        let bytes: Vec<i32> = self.to_bytes().expect(name).into_iter().map(i32::from).collect();
+        show(&format!("{name}.bytes"), &bytes);
     }
 }
 

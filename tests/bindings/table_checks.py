@@ -4,6 +4,7 @@
 usage: table_checks.py TOP_FOLDER
 """
 
+import re
 import sys
 import tomllib
 import unittest
@@ -189,7 +190,8 @@ class Consequences(unittest.TestCase):
         by_hand = [entry.name for entry in binding.entries if entry.by_hand]
         self.assertEqual(len(binding.entries) + sum(entry.watched is not None for entry in binding.entries),
                          len(binding.manual.functions))
-        self.assertLess(len(by_hand), 10, by_hand)
+        owned = [name for name in by_hand if re.search("_(init|clone|destroy)$", name)]  # what types do by themselves
+        self.assertLess(len(by_hand) - len(owned), 6, by_hand)
 
 
 class Cplusplus(unittest.TestCase):

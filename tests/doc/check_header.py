@@ -18,7 +18,7 @@ sys.path.insert(0, str(TOP / "cmake/interface"))
 import header  # noqa: E402 - from the project
 
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "complete", "content", "convexity",
+SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "cells", "complete", "content", "convexity",
                   "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries", "error", "factor",
                   "form", "gap", "geometric", "homogeneous", "index", "knot", "length", "line", "metres", "moved", "openness",
                   "optimality", "order", "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason",

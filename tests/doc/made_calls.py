@@ -15,7 +15,7 @@ import slots  # noqa: E402 - from the project
 ROOM = 1 << 14  # values in an array, more than any of these calls uses
 # Values that differ from 1/4, which any real number is, and elements of arrays that differ from 1.
 UPPER = {"b": 1, "end": 1, "upper": 1, "top": 1, "north": 1, "top_radius": 0.5}
-ELEMENTS = {"degrees": 2, "counts": 3, "distinct_counts": 2, "multiplicities": 3}
+ELEMENTS = {"degrees": 2, "counts": 3, "distinct_counts": 2, "multiplicities": 3, "break_counts": 2}
 # Numbers of points or parameters, and numbers of knots.
 AMOUNTS = ((1, 1), (3, 6), (9, 9), (6, 6), (3, 4))
 
@@ -52,6 +52,10 @@ class Border:
         self.splines = [Splines(self.library, axes, dim) for axes, dim in kinds]
         self.list = ctypes.c_void_p()
         assert self.library.nurbs_decompose(self.splines[0].handle, ctypes.byref(self.list)) == 0
+        self.statistics = ctypes.c_void_p()
+        assert self.library.nurbs_statistics_create(
+            1, (ctypes.c_int32 * 1)(2), (ctypes.c_int64 * 1)(2), (ctypes.c_double * 2)(0, 1), ctypes.c_int64(2), 1,
+            ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.statistics)) == 0
         self.structs = {struct.name: slots.struct_class(self.manual, struct) for struct in self.manual.structs}
         self.callbacks = {name: slots.callback_type(self.manual, name)(lambda *_: 0) for name in self.manual.callbacks}
 
@@ -90,8 +94,8 @@ class Border:
         if entry.base == "double":
             return ctypes.c_double(UPPER.get(entry.name, 0.25) * slot.used)
         values = {"dim": spline.dim, "axes": spline.axes, "out_dim": spline.dim, "count": count, "n": count,
-                  "size": count, "knot_count": knot_count, "break_count": 2 * spline.axes, "cap": cap, "degree": 2,
-                  "pieces": 4, "parts": 4, "sides": 4}
+                  "size": count, "knot_count": knot_count, "break_count": 2 * spline.axes,
+                  "break_total": 2 * spline.axes, "cap": cap, "degree": 2, "pieces": 4, "parts": 4, "sides": 4}
         if slot.holder and entry.name == "struct_size":
             values["struct_size"] = slots.known_size(self.structs[slot.holder.base])
         return slots.INTEGERS[entry.base](values.get(entry.name, 0) * slot.used)
@@ -106,6 +110,11 @@ class Border:
             return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
         if entry.base == "nurbs_list":
             return self.list if entry.pointers == 1 else ctypes.pointer(ctypes.c_void_p())
+        if entry.base == "nurbs_statistics":
+            several = (ctypes.c_void_p * 16)(*[self.statistics.value] * 16)
+            if entry.pointers == 1:
+                return self.statistics
+            return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
         if entry.base in slots.INTEGERS:
             return (slots.INTEGERS[entry.base] * ROOM)(*[ELEMENTS.get(entry.name, 1)] * 64)
         if entry.base in ("double", "float"):

@@ -23,7 +23,8 @@ std::vector<double> places_for(Random &random, const SplineData &data, int k) {
     for (size_t i = p; i + p + 1 < knots.size(); ++i) {
         for (size_t j = 0; knots[i] < knots[i + 1] && j < p + 2; ++j) {
             // Near Chebyshev's points, at which data determine polynomials of high degrees well.
-            const double angle = (static_cast<double>(j) + random.between(0.3, 0.7)) / static_cast<double>(p + 2);
+            const double angle =
+                (static_cast<double>(j) + random.between(0.3, 0.7)) / static_cast<double>(p + 2);
             const double part = (1 - std::cos(std::numbers::pi * angle)) / 2;
             places.push_back(std::min(knots[i] + part * (knots[i + 1] - knots[i]), knots[i + 1]));
         }
@@ -110,7 +111,8 @@ TEST(Fit, is_that_of_exact_arithmetic) {
         Sample sample{1, 1, {}, {}, {}};
         const int64_t n = count + random.whole(0, 8);
         for (int64_t i = 0; i < n; ++i) {
-            sample.params.push_back((static_cast<double>(i) + random.between(0.2, 0.8)) / static_cast<double>(n));
+            sample.params.push_back((static_cast<double>(i) + random.between(0.2, 0.8)) /
+                                    static_cast<double>(n));
             sample.values.push_back(random.between(-1, 1));
         }
         Fit fit(over);
@@ -208,8 +210,8 @@ TEST(Fit, leaves_residuals_that_are_orthogonal_to_all_splines) {
             weight += own;
         }
         std::vector<double> gradient(static_cast<size_t>(over.point_count() * over.dim));
-        require_ok(nurbs_eval_adjoint(made.get(), 0, sample.size(), sample.params.data(), 0, 0, left.data(), 0,
-                                      0, gradient.data(), 0, 0, nullptr, 0, nullptr, 0, 0, 0));
+        require_ok(nurbs_eval_adjoint(made.get(), 0, sample.size(), sample.params.data(), 0, 0, left.data(),
+                                      0, 0, gradient.data(), 0, 0, nullptr, 0, nullptr, 0, 0, 0));
         const double size = std::max(1.0, extent(read_back(made.get())));
         for (int64_t i = 0; over.flags == 0 && i < std::ssize(gradient); ++i) {
             ASSERT_LE(std::fabs(gradient[static_cast<size_t>(i)]),
@@ -227,9 +229,9 @@ TEST(Fit, is_free_of_scale) {
         const double size = std::ldexp(1.0, random.whole(-40, 40)),
                      speed = std::ldexp(1.0, random.whole(-30, 30));
         Fit fit(over), other(scaled(over, size, speed));
-        fit.options.smoothing = other.options.smoothing = random.whole(0, 3) == 0   ? NURBS_SMOOTHING_NONE
-                                                          : random.chance(50) ? NURBS_SMOOTHING_GCV
-                                                                              : NURBS_SMOOTHING_REML;
+        fit.options.smoothing = other.options.smoothing = random.whole(0, 3) == 0 ? NURBS_SMOOTHING_NONE
+                                                          : random.chance(50)     ? NURBS_SMOOTHING_GCV
+                                                                                  : NURBS_SMOOTHING_REML;
         fit.options.penalty_order = other.options.penalty_order = 1;
         if (std::ranges::all_of(over.degrees, [](int p) { return p == 0; })) {
             fit.options.smoothing = other.options.smoothing = NURBS_SMOOTHING_NONE;

@@ -70,9 +70,9 @@ TEST(FitTolerance, is_met_with_few_control_points) {
         }
         EXPECT_LE(largest, tolerance);
         EXPECT_NEAR(result.report.largest, largest, 1e-15);
-        EXPECT_NEAR(distance_at(result.spline.get(), sample,
-                                static_cast<size_t>(result.report.largest_index)),
-                    largest, 1e-15);
+        EXPECT_NEAR(
+            distance_at(result.spline.get(), sample, static_cast<size_t>(result.report.largest_index)),
+            largest, 1e-15);
     }
     EXPECT_EQ(fitted(sample, {3}, 1e-6, 0, 50).report.bits, NURBS_FIT_TARGET_MISSED);
     EXPECT_LE(fitted(sample, {3}, 1e-6, 0, 50).count(), 50);
@@ -114,7 +114,8 @@ TEST(FitTolerance, closes_periodic_curves_smoothly) {
     const Result open = fitted(sample, {3}, 1e-4), closed = fitted(sample, {3}, 1e-4, NURBS_PERIODIC);
     EXPECT_EQ(closed.report.bits, 0);
     EXPECT_LE(closed.count(), open.count() + 6);
-    const auto start = eval_derivs(closed.spline.get(), 2, {0}), end = eval_derivs(closed.spline.get(), 2, {1}, NURBS_LEFT);
+    const auto start = eval_derivs(closed.spline.get(), 2, {0}),
+               end = eval_derivs(closed.spline.get(), 2, {1}, NURBS_LEFT);
     for (size_t i = 0; i < start.size(); ++i) {
         EXPECT_NEAR(start[i], end[i], 1e-9);
     }
@@ -145,9 +146,8 @@ TEST(FitTolerance, copes_with_few_and_noisy_data) {
     const Sample some = curve(12, 2, flower);
     EXPECT_LE(fitted(some, {3}, 1e-9).report.largest, 1e-9);
     for_each_case(912000, 2, [](Random &random, uint64_t) {
-        const Sample noisy = curve(5000, 1, [&](double t) {
-            return std::vector<double>{std::sin(t) + random.between(-1, 1)};
-        });
+        const Sample noisy = curve(
+            5000, 1, [&](double t) { return std::vector<double>{std::sin(t) + random.between(-1, 1)}; });
         const Result result = fitted(noisy, {3}, 1e-3);
         EXPECT_EQ(result.report.bits, NURBS_FIT_TARGET_MISSED);
         EXPECT_LE(result.report.largest, 2);

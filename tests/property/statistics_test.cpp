@@ -30,8 +30,8 @@ Cells random_cells(Random &random, int axes) {
 Statistics empty(const Cells &cells, int32_t dim, double value_scale, double weight_scale) {
     return made_statistics([&](nurbs_statistics **out) {
         return nurbs_statistics_create(static_cast<int32_t>(cells.degrees.size()), cells.degrees.data(),
-                                       cells.counts.data(), cells.breaks.data(), std::ssize(cells.breaks), dim,
-                                       value_scale, weight_scale, out);
+                                       cells.counts.data(), cells.breaks.data(), std::ssize(cells.breaks),
+                                       dim, value_scale, weight_scale, out);
     });
 }
 
@@ -41,7 +41,8 @@ Statistics with(const Statistics &statistics, const Sample &sample, uint32_t fla
         [&](nurbs_statistics **out) { return nurbs_statistics_add(statistics.get(), &data, out); });
 }
 
-Statistics merged(const std::vector<const nurbs_statistics *> &parts, const std::vector<int32_t> &signs = {}) {
+Statistics merged(const std::vector<const nurbs_statistics *> &parts,
+                  const std::vector<int32_t> &signs = {}) {
     return made_statistics([&](nurbs_statistics **out) {
         return nurbs_statistics_merge(std::ssize(parts), parts.data(), signs.empty() ? nullptr : signs.data(),
                                       out);
@@ -54,8 +55,9 @@ Sample random_sample(Random &random, const Cells &cells, int32_t dim, size_t siz
         auto first = cells.breaks.begin();
         for (const int64_t count : cells.counts) {
             const bool at_break = random.chance(10);
-            sample.params.push_back(at_break ? first[static_cast<int64_t>(random.bits() % static_cast<size_t>(count))]
-                                             : random.between(first[0], first[count - 1]));
+            sample.params.push_back(
+                at_break ? first[static_cast<int64_t>(random.bits() % static_cast<size_t>(count))]
+                         : random.between(first[0], first[count - 1]));
             first += count;
         }
         for (int c = 0; c < dim; ++c) {

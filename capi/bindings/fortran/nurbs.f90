@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: MIT
 ! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
-!> libnurbs for Fortran 2018: splines and lists of splines as types that clean up after themselves.
+!> libnurbs for Fortran 2018: splines, lists of splines and statistics of data as types that clean up after themselves.
 !>
 !> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
 !>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.
@@ -26,11 +26,12 @@ module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
-    use nurbs_handles, only: default_read_options
+    use nurbs_handles, only: data_for_fits, default_fit_options, default_read_options
     use nurbs_calls, only: nurbs_call, nurbs_progress
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
     use nurbs_lists, only: nurbs_list
+    use nurbs_fittings, only: fit_points, fit_tolerance, nurbs_statistics
     use nurbs_fits
     use nurbs_knot_vectors
     use nurbs_frames

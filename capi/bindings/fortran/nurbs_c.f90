@@ -51,9 +51,9 @@ module nurbs_c
         integer(c_int32_t) :: regularize
         integer(c_int32_t) :: reserved  ! 0
         integer(c_int64_t) :: conditions  ! number of equations that have to hold, >= 0; 0
-        type(c_ptr) :: condition_params  ! [conditions][axes] where, packed; NULL
-        type(c_ptr) :: condition_orders  ! [conditions][axes] or NULL for 0: orders of derivatives; NULL
-        type(c_ptr) :: condition_targets  ! [conditions][dim] points and derivatives, packed; NULL
+        type(c_ptr) :: condition_params  ! [conditions][axes] or NULL: where, packed
+        type(c_ptr) :: condition_orders  ! [conditions][axes] or NULL for 0: orders of derivatives
+        type(c_ptr) :: condition_targets  ! [conditions][dim] or NULL: points and derivatives, packed
     end type nurbs_fit_options
 
     !> What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
@@ -1216,11 +1216,11 @@ module nurbs_c
         end function nurbs_statistics_size
         !> Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever
         !> their order.
-        function nurbs_statistics_to_bytes(statistics, cap, bytes, size) bind(c) result(r)
+        function nurbs_statistics_to_bytes(statistics, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: statistics, bytes
             integer(c_int64_t), value :: cap
-            integer(c_int64_t), intent(inout), optional :: size
+            integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_statistics_to_bytes
         !> Statistics from the bytes of nurbs_statistics_to_bytes().

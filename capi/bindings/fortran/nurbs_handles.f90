@@ -1,12 +1,20 @@
 ! SPDX-License-Identifier: MIT
-!> The handles that splines and lists of splines own: how they are replaced, copied and freed.
+!> The handles that splines, lists of splines and statistics own: how they are replaced, copied and freed.
 module nurbs_handles
     use, intrinsic :: iso_c_binding
-    use nurbs_c, only: nurbs_clone, nurbs_destroy, nurbs_list_destroy, nurbs_read_options, nurbs_read_options_init
+    use nurbs_constants
+    use nurbs_c, only: nurbs_clone, nurbs_data, nurbs_data_init, nurbs_destroy, nurbs_fit_options, &
+        nurbs_fit_options_init, nurbs_list_destroy, nurbs_read_options, nurbs_read_options_init, &
+        nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes
     use nurbs_support
     implicit none
     private
-    public :: handles_of, default_read_options
+    public :: handles_of, default_read_options, default_fit_options, data_for_fits
+
+    !> As the library takes an array of handles.
+    interface handles_of
+        module procedure handles_of_splines, handles_of_statistics
+    end interface handles_of
 
     !> The handle of a spline. An assignment makes another handle on the same data.
     type, public :: nurbs_handle
@@ -27,6 +35,16 @@ module nurbs_handles
         generic :: assignment(=) => refuse_copy
         final :: finish_list
     end type nurbs_list_handle
+
+    !> The handle of statistics. An assignment makes another handle on the same sums.
+    type, public :: nurbs_statistics_handle
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: destroy => destroy_statistics, replace => replace_statistics, to_bytes
+        procedure, private :: copy_statistics
+        generic :: assignment(=) => copy_statistics
+        final :: finish_statistics
+    end type nurbs_statistics_handle
 
 contains
 
@@ -60,15 +78,97 @@ contains
         call this%replace(made)
     end subroutine copy
 
-    !> As the library takes an array of splines.
-    function handles_of(splines) result(handles)
+    function handles_of_splines(splines) result(handles)
         class(nurbs_handle), intent(in) :: splines(:)
         type(c_ptr) :: handles(size(splines))
         integer :: i
         do i = 1, size(splines)
             handles(i) = splines(i)%handle
         end do
-    end function handles_of
+    end function handles_of_splines
+
+    ! Statistics
+
+    subroutine destroy_statistics(this)
+        class(nurbs_statistics_handle), intent(inout) :: this
+        call replace_statistics(this, c_null_ptr)
+    end subroutine destroy_statistics
+
+    impure elemental subroutine finish_statistics(this)
+        type(nurbs_statistics_handle), intent(inout) :: this
+        call destroy_statistics(this)
+    end subroutine finish_statistics
+
+    subroutine replace_statistics(this, handle)
+        class(nurbs_statistics_handle), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call nurbs_statistics_destroy(this%handle)
+        this%handle = handle
+    end subroutine replace_statistics
+
+    impure elemental subroutine copy_statistics(this, other)
+        class(nurbs_statistics_handle), intent(inout) :: this
+        class(nurbs_statistics_handle), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_statistics_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy_statistics
+
+    function handles_of_statistics(statistics) result(handles)
+        class(nurbs_statistics_handle), intent(in) :: statistics(:)
+        type(c_ptr) :: handles(size(statistics))
+        integer :: i
+        do i = 1, size(statistics)
+            handles(i) = statistics(i)%handle
+        end do
+    end function handles_of_statistics
+
+    !> The same bytes on every machine for the same data, whatever their order.
+    subroutine to_bytes(this, bytes, status)
+        class(nurbs_statistics_handle), intent(in) :: this
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int64_t) :: length
+        integer(c_int32_t) :: code
+        length = 0
+        code = nurbs_statistics_to_bytes(this%handle, 0_c_int64_t, c_null_ptr, length)
+        allocate (character(kind=c_char, len=length) :: bytes)
+        if (code == NURBS_OK) code = nurbs_statistics_to_bytes(this%handle, length, c_loc(bytes))
+        call settle(code, status)
+    end subroutine to_bytes
+
+    !> values(n, dim) at params(n, axes), with weights(n) or without. It refers to these arrays, which have to be
+    !> contiguous, and to stay as long as it is used.
+    subroutine data_for_fits(data, params, values, weights, flags)
+        type(nurbs_data), intent(out) :: data
+        real(c_double), intent(in), target, contiguous :: params(:, :), values(:, :)
+        real(c_double), intent(in), target, contiguous, optional :: weights(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        call settle(nurbs_data_init(data, int(c_sizeof(data), c_int64_t)))
+        data%n = size(params, 1, c_int64_t)
+        data%axes = size(params, 2, c_int32_t)
+        data%dim = size(values, 2, c_int32_t)
+        data%params = c_loc(params)
+        data%param_stride = step(params)
+        data%param_component_stride = column(params)
+        data%values = c_loc(values)
+        data%value_stride = step(values)
+        data%value_component_stride = column(values)
+        if (present(weights)) data%weights = c_loc(weights)
+        if (present(flags)) data%flags = flags
+        if (size(values, 1) /= size(params, 1)) data%n = -1
+        if (present(weights)) then
+            if (size(weights) /= size(params, 1)) data%n = -1
+        end if
+    end subroutine data_for_fits
+
+    !> The settings that fits have without options, to change some of them.
+    subroutine default_fit_options(options, status)
+        type(nurbs_fit_options), intent(out) :: options
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_fit_options_init(options, int(c_sizeof(options), c_int64_t)), status)
+    end subroutine default_fit_options
 
     ! Lists
 

@@ -5,12 +5,12 @@ module nurbs_support
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use nurbs_constants
     use nurbs_c, only: nurbs_axes, nurbs_count, nurbs_degree, nurbs_derivative_slots, nurbs_dimension, &
-        nurbs_is_rational, nurbs_last_error, nurbs_point_count, nurbs_status_name
+        nurbs_is_rational, nurbs_last_error, nurbs_point_count, nurbs_statistics_size, nurbs_status_name
     implicit none
     private
     public :: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     public :: shape_error, full_turn, any_size, given, settle, string, infinity, dimension_of, step, column, fits
-    public :: size_if_given
+    public :: size_if_given, statistics_axes_of
     public :: fitting, held, axes_of, dim_of, points_of, rational_of, count_of, degree_of, slots_of, active_of, net_size
     public :: knot_count, bezier_count, periodic_count, matrix_size, homogeneous
 
@@ -197,6 +197,13 @@ contains
         axes_of = 0
         if (nurbs_axes(handle, axes) == NURBS_OK) axes_of = axes
     end function axes_of
+
+    integer(c_int64_t) function statistics_axes_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: axes
+        statistics_axes_of = 0
+        if (nurbs_statistics_size(handle, axes=axes) == NURBS_OK) statistics_axes_of = axes
+    end function statistics_axes_of
 
     integer(c_int64_t) function dim_of(handle)
         type(c_ptr), intent(in) :: handle

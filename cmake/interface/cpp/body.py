@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The second half of a C++ body: room for the results, the call, and what is returned."""
 
+import model
 from signature import Several, Struct, Take
 
 from . import parameters, words
@@ -153,6 +154,9 @@ class Body:
             return "{}"
         if value.kind == "text":
             return "{}"
+        if value.kind == "options":
+            self.targets[value.name] = [f"&{target}"]
+            return "{}"
         if value.kind == "array":
             return self.start_array(variable, field, pattern, kept)
         return self.start_number(value, field, target)
@@ -262,8 +266,7 @@ class Body:
 
     def making(self, value):
         """The expression of a new Spline or List; the handle is the last argument."""
-        kind = "Spline" if value.kind == "spline" else "List"
-        return f"detail::made<{kind}>({self.call(without=value)})"
+        return f"detail::made<{model.HANDLES[value.kind]}>({self.call(without=value)})"
 
     def call(self, without=None):
         """nurbs_x, argument, ..."""

@@ -4,6 +4,7 @@
 import re
 
 import header
+import model
 
 from . import methods, records, words
 
@@ -16,12 +17,14 @@ CLASSES = {
     "Spline": ("SplineHandle",
                "A curve, surface or volume: a handle that is copied in constant time and freed by its destructor."),
     "List": ("ListHandle", "Splines in an order: the parts of one, or what a file held. It cannot be copied."),
+    "Statistics": ("StatisticsHandle",
+                   "What fits need to know of data: a handle that is copied in constant time and freed by its destructor."),
 }
 STANDARD = {"algorithm": r"std::copy_n", "array": r"std::array", "cstddef": r"std::byte|std::size_t",
             "cstdint": r"std::u?int", "limits": r"std::numeric_limits", "optional": r"std::optional",
             "span": r"std::span", "string": r"std::string|std::to_string", "utility": r"std::pair|std::move",
             "vector": r"std::vector"}
-OURS = {"list": r"\bList\b", "placement": r"\bPlacement\b|\barc_\w+|\bfull_turn\b"}
+OURS = {"list": r"\bList\b", "data": r"\bconst Data &", "placement": r"\bPlacement\b|\barc_\w+|\bfull_turn\b"}
 
 
 def files(binding):
@@ -102,7 +105,7 @@ def class_of(method):
     if method.receiver in CLASSES:
         return method.receiver
     value = method.values.get(method.receiver)
-    return {"spline": "Spline", "list": "List"}[value.kind] if value else None
+    return model.HANDLES.get(value.kind) if value else None
 
 
 def class_lines(name, members, binding):

@@ -4,6 +4,8 @@ will read."""
 
 import re
 
+import model
+
 from . import parameters, words
 from .terms import Locals, Terms
 
@@ -41,7 +43,9 @@ class Inputs:
         if name == self.method.receiver:
             return "get()"
         reached = self.reach[name]
-        return f"{reached}[0].get()" if self.values[name].kind == "splines" else f"{reached}.get()"
+        if self.values[name].kind == "options":
+            return reached
+        return f"{reached}[0].get()" if self.values[name].kind in ("splines", "handles") else f"{reached}.get()"
 
     def count_name(self):
         return next((value.name for value in self.values.values() if value.kind == "count"), "")
@@ -192,9 +196,9 @@ class Inputs:
             return []
         if value in self.method.left_out:
             return ["nullptr"] + ["0"] * value.strides
-        if value.kind in ("spline", "list"):
+        if value.kind in model.HANDLES:
             return [self.handle(name)]
-        if value.kind == "splines":
+        if value.kind in ("splines", "handles"):
             handles = f"detail::handle_list({self.reach[name]})"
             return [f"detail::pointer({handles})" if name in self.lacking else f"{handles}.data()"]
         if value.kind == "options":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """C++ functions and member functions, as lines."""
 
+import model
 from signature import Several, Struct
 
 from . import parameters, words
@@ -52,7 +53,7 @@ def around(method, result):
     if method.receiver in method.values:
         return heeded, " const"
     if method.receiver:
-        return f"{heeded if method.receiver == 'List' else ''}static ", ""
+        return f"{heeded if method.receiver != 'Spline' else ''}static ", ""
     return f"{heeded if method.entry.fills('cpp') else ''}inline ", ""
 
 
@@ -63,8 +64,8 @@ def returned(method):
     if isinstance(method.result, Several):
         return "std::pair<Spline, Spline>"
     value = method.values[method.result.name]
-    if value.kind in ("spline", "list"):
-        return {"spline": "Spline", "list": "List"}[value.kind]
+    if value.kind in model.HANDLES:
+        return model.HANDLES[value.kind]
     if value.kind == "text":
         return "std::string"
     return words.owned(value) if value.kind == "array" else words.scalar(value)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The parameter list of a C++ function, and how its body reaches what the caller gave."""
 
+import model
+from methods import KINDS
 from signature import Several, Struct, Take
 
 from . import words
@@ -13,8 +15,10 @@ def is_records(method, value):
 
 def taken_type(method, argument, value, binding):
     """Type of an argument that is one parameter of the C function."""
-    if value.kind == "spline":
-        return "const Spline &"
+    if value.kind in model.HANDLES:
+        return f"const {model.HANDLES[value.kind]} &"
+    if value.kind == "handles":
+        return f"std::span<const {model.HANDLES[KINDS[value.base]]}> "
     if value.kind == "splines":
         return several_splines(argument, value, binding)
     if value.kind == "path":
@@ -22,8 +26,7 @@ def taken_type(method, argument, value, binding):
     if value.kind == "bytes":
         return "std::span<const std::byte> "
     if value.kind == "options":
-        record = next(record for record in binding.all_records.values() if record.struct == value.base)
-        return f"const {record.key} &"
+        return f"const {words.struct_type(value, binding)} &"
     if value.kind == "number":
         return words.SCALARS[value.base] + " "
     return array_type(method, argument, value)

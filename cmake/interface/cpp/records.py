@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """C++ structs: results, settings, arrays of the caller that are filled, options of nurbs.h; and constants."""
 
+import model
 from signature import Struct, Take
 
 from . import words
@@ -11,20 +12,20 @@ def lines(record, binding):
         yield from words.comment(record.doc)
         yield f"using {record.key} = std::array<Spline, {record.splines}>;"
     elif record.struct:
-        yield from options(record)
+        yield from (options(record) if record.has_defaults(binding.manual) else answers(record))
     else:
-        yield from struct(record)
+        yield from struct(record, binding)
         if record.outputs("cpp"):
             yield from outputs(record)
 
 
-def struct(record):
+def struct(record, binding):
     yield from words.comment(record.doc)
     yield f"struct {record.name('cpp')} {{"
     is_input = not any(is_result for _, _, is_result in record.uses["cpp"])
     for name, text, value, pattern in record.members("cpp"):
         start = initial(record, name) if is_input else ""
-        yield from member(f"    {member_type(value, pattern)} {name}{start};", words.text(text))
+        yield from member(f"    {member_type(value, pattern, binding)} {name}{start};", words.text(text))
     yield "};"
 
 
@@ -45,13 +46,15 @@ def initial(record, name):
     return "{}" if value == "{}" else f" = {words.default(value)}"
 
 
-def member_type(value, pattern):
+def member_type(value, pattern, binding):
     if isinstance(pattern, Struct):
         return pattern.record
     if isinstance(pattern, Take) and pattern.last:
         return words.array_of(words.SCALARS[value.base], [pattern.last - pattern.first])
-    if value.kind in ("spline", "list"):
-        return {"spline": "Spline", "list": "List"}[value.kind]
+    if value.kind in model.HANDLES:
+        return model.HANDLES[value.kind]
+    if value.kind == "options":
+        return words.struct_type(value, binding)
     if value.kind == "text":
         return "std::string"
     if value.kind == "array":
@@ -81,6 +84,16 @@ def options(record):
     yield f"struct {record.key} : {record.struct} {{"
     yield f"    [[gnu::always_inline]] {record.key}() : {record.struct}{{}} {{"
     yield f"        detail::call({record.struct}_init, this, static_cast<std::int64_t>(sizeof({record.struct})));"
+    yield "    }"
+    yield "};"
+
+
+def answers(record):
+    """A struct that the library fills."""
+    yield from words.comment(record.doc)
+    yield f"struct {record.key} : {record.struct} {{"
+    yield f"    [[gnu::always_inline]] {record.key}() noexcept : {record.struct}{{}} {{"
+    yield f"        struct_size = static_cast<std::int64_t>(sizeof({record.struct}));"
     yield "    }"
     yield "};"
 

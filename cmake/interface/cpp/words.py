@@ -46,6 +46,11 @@ def element(value):
     return "std::uint32_t" if value.unsigned else SCALARS[value.base]
 
 
+def struct_type(value, binding):
+    """The record that holds a struct of nurbs.h."""
+    return next(record.key for record in binding.all_records.values() if record.struct == value.base)
+
+
 def fixed(extents):
     """The extents, if all of them are numbers."""
     sizes = [extent.name for extent in extents if extent.op == "number"]

@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass
 
+from methods import KINDS
+from model import HANDLES
 from signature import Each, Several, Struct, Take
 
 
@@ -68,7 +70,7 @@ class Declarations:
             return "inout"
         if dummy.value is None or not dummy.value.is_output:
             return "in"
-        return "out" if self.cleared and dummy.kind not in ("spline", "list") else "inout"
+        return "out" if self.cleared and dummy.kind not in HANDLES else "inout"
 
     def type_and_name(self, dummy):
         value, name = dummy.value, dummy.name
@@ -77,10 +79,10 @@ class Declarations:
             return self.words.type_of(self.method.values[items[0].name]), f"{name}({len(items)})"
         if dummy.kind in ("record", "records"):
             return f"type({self.record(dummy).name('fortran')})", name + "(:)" * (dummy.kind == "records")
-        if dummy.kind in ("spline", "list"):
+        if dummy.kind in HANDLES:
             return self.handle(value), name
-        if dummy.kind == "splines":
-            return "type(nurbs_spline)", f"{name}({self.shape(value)})"
+        if dummy.kind in ("splines", "handles"):
+            return f"type(nurbs_{KINDS[value.base]})", f"{name}({self.shape(value)})"
         if dummy.kind in ("text", "path", "bytes"):
             return "character(len=:)" if dummy.kind == "text" else "character(kind=c_char, len=*)", name
         if dummy.kind == "options":
@@ -92,8 +94,7 @@ class Declarations:
         return self.words.records[(pattern.item if isinstance(pattern, Each) else pattern).record]
 
     def handle(self, value):
-        kind = "nurbs_spline" if value.kind == "spline" else "nurbs_list"
-        return f"{'type' if value.is_output else 'class'}({kind})"
+        return f"{'type' if value.is_output else 'class'}(nurbs_{value.kind})"
 
     def shape(self, value):
         extents = self.words.extents(value)

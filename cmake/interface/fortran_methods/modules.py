@@ -35,9 +35,11 @@ TYPES = {
     "splines": Type("nurbs_spline", "nurbs_shape", "A spline; an assignment makes another handle on the same data."),
     "lists": Type("nurbs_list", "nurbs_list_handle",
                   "Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied."),
+    "fittings": Type("nurbs_statistics", "nurbs_statistics_handle",
+                     "What fits need to know of data; an assignment makes another handle on the same sums."),
 }
 #: Where names of other modules come from.
-HOMES = {"nurbs_calls": r"nurbs_call\b", "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|handles_of",
+HOMES = {"nurbs_calls": r"nurbs_call\b", "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|handles_of",
          **{f"nurbs_{module}": rf"\b{kind.name}\b" for module, kind in TYPES.items()}}
 
 
@@ -101,7 +103,7 @@ class Module:
 
     def functions(self, body):
         """What the module needs of nurbs_c: compilers take long to go through all of it again and again."""
-        structs = [struct.name for struct in self.binding.manual.structs if struct.name in body]
+        structs = [struct.name for struct in self.binding.manual.structs if f"type({struct.name})" in body]
         entries = [method.entry for method in self.methods]
         watched = [entry.watched.name for entry in entries if entry.watched and not takes_structs(entry)]
         return dict.fromkeys([*(entry.name for entry in entries), *watched, *structs])

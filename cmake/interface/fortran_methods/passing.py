@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass, field
 
+from model import HANDLES
 from signature import Each, Several, Struct
 
 from . import words as fortran
@@ -60,7 +61,9 @@ class Passing:
         elif isinstance(pattern, Each):
             self.take_record(dummy, pattern.item, "rows")
         elif dummy.value.is_output:
-            if dummy.kind not in ("spline", "list"):
+            if dummy.kind == "options":
+                self.answers(dummy)
+            elif dummy.kind not in HANDLES:
                 self.output(Output(dummy.value, dummy.name, dummy.optional, dummy.allocated))
         else:
             self.texts[pattern.name] = getattr(self, f"input_{dummy.kind}")(dummy)
@@ -72,11 +75,21 @@ class Passing:
             self.output(Output(value, f"{dummy.name}%{name}", part=elements,
                                local=f"{part.name}_c" if rows or elements else ""))
 
+    def answers(self, dummy):
+        """A struct that the library fills, which says its own size."""
+        self.texts[dummy.value.name] = dummy.name
+        given = f"if (present({dummy.name})) " * dummy.optional
+        self.before.append(f"{given}{dummy.name}%struct_size = c_sizeof({dummy.name})")
+
     def input_spline(self, dummy):
         return f"{dummy.name}%handle"
 
+    input_statistics = input_spline
+
     def input_splines(self, dummy):
         return self.converted(dummy, "type(c_ptr)", f"handles_of({dummy.name})", 1)
+
+    input_handles = input_splines
 
     def input_path(self, dummy):
         return f"{dummy.name}//c_null_char"

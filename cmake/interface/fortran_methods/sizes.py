@@ -65,6 +65,11 @@ class Sizes:
         several = len([value for value in self.method.values.values() if value.kind == "spline" and not value.is_output]) > 1
         local = self.free(f"{name}_{spline}" if several else name.lower() if name != "N" else "points_n", f"{name}_here")
         call = f"{PROPERTIES[name]}({self.handle(spline)})"
+        kind = self.method.values[spline].kind
+        if kind == "options":
+            call = f"int({self.by_parameter[spline].name}%{name}, c_int64_t)"
+        elif kind == "statistics":
+            call = f"statistics_{call}"
         return self.mark(local, lambda: (call, f"int({call})"))
 
     def number(self, name, narrow=False):

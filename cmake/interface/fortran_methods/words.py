@@ -13,6 +13,7 @@ class Words:
     """What general.toml says of Fortran alone."""
 
     def __init__(self, binding):
+        self.binding = binding
         own = binding.general["fortran"]
         self.stored, self.wide = own["stored"], own["wide"]
         self.narrow, self.assumed = own["narrow"], own["assumed"]

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /// \file handles.hpp
-/// \brief What Spline and List are before anything is done with them: owners of a handle.
+/// \brief What Spline, List and Statistics are before anything is done with them: owners of a handle.
 #ifndef NURBS_CPP_HANDLES_HPP
 #define NURBS_CPP_HANDLES_HPP
 
 #include <nurbs/cpp/arrays.hpp>
 #include <nurbs/cpp/calls.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -61,7 +63,40 @@ private:
     nurbs_list *handle_ = nullptr;
 };
 
-// The handle that f(arguments..., &handle) makes, as a Spline or a List.
+/// The same of statistics, which are copied as splines are; and what they are as bytes.
+class StatisticsHandle {
+public:
+    StatisticsHandle() noexcept = default;
+    explicit StatisticsHandle(nurbs_statistics *owned) noexcept : handle_(owned) {}
+    StatisticsHandle(const StatisticsHandle &other) {
+        if (other.handle_ != nullptr) {
+            check_copy(nurbs_statistics_clone(other.handle_, &handle_));
+        }
+    }
+    StatisticsHandle(StatisticsHandle &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    StatisticsHandle &operator=(StatisticsHandle other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~StatisticsHandle() { nurbs_statistics_destroy(handle_); }
+
+    [[nodiscard]] const nurbs_statistics *get() const noexcept { return handle_; }
+    [[nodiscard]] nurbs_statistics *release() noexcept { return std::exchange(handle_, nullptr); }
+
+    /// To be kept or sent: the same on every machine for the same data, whatever their order.
+    [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
+        std::int64_t length = 0;
+        call(nurbs_statistics_to_bytes, handle_, std::int64_t{0}, nullptr, &length);
+        std::vector<std::byte> bytes(static_cast<std::size_t>(length));
+        call(nurbs_statistics_to_bytes, handle_, length, bytes.data(), nullptr);
+        return bytes;
+    }
+
+private:
+    nurbs_statistics *handle_ = nullptr;
+};
+
+// The handle that f(arguments..., &handle) makes, as a Spline, a List or Statistics.
 template <class Owner, class F, class... Arguments>
 Owner made(F &&f, const Arguments &...arguments) {
     decltype(std::declval<Owner>().release()) handle = nullptr;
@@ -69,12 +104,12 @@ Owner made(F &&f, const Arguments &...arguments) {
     return Owner(handle);
 }
 
-template <class Splines>
-std::vector<const nurbs *> handle_list(const Splines &splines) {
-    std::vector<const nurbs *> handles;
-    handles.reserve(splines.size());
-    for (const SplineHandle &spline : splines) {
-        handles.push_back(spline.get());
+template <class Owners>
+auto handle_list(const Owners &owners) {
+    std::vector<decltype(owners[0].get())> handles;
+    handles.reserve(owners.size());
+    for (const auto &owner : owners) {
+        handles.push_back(owner.get());
     }
     return handles;
 }

@@ -26,6 +26,13 @@ inline std::int32_t axes(const nurbs *g) {
 inline std::int32_t dimension(const nurbs *g) {
     return result_of<std::int32_t>([&](auto *v) { return nurbs_dimension(g, v); });
 }
+inline std::int32_t axes(const nurbs_statistics *statistics) {
+    return result_of<std::int32_t>(
+        [&](auto *v) { return nurbs_statistics_size(statistics, v, nullptr, nullptr, nullptr, nullptr); });
+}
+inline std::int32_t axes(const nurbs_data &data) noexcept {
+    return data.axes;
+}
 inline std::int32_t degree(const nurbs *g, std::int32_t axis) {
     return result_of<std::int32_t>([&](auto *v) { return nurbs_degree(g, axis, v); });
 }

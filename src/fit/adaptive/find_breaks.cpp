@@ -170,7 +170,8 @@ std::vector<Break> BreakSearch::breaks(const Data &all) const {
 
 // The polynomials on either side are first found from data outside the cluster, and continued far into it; then from data ever
 // nearer to the place where they part.
-bool BreakSearch::find(const Cluster &cluster, const Cluster &room, double window, const Data &all, Break &found) const {
+bool BreakSearch::find(const Cluster &cluster, const Cluster &room, double window, const Data &all,
+                       Break &found) const {
     Cluster core = cluster; // what belongs to neither side
     for (;;) {
         const int64_t first = first_from(param(core.first) - window, room.first, core.first);

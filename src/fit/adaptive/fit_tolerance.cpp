@@ -25,8 +25,9 @@ std::vector<Break> with_breaks(const std::vector<double> &inner, const std::vect
         const double before = i > 0 ? inner[i] - inner[i - 1] : INFINITY;
         const double after = i + 1 < inner.size() ? inner[i + 1] - inner[i] : INFINITY;
         const double reach = near * std::min(before, after);
-        if (std::ranges::none_of(
-                breaks, [&](const Break &b) { return std::abs(b.param - inner[i]) <= (reach < INFINITY ? reach : 0); })) {
+        if (std::ranges::none_of(breaks, [&](const Break &b) {
+                return std::abs(b.param - inner[i]) <= (reach < INFINITY ? reach : 0);
+            })) {
             all.push_back({inner[i], 1});
         }
     }
@@ -292,7 +293,8 @@ private:
     [[nodiscard]] Axes even_axes(int64_t spans) const {
         Axes axes;
         for (size_t k = 0; k < domain_.degrees.size(); ++k) {
-            axes.push_back(axis_over(domain_, k, with_breaks(even_knots(domain_.domains[k], spans), breaks_)));
+            axes.push_back(
+                axis_over(domain_, k, with_breaks(even_knots(domain_.domains[k], spans), breaks_)));
         }
         return axes;
     }

@@ -69,8 +69,8 @@ DoubleDouble Conditions::left_side(const Row &row, const std::vector<DoubleDoubl
 
 void Conditions::add_squares(NormalEquations &equations) const {
     const DoubleDouble trace = equations.matrix.trace();
-    const DoubleDouble factor = trace.high > 0 ? trace / DoubleDouble(static_cast<double>(equations.matrix.size()))
-                                               : DoubleDouble(1);
+    const DoubleDouble factor =
+        trace.high > 0 ? trace / DoubleDouble(static_cast<double>(equations.matrix.size())) : DoubleDouble(1);
     for (const Row &row : rows_) {
         for (const Coefficient &a : row.coefficients) {
             for (const Coefficient &b : row.coefficients) {
@@ -138,7 +138,8 @@ public:
     }
 
 private:
-    std::vector<DoubleDouble> solved(const LdltOf<DoubleDouble> &factors, std::span<const size_t> kept) const {
+    std::vector<DoubleDouble> solved(const LdltOf<DoubleDouble> &factors,
+                                     std::span<const size_t> kept) const {
         std::vector<DoubleDouble> own(kept.size() * width_), all(right_.size());
         for (size_t i = 0; i < kept.size(); ++i) {
             std::copy_n(right_.begin() + static_cast<int64_t>(kept[i] * width_), width_,
@@ -212,8 +213,8 @@ void Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDoub
     for (size_t i = 0; i < x.size(); ++i) {
         const auto unknown = static_cast<int64_t>(i) / dim, c = static_cast<int64_t>(i) % dim;
         for (int64_t r = 0; r < count; ++r) {
-            x[i] = x[i] - columns[static_cast<size_t>(unknown * count + r)] *
-                              mu[static_cast<size_t>(r * dim + c)];
+            x[i] = x[i] -
+                   columns[static_cast<size_t>(unknown * count + r)] * mu[static_cast<size_t>(r * dim + c)];
         }
     }
 }

@@ -121,7 +121,8 @@ Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, con
 }
 
 // The penalty of the highest order that decides, if the data do not: that of values always does.
-Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, const Conditions &conditions) {
+Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes,
+                     const Conditions &conditions) {
     constexpr double part = 0x1p-30;
     PenalisedSystem alone(equations, nullptr);
     if (alone.try_factorise(0) < 0) {

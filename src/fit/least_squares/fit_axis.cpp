@@ -48,8 +48,8 @@ FitAxis::FitAxis(KnotVectorPtr knots, KnotVectorPtr breaks, int data_degree, int
       product_factors_(product_factors(data_degree)) {
     const Interval own = knots_->domain(), given = breaks_->domain();
     if (degree() > data_degree) {
-        fail(Status::degree, "degrees[%d] = %d, expected at most %d, the degree of the statistics", axis, degree(),
-             data_degree);
+        fail(Status::degree, "degrees[%d] = %d, expected at most %d, the degree of the statistics", axis,
+             degree(), data_degree);
     }
     if (own.lower != given.lower || own.upper != given.upper) {
         fail(Status::outside_domain, "axis %d: the domain is [%s, %s], that of the statistics [%s, %s]", axis,
@@ -95,9 +95,9 @@ SpanTables FitAxis::tables(int64_t span) const {
         for (size_t j = i; j < own; ++j, pair += 2 * width - 1) {
             for (size_t l = 0; l < width; ++l) {
                 for (size_t m = 0; m < width; ++m) {
-                    pair[l + m] = pair[l + m] + product_factors_[l * width + m] *
-                                                    (made.functions[i * width + l] *
-                                                     made.functions[j * width + m]);
+                    pair[l + m] =
+                        pair[l + m] + product_factors_[l * width + m] *
+                                          (made.functions[i * width + l] * made.functions[j * width + m]);
                 }
             }
         }

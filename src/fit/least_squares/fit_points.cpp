@@ -82,8 +82,8 @@ int exponent_above(double value) noexcept {
     return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
-FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
-                        const FitWishes &wishes, bool compared) {
+FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
+                        const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes, bool compared) {
     const Statistics statistics = [&] {
         const Phase phase(0.5);
         return gather(form_for(data, axes), data, rules);

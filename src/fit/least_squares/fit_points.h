@@ -16,8 +16,8 @@ struct FittedPoints {
 };
 
 // fit() of the statistics of the data over the knots as breaks; `compared` with the data afterwards. Throws what gather() and fit() do.
-FittedPoints fit_points(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
-                        const FitWishes &wishes, bool compared);
+FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
+                        const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes, bool compared);
 
 // The smallest exponent for which |value| <= 2^exponent.
 int exponent_above(double value) noexcept;

@@ -15,8 +15,8 @@ namespace {
 constexpr int64_t work_of_a_product = 12; // of two numbers of twice the precision
 
 // sums[outer][from][inner] times table[to][from]: [outer][to][inner].
-std::vector<DoubleDouble> contracted(const std::vector<DoubleDouble> &sums, const std::vector<DoubleDouble> &table,
-                                     size_t from, size_t inner) {
+std::vector<DoubleDouble> contracted(const std::vector<DoubleDouble> &sums,
+                                     const std::vector<DoubleDouble> &table, size_t from, size_t inner) {
     const size_t to = table.size() / from, outer = sums.size() / (from * inner);
     std::vector<DoubleDouble> result(outer * to * inner);
     count_work(work_of_a_product * static_cast<int64_t>(result.size() * from));
@@ -38,8 +38,9 @@ std::vector<DoubleDouble> contracted(const std::vector<DoubleDouble> &sums, cons
 class EquationAssembly {
 public:
     EquationAssembly(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes)
-        : statistics_(statistics), form_(statistics.form()), layout_(form_),
-          made_{axes, StencilMatrix(axes), {}, {}, {}, {}, statistics.data_count(), form_.dim} {
+        : statistics_(statistics), form_(statistics.form()),
+          layout_(form_), made_{axes, StencilMatrix(axes),     {},       {}, {},
+                                {},   statistics.data_count(), form_.dim} {
         for (size_t k = 0; k < axes.size(); ++k) {
             axes_.emplace_back(axes[k], form_.breaks[k], form_.degrees[k], static_cast<int>(k));
         }
@@ -101,10 +102,8 @@ private:
         };
         const Index cell = cell_index(statistics_.cells()[static_cast<size_t>(i)]);
         add_widened(cell, 2, 1, scaled(0, layout_.moments, of_functions), moments_);
-        add_widened(cell, 1, layout_.dim,
-                    scaled(layout_.right(), layout_.squares(), of_functions), right_);
-        const std::vector<DoubleDouble> squares =
-            scaled(layout_.squares(), layout_.weight(), of_values);
+        add_widened(cell, 1, layout_.dim, scaled(layout_.right(), layout_.squares(), of_functions), right_);
+        const std::vector<DoubleDouble> squares = scaled(layout_.squares(), layout_.weight(), of_values);
         for (size_t c = 0; c < squares.size(); ++c) {
             made_.squares[c] = made_.squares[c] + squares[c];
         }

@@ -16,8 +16,8 @@ struct NormalEquations {
     StencilMatrix matrix;
     std::vector<DoubleDouble> right;   // [unknowns][dim]
     std::vector<DoubleDouble> squares; // [dim]: sum w_i y_i^2
-    std::vector<double> support;       // [unknowns]: the sum of the weights where the function does not vanish
-    DoubleDouble weight;               // sum w_i
+    std::vector<double> support; // [unknowns]: the sum of the weights where the function does not vanish
+    DoubleDouble weight;         // sum w_i
     int64_t data_count;
     int dim;
 };

@@ -37,7 +37,8 @@ SparseColumns rounded(const ColumnsOf<DoubleDouble> &columns) {
 }
 
 // y = right - matrix x; the columns of a symmetric matrix are its rows.
-std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix, const std::vector<DoubleDouble> &right,
+std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix,
+                                      const std::vector<DoubleDouble> &right,
                                       const std::vector<DoubleDouble> &x, int64_t width) {
     std::vector<DoubleDouble> y = right;
     for (int64_t j = 0; j < matrix.size(); ++j) {
@@ -47,8 +48,7 @@ std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix, con
         DoubleDouble *const out = y.data() + j * width;
         for (int64_t p = first; p < end; ++p) {
             const DoubleDouble value = matrix.values[static_cast<size_t>(p)];
-            const DoubleDouble *const from =
-                x.data() + int64_t{matrix.rows[static_cast<size_t>(p)]} * width;
+            const DoubleDouble *const from = x.data() + int64_t{matrix.rows[static_cast<size_t>(p)]} * width;
             for (int64_t c = 0; c < width; ++c) {
                 out[c] = out[c] - value * from[c];
             }
@@ -132,8 +132,9 @@ void PenalisedSystem::fail_rank(int64_t unknown) const {
                                 k > 0 ? " x " : "", Number(axis[index[k]]).text,
                                 Number(axis[index[k] + axis.degree() + 1]).text);
     }
-    fail(Status::rank, "the data do not determine control point %lld, whose function lives on %s; those before it are "
-                       "determined",
+    fail(Status::rank,
+         "the data do not determine control point %lld, whose function lives on %s; those before it are "
+         "determined",
          static_cast<long long>(unknown), text);
 }
 

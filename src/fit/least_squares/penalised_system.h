@@ -38,7 +38,9 @@ public:
     [[nodiscard]] double log_determinant() const;
     // The elements of the inverse for overlapping functions, by place_of() their unknowns.
     [[nodiscard]] SelectedInverse inverse() const;
-    [[nodiscard]] int64_t place_of(int64_t unknown) const noexcept { return place_[static_cast<size_t>(unknown)]; }
+    [[nodiscard]] int64_t place_of(int64_t unknown) const noexcept {
+        return place_[static_cast<size_t>(unknown)];
+    }
 
 private:
     [[nodiscard]] bool factorise_in_double();

@@ -58,8 +58,7 @@ private:
                               const DoubleDouble &length) noexcept {
         for (int r = 0; r < order; ++r, --degree) {
             for (int k = 0; k < degree; ++k) {
-                coefficients[k] =
-                    DoubleDouble(degree) * (coefficients[k + 1] - coefficients[k]) / length;
+                coefficients[k] = DoubleDouble(degree) * (coefficients[k + 1] - coefficients[k]) / length;
             }
         }
     }
@@ -132,8 +131,7 @@ private:
                 first[k] = i;
                 second[k] = j;
                 const DoubleDouble mass = masses_[k](i, j), bend = bends_[k](i, j);
-                add(k + 1, first, second,
-                    {factors.mass * mass, factors.mass * bend + factors.bend * mass});
+                add(k + 1, first, second, {factors.mass * mass, factors.mass * bend + factors.bend * mass});
             }
         }
     }

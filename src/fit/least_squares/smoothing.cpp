@@ -60,8 +60,8 @@ double LambdaSearch::criterion(Smoothing rule, double exponent) {
         paid = paid - x[i] * equations_.right[i];
     }
     const double unknowns = static_cast<double>(equations_.matrix.size());
-    return (n - free_unknowns_) * std::log(std::max(paid.high, all * 0x1p-100)) +
-           system_.log_determinant() - (unknowns - free_unknowns_) * std::log(lambda_of(exponent));
+    return (n - free_unknowns_) * std::log(std::max(paid.high, all * 0x1p-100)) + system_.log_determinant() -
+           (unknowns - free_unknowns_) * std::log(lambda_of(exponent));
 }
 
 // The best of a coarse grid, then golden sections beside it.

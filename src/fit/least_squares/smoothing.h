@@ -14,8 +14,8 @@ enum class Smoothing : int32_t { none, given, gcv, reml, discrepancy };
 struct Smoothed {
     double lambda = 0;
     std::vector<DoubleDouble> x; // [unknowns][dim]
-    double squares = 0;  // what is left of sum w |y - s|^2
-    double residual = 0; // of the equations, relative to their right sides
+    double squares = 0;          // what is left of sum w |y - s|^2
+    double residual = 0;         // of the equations, relative to their right sides
     double freedom = 0;          // trace of the influence matrix
     bool reached = true;         // the target, of Smoothing::discrepancy
 };

@@ -123,7 +123,8 @@ ColumnsOf<DoubleDouble> StencilMatrix::columns(const std::vector<int64_t> &order
     result.values.reserve(elements.size());
     result.starts.push_back(0);
     for (size_t j = 0; j < order.size(); ++j) {
-        std::sort(elements.begin() + static_cast<int64_t>(starts[j]), elements.begin() + static_cast<int64_t>(starts[j + 1]));
+        std::sort(elements.begin() + static_cast<int64_t>(starts[j]),
+                  elements.begin() + static_cast<int64_t>(starts[j + 1]));
         for (size_t e = starts[j]; e < starts[j + 1]; ++e) { // a short periodic axis has some twice
             const DoubleDouble &value = values_[static_cast<size_t>(elements[e].place)];
             if (e > starts[j] && elements[e].row == elements[e - 1].row) {

@@ -26,7 +26,8 @@ inline CellPlace place_in_cell(double t, double lower, double upper) noexcept {
 [[gnu::always_inline]] inline void raise_functions(int n, uint64_t distance, int64_t *values) noexcept {
     int64_t carried = 0;
     for (int k = 0; k < n; ++k) {
-        const auto part = static_cast<int64_t>(Int128::high_product(static_cast<uint64_t>(values[k]), distance));
+        const auto part =
+            static_cast<int64_t>(Int128::high_product(static_cast<uint64_t>(values[k]), distance));
         const int64_t rest = values[k] - part;
         values[k] = carried + rest;
         carried = part;

@@ -29,8 +29,8 @@ public:
     }
     // The number of a cell, by the order of arrival.
     int64_t of(int64_t cell) {
-        int64_t &slot = dense_.empty() ? sparse_.try_emplace(cell, -1).first->second
-                                       : dense_[static_cast<size_t>(cell)];
+        int64_t &slot =
+            dense_.empty() ? sparse_.try_emplace(cell, -1).first->second : dense_[static_cast<size_t>(cell)];
         if (slot < 0) {
             slot = std::ssize(cells_);
             cells_.push_back(cell);
@@ -49,8 +49,8 @@ class Gathering {
 public:
     Gathering(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules)
         : form_(form), data_(data), rules_(rules), layout_(form), of_values_(form.value_exponent),
-          of_weights_(form.weight_exponent),
-          slots_(cell_count(form), data.params.count), weighted_(data.weights.data != nullptr || form.weight_exponent != 0) {
+          of_weights_(form.weight_exponent), slots_(cell_count(form), data.params.count),
+          weighted_(data.weights.data != nullptr || form.weight_exponent != 0) {
         for (const KnotVectorPtr &breaks : form.breaks) {
             finders_.push_back(breaks->spans().finder());
         }
@@ -82,8 +82,7 @@ public:
         made.reserve(cells.size());
         for (const size_t slot : order) {
             settle(slot);
-            made.append(cells[slot], counts_[slot],
-                        std::span(sums_).subspan(slot * entries(), entries()));
+            made.append(cells[slot], counts_[slot], std::span(sums_).subspan(slot * entries(), entries()));
         }
         return made;
     }
@@ -225,7 +224,8 @@ private:
     void add_to(Int128 *sums, int64_t weight) noexcept {
         const bool weighted = weighted_;
         for_each_product(high_, [&](int64_t product) {
-            *sums++ += weighted ? Int128::product(product, weight) : Int128(0, static_cast<uint64_t>(product));
+            *sums++ +=
+                weighted ? Int128::product(product, weight) : Int128(0, static_cast<uint64_t>(product));
         });
         for_each_product(low_, [&](int64_t product) {
             for (const Value &value : value_) {

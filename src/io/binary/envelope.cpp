@@ -74,13 +74,14 @@ Header read_header(std::span<const unsigned char> bytes) {
     header.major = static_cast<uint16_t>(number_at(bytes, at_version, 2));
     header.minor = static_cast<uint16_t>(number_at(bytes, at_version + 2, 2));
     if (header.major > major_version) {
-        fail(Status::version, "the bytes have version %d.%d, this library reads versions up to %d", header.major,
-             header.minor, major_version);
+        fail(Status::version, "the bytes have version %d.%d, this library reads versions up to %d",
+             header.major, header.minor, major_version);
     }
     const uint64_t size = number_at(bytes, at_size, 8);
     if (size != bytes.size()) {
         fail(size > bytes.size() ? Status::truncated : Status::syntax,
-             "size = %zu, expected %llu as the header says", bytes.size(), static_cast<unsigned long long>(size));
+             "size = %zu, expected %llu as the header says", bytes.size(),
+             static_cast<unsigned long long>(size));
     }
     if (number_at(bytes, at_checksum, 8) != crc64(bytes.subspan(at_numbers))) {
         fail(Status::checksum, "the bytes are not those that were written: their checksum differs");

@@ -2,8 +2,8 @@
 #include "io/binary/statistics_bytes.h"
 
 #include "base/checked.h"
-#include "base/limits.h"
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/watch.h"
 
 #include <memory>
@@ -88,8 +88,8 @@ size_t size_in_bytes(const fit::Statistics &statistics) noexcept {
     for (const KnotVectorPtr &axis : form.breaks) {
         breaks += axis->knots().size();
     }
-    return header_size + aligned(8 * (2 + 2 * form.degrees.size())) + aligned(8 * breaks) + aligned(16 * cells) +
-           24 * cells * static_cast<size_t>(fit::CellLayout(form).entries());
+    return header_size + aligned(8 * (2 + 2 * form.degrees.size())) + aligned(8 * breaks) +
+           aligned(16 * cells) + 24 * cells * static_cast<size_t>(fit::CellLayout(form).entries());
 }
 
 std::vector<unsigned char> to_bytes(const fit::Statistics &statistics) {

@@ -26,6 +26,8 @@ std::string file_path() {
     return written("smoke_calls_cpp.file", file);
 }
 
+constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0, 192, 0, 0, 0, 0, 0, 0, 0, 84, 137, 93, 30, 74, 54, 71, 227, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+
 struct Inputs {
     n::Spline curve = n::Spline::create({2}, {9}, {0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0}, 2, {1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0}, {1.0, 0.7071067811865476, 1.0, 0.7071067811865476, 1.0, 0.7071067811865476, 1.0, 0.7071067811865476, 1.0}, 0u);
     n::Spline loop = n::Spline::create({2}, {6}, {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0}, 2, {1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0}, {}, 1u);
@@ -35,6 +37,8 @@ struct Inputs {
     n::Spline twist = n::Spline::create({3}, {4}, {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0}, 3, {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 3.0, 3.0, 3.0}, {}, 0u);
     n::Spline segment = n::Spline::create({2}, {3}, {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, 2, {0.0, 0.0, 1.0, 1.0, 2.0, 0.0}, {1.0, 3.0, 5.0}, 0u);
     n::List list = n::List::read(std::as_bytes(std::span(file)));
+    n::Statistics no_statistics = n::Statistics::create({2}, {3}, {0.0, 0.5, 1.0}, 1, 4.0, 1.0);
+    n::Statistics statistics = [&] { n::Data data; data.n = 5; data.axes = 1; data.dim = 1; static constexpr double data_params[] = {0.0, 0.25, 0.5, 0.75, 1.0}; data.params = data_params; static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0}; data.values = data_values; return no_statistics.add(data); }();
 };
 
 void data(const Inputs &in) {
@@ -345,6 +349,91 @@ void data(const Inputs &in) {
         const auto found = n::curve_interpolate(2, {0.0, 0.5, 1.0}, 1, {0.0, 1.0, 0.0}, {}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 0u);
         show("out", found);
     }
+    by_hand("data_init");
+    {
+        begin("statistics_create");
+        const auto found = n::Statistics::create({1, 1}, {2, 3}, {0.0, 1.0, 0.0, 1.0, 2.0}, 2, 1.0, 1.0);
+        show("out", found);
+    }
+    {
+        begin("statistics_add");
+        n::Data data;
+        data.n = 2;
+        data.axes = 1;
+        data.dim = 1;
+        static constexpr double data_params[] = {0.25, 0.75};
+        data.params = data_params;
+        static constexpr double data_values[] = {1.0, 2.0};
+        data.values = data_values;
+        static constexpr double data_weights[] = {1.0, 0.5};
+        data.weights = data_weights;
+        const auto found = in.statistics.add(data);
+        show("out", found);
+    }
+    {
+        begin("statistics_merge");
+        const auto found = n::Statistics::merge(std::vector<n::Statistics>{in.statistics, in.statistics, in.no_statistics}, {1, -1, 1});
+        show("out", found);
+    }
+    by_hand("statistics_clone");
+    by_hand("statistics_destroy");
+    {
+        begin("statistics_size");
+        const auto found = in.statistics.size();
+        show("axes", found.axes);
+        show("dim", found.dim);
+        show("count", found.count);
+        show("cells", found.cells);
+        show("weight", found.weight);
+    }
+    by_hand("statistics_to_bytes");
+    {
+        begin("statistics_from_bytes");
+        const auto found = n::Statistics::from_bytes(std::as_bytes(std::span(no_data)));
+        show("out", found);
+    }
+    by_hand("fit_options_init");
+    {
+        begin("fit");
+        n::FitOptions options;
+        options.smoothing = 1;
+        options.penalty_order = 1;
+        options.lambda = 0.5;
+        const auto found = in.statistics.fit({2}, {4}, {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0}, options, 0u);
+        show("out", found.spline);
+    }
+    {
+        begin("fit_points");
+        n::Data data;
+        data.n = 6;
+        data.axes = 2;
+        data.dim = 1;
+        static constexpr double data_params[] = {0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.5};
+        data.params = data_params;
+        static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0, 1.0};
+        data.values = data_values;
+        n::FitOptions options;
+        options.smoothing = 2;
+        options.penalty_order = 1;
+        const auto found = n::fit_points(data, {1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0}, options, 0u);
+        show("out", found.spline);
+    }
+    {
+        begin("fit_tolerance");
+        n::Data data;
+        data.n = 5;
+        data.axes = 1;
+        data.dim = 2;
+        static constexpr double data_params[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+        data.params = data_params;
+        static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0, 0.0, 1.0, 1.0, 2.0, 1.0};
+        data.values = data_values;
+        n::FitOptions options;
+        options.smoothing = 0;
+        options.penalty_order = 2;
+        const auto found = n::fit_tolerance(data, {2}, 0.01, {0.0, 1.0}, 0, options, 0u);
+        show("out", found.spline);
+    }
     {
         begin("read_with");
         const auto found = n::List::read(std::as_bytes(std::span(file)), {}, watched());
@@ -368,6 +457,62 @@ void data(const Inputs &in) {
         options.unit = 0.001;
         const auto found = n::List::read_file(file_path(), options, watched());
         show("out", found);
+    }
+    {
+        begin("statistics_add_with");
+        n::Data data;
+        data.n = 2;
+        data.axes = 1;
+        data.dim = 1;
+        static constexpr double data_params[] = {0.25, 0.75};
+        data.params = data_params;
+        static constexpr double data_values[] = {1.0, 2.0};
+        data.values = data_values;
+        static constexpr double data_weights[] = {1.0, 0.5};
+        data.weights = data_weights;
+        const auto found = in.statistics.add(data, watched());
+        show("out", found);
+    }
+    {
+        begin("fit_with");
+        n::FitOptions options;
+        options.smoothing = 1;
+        options.penalty_order = 1;
+        options.lambda = 0.5;
+        const auto found = in.statistics.fit({2}, {4}, {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0}, options, 0u, watched());
+        show("out", found.spline);
+    }
+    {
+        begin("fit_points_with");
+        n::Data data;
+        data.n = 6;
+        data.axes = 2;
+        data.dim = 1;
+        static constexpr double data_params[] = {0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.5};
+        data.params = data_params;
+        static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0, 1.0};
+        data.values = data_values;
+        n::FitOptions options;
+        options.smoothing = 2;
+        options.penalty_order = 1;
+        const auto found = n::fit_points(data, {1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0}, options, 0u, watched());
+        show("out", found.spline);
+    }
+    {
+        begin("fit_tolerance_with");
+        n::Data data;
+        data.n = 5;
+        data.axes = 1;
+        data.dim = 2;
+        static constexpr double data_params[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+        data.params = data_params;
+        static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0, 0.0, 1.0, 1.0, 2.0, 1.0};
+        data.values = data_values;
+        n::FitOptions options;
+        options.smoothing = 0;
+        options.penalty_order = 2;
+        const auto found = n::fit_tolerance(data, {2}, 0.01, {0.0, 1.0}, 0, options, 0u, watched());
+        show("out", found.spline);
     }
 }
 

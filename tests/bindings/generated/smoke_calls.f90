@@ -21,6 +21,31 @@ program smoke_calls
         '110,0,0,0,1,1,1;                                                       3P      3'//new_line('a')//&
         '126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4'//new_line('a')//&
         'S      1G      2D      6P      4                                        T      1'//new_line('a')
+    character(len=*), parameter :: no_data_text = &
+        char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
+        char(1)//char(0)//char(0)//char(0)//char(3)//char(0)//char(0)//char(0)//&
+        char(192)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(84)//char(137)//char(93)//char(30)//char(74)//char(54)//char(71)//char(227)//&
+        char(1)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(7)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(2)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
     type(nurbs_spline) :: curve
     type(nurbs_spline) :: loop
     type(nurbs_spline) :: surface
@@ -29,6 +54,11 @@ program smoke_calls
     type(nurbs_spline) :: twist
     type(nurbs_spline) :: segment
     type(nurbs_list) :: list
+    type(nurbs_statistics) :: no_statistics
+    type(nurbs_statistics) :: statistics
+    type(nurbs_data) :: data_given
+    real(c_double), target :: data_params(5, 1)
+    real(c_double), target :: data_values(5, 1)
 
     call curve%create(degrees=[2], counts=[9], knots=[0.0d0, 0.0d0, 0.0d0, 0.25d0, 0.25d0, 0.5d0, 0.5d0, 0.75d0, &
         0.75d0, 1.0d0, 1.0d0, 1.0d0], points=reshape([1.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 1.0d0, -1.0d0, 1.0d0, -1.0d0, &
@@ -56,6 +86,12 @@ program smoke_calls
         points=reshape([0.0d0, 0.0d0, 1.0d0, 1.0d0, 2.0d0, 0.0d0], [3, 2], order=[2, 1]), weights=[1.0d0, 3.0d0, &
         5.0d0], flags=0)
     call list%read(contents=file_text)
+    call no_statistics%create(degrees=[2], break_counts=[3], breaks=[0.0d0, 0.5d0, 1.0d0], dim=1, value_scale=4.0d0, &
+        weight_scale=1.0d0)
+    data_params = reshape([0.0d0, 0.25d0, 0.5d0, 0.75d0, 1.0d0], [5, 1], order=[2, 1])
+    data_values = reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 0.0d0], [5, 1], order=[2, 1])
+    call data_for_fits(data_given, params=data_params, values=data_values)
+    call no_statistics%add(data=data_given, out=statistics)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -512,6 +548,115 @@ contains
                 0.0d0, 1.0d0, 1.0d0, 1.0d0], flags=0)
             call show('out', out_found)
         end block
+        call by_hand('data_init')
+        call begin('statistics_create')
+        block
+            type(nurbs_statistics) :: found
+            call found%create(degrees=[1, 1], break_counts=[2, 3], breaks=[0.0d0, 1.0d0, 0.0d0, 1.0d0, 2.0d0], dim=2, &
+                value_scale=1.0d0, weight_scale=1.0d0)
+            call show('out', found)
+        end block
+        call begin('statistics_add')
+        block
+            type(nurbs_data) :: data_given
+            real(c_double), target :: data_params(2, 1)
+            real(c_double), target :: data_values(2, 1)
+            real(c_double), target :: data_weights(2)
+            type(nurbs_statistics) :: out_found
+            data_params = reshape([0.25d0, 0.75d0], [2, 1], order=[2, 1])
+            data_values = reshape([1.0d0, 2.0d0], [2, 1], order=[2, 1])
+            data_weights = [1.0d0, 0.5d0]
+            call data_for_fits(data_given, params=data_params, values=data_values, weights=data_weights)
+            call statistics%add(data=data_given, out=out_found)
+            call show('out', out_found)
+        end block
+        call begin('statistics_merge')
+        block
+            type(nurbs_statistics) :: parts_given(3)
+            type(nurbs_statistics) :: found
+            parts_given(1) = statistics
+            parts_given(2) = statistics
+            parts_given(3) = no_statistics
+            call found%merge(parts=parts_given, signs=[1, (-1), 1])
+            call show('out', found)
+        end block
+        call by_hand('statistics_clone')
+        call by_hand('statistics_destroy')
+        call begin('statistics_size')
+        block
+            integer(c_int32_t) :: axes_found
+            integer(c_int32_t) :: dim_found
+            integer(c_int64_t) :: count_found
+            integer(c_int64_t) :: cells_found
+            real(c_double) :: weight_found
+            call statistics%get_size(axes=axes_found, dim=dim_found, count=count_found, cells=cells_found, &
+                weight=weight_found)
+            call show('axes', axes_found)
+            call show('dim', dim_found)
+            call show('count', count_found)
+            call show('cells', cells_found)
+            call show('weight', weight_found)
+        end block
+        call by_hand('statistics_to_bytes')
+        call begin('statistics_from_bytes')
+        block
+            type(nurbs_statistics) :: found
+            call found%from_bytes(contents=no_data_text)
+            call show('out', found)
+        end block
+        call by_hand('fit_options_init')
+        call begin('fit')
+        block
+            type(nurbs_spline) :: out_found
+            type(nurbs_fit_options) :: options_given
+            type(nurbs_fit_report) :: report_found
+            call default_fit_options(options_given)
+            options_given%smoothing = 1
+            options_given%penalty_order = 1
+            options_given%lambda = 0.5d0
+            call statistics%fit(degrees=[2], counts=[4], knots=[0.0d0, 0.0d0, 0.0d0, 0.5d0, 1.0d0, 1.0d0, 1.0d0], &
+                out=out_found, options=options_given, report=report_found, flags=0)
+            call show('out', out_found)
+        end block
+        call begin('fit_points')
+        block
+            type(nurbs_data) :: data_given
+            real(c_double), target :: data_params(6, 2)
+            real(c_double), target :: data_values(6, 1)
+            type(nurbs_spline) :: out_found
+            type(nurbs_fit_options) :: options_given
+            type(nurbs_fit_report) :: report_found
+            data_params = reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0, 0.5d0, 0.5d0, 0.25d0, &
+                0.5d0], [6, 2], order=[2, 1])
+            data_values = reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 0.0d0, 1.0d0], [6, 1], order=[2, 1])
+            call data_for_fits(data_given, params=data_params, values=data_values)
+            call default_fit_options(options_given)
+            options_given%smoothing = 2
+            options_given%penalty_order = 1
+            call fit_points(data=data_given, degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, &
+                0.0d0, 1.0d0, 1.0d0], out=out_found, options=options_given, report=report_found, flags=0)
+            call show('out', out_found)
+        end block
+        call begin('fit_tolerance')
+        block
+            type(nurbs_data) :: data_given
+            real(c_double), target :: data_params(5, 1)
+            real(c_double), target :: data_values(5, 2)
+            type(nurbs_spline) :: out_found
+            type(nurbs_fit_options) :: options_given
+            type(nurbs_fit_report) :: report_found
+            data_params = reshape([0.0d0, 0.25d0, 0.5d0, 0.75d0, 1.0d0], [5, 1], order=[2, 1])
+            data_values = reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 2.0d0, 1.0d0], [5, 2], &
+                order=[2, 1])
+            call data_for_fits(data_given, params=data_params, values=data_values)
+            call default_fit_options(options_given)
+            options_given%smoothing = 0
+            options_given%penalty_order = 2
+            call fit_tolerance(data=data_given, degrees=[2], tolerance=0.01d0, out=out_found, &
+                domain=reshape([0.0d0, 1.0d0], [1, 2], order=[2, 1]), max_count=0, options=options_given, &
+                report=report_found, flags=0)
+            call show('out', out_found)
+        end block
         call begin('read_with')
         block
             type(nurbs_call) :: watching
@@ -546,6 +691,76 @@ contains
             call found%read_file(path=written('smoke_calls_fortran.file', file_text), options=options_given, &
                 call=watching)
             call show('out', found)
+        end block
+        call begin('statistics_add_with')
+        block
+            type(nurbs_data) :: data_given
+            real(c_double), target :: data_params(2, 1)
+            real(c_double), target :: data_values(2, 1)
+            real(c_double), target :: data_weights(2)
+            type(nurbs_statistics) :: out_found
+            type(nurbs_call) :: watching
+            data_params = reshape([0.25d0, 0.75d0], [2, 1], order=[2, 1])
+            data_values = reshape([1.0d0, 2.0d0], [2, 1], order=[2, 1])
+            data_weights = [1.0d0, 0.5d0]
+            call data_for_fits(data_given, params=data_params, values=data_values, weights=data_weights)
+            call statistics%add(data=data_given, out=out_found, call=watching)
+            call show('out', out_found)
+        end block
+        call begin('fit_with')
+        block
+            type(nurbs_spline) :: out_found
+            type(nurbs_fit_options) :: options_given
+            type(nurbs_fit_report) :: report_found
+            type(nurbs_call) :: watching
+            call default_fit_options(options_given)
+            options_given%smoothing = 1
+            options_given%penalty_order = 1
+            options_given%lambda = 0.5d0
+            call statistics%fit(degrees=[2], counts=[4], knots=[0.0d0, 0.0d0, 0.0d0, 0.5d0, 1.0d0, 1.0d0, 1.0d0], &
+                out=out_found, options=options_given, report=report_found, flags=0, call=watching)
+            call show('out', out_found)
+        end block
+        call begin('fit_points_with')
+        block
+            type(nurbs_data) :: data_given
+            real(c_double), target :: data_params(6, 2)
+            real(c_double), target :: data_values(6, 1)
+            type(nurbs_spline) :: out_found
+            type(nurbs_fit_options) :: options_given
+            type(nurbs_fit_report) :: report_found
+            type(nurbs_call) :: watching
+            data_params = reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0, 0.5d0, 0.5d0, 0.25d0, &
+                0.5d0], [6, 2], order=[2, 1])
+            data_values = reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 0.0d0, 1.0d0], [6, 1], order=[2, 1])
+            call data_for_fits(data_given, params=data_params, values=data_values)
+            call default_fit_options(options_given)
+            options_given%smoothing = 2
+            options_given%penalty_order = 1
+            call fit_points(data=data_given, degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, &
+                0.0d0, 1.0d0, 1.0d0], out=out_found, options=options_given, report=report_found, flags=0, call=watching)
+            call show('out', out_found)
+        end block
+        call begin('fit_tolerance_with')
+        block
+            type(nurbs_data) :: data_given
+            real(c_double), target :: data_params(5, 1)
+            real(c_double), target :: data_values(5, 2)
+            type(nurbs_spline) :: out_found
+            type(nurbs_fit_options) :: options_given
+            type(nurbs_fit_report) :: report_found
+            type(nurbs_call) :: watching
+            data_params = reshape([0.0d0, 0.25d0, 0.5d0, 0.75d0, 1.0d0], [5, 1], order=[2, 1])
+            data_values = reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 2.0d0, 1.0d0], [5, 2], &
+                order=[2, 1])
+            call data_for_fits(data_given, params=data_params, values=data_values)
+            call default_fit_options(options_given)
+            options_given%smoothing = 0
+            options_given%penalty_order = 2
+            call fit_tolerance(data=data_given, degrees=[2], tolerance=0.01d0, out=out_found, &
+                domain=reshape([0.0d0, 1.0d0], [1, 2], order=[2, 1]), max_count=0, options=options_given, &
+                report=report_found, flags=0, call=watching)
+            call show('out', out_found)
         end block
     end subroutine calls_of_data
 

@@ -5,7 +5,7 @@
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{Call, List, Spline};
+use nurbs::{Call, List, Spline, Statistics};
 use smoke_support::{begin, by_hand, show, written};
 
 const FILE: &str = r#"a file of the test programs                                             S      1
@@ -24,6 +24,16 @@ const FILE: &str = r#"a file of the test programs                               
 S      1G      2D      6P      4                                        T      1
 "#;
 
+const NO_DATA: &[u8] = &[
+    137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0, 192, 0, 0, 0, 0, 0, 0, 0, 84, 137, 93,
+    30, 74, 54, 71, 227, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0,
+];
+
 struct Given {
     curve: Spline,
     r#loop: Spline,
@@ -33,97 +43,116 @@ struct Given {
     twist: Spline,
     segment: Spline,
     list: List,
+    no_statistics: Statistics,
+    statistics: Statistics,
 }
 
 fn given() -> nurbs::Result<Given> {
+    let curve = Spline::create(
+        &[2],
+        &[9],
+        &[
+            0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0,
+        ],
+        2,
+        &[
+            1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0, -1.0,
+            1.0, 0.0,
+        ],
+        Some(&[
+            1.0,
+            0.7071067811865476,
+            1.0,
+            0.7071067811865476,
+            1.0,
+            0.7071067811865476,
+            1.0,
+            0.7071067811865476,
+            1.0,
+        ]),
+        0,
+    )?;
+    let r#loop = Spline::create(
+        &[2],
+        &[6],
+        &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
+        2,
+        &[
+            1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0,
+        ],
+        None,
+        1,
+    )?;
+    let surface = Spline::create(
+        &[2, 1],
+        &[3, 4],
+        &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+        3,
+        &[
+            0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 3.0, 3.0, 0.5, 0.0, 0.0, 0.5, 1.0,
+            1.0, 0.5, 2.0, 2.0, 0.5, 3.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 2.0, 3.0, 1.0,
+            3.0, 4.0,
+        ],
+        None,
+        0,
+    )?;
+    let volume = Spline::create(
+        &[1, 1, 1],
+        &[2, 2, 2],
+        &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
+        4,
+        &[
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0,
+            0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0,
+        ],
+        None,
+        0,
+    )?;
+    let homogeneous = Spline::create_homogeneous(
+        &[2],
+        &[3],
+        &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+        2,
+        &[1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 1.0],
+        0,
+    )?;
+    let twist = Spline::create(
+        &[3],
+        &[4],
+        &[0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0],
+        3,
+        &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 3.0, 3.0, 3.0],
+        None,
+        0,
+    )?;
+    let segment = Spline::create(
+        &[2],
+        &[3],
+        &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
+        2,
+        &[0.0, 0.0, 1.0, 1.0, 2.0, 0.0],
+        Some(&[1.0, 3.0, 5.0]),
+        0,
+    )?;
+    let list = List::read(FILE.as_bytes(), None)?;
+    let no_statistics = Statistics::create(&[2], &[3], &[0.0, 0.5, 1.0], 1, 4.0, 1.0)?;
+    let statistics = no_statistics.add(&nurbs::Data::new(
+        1,
+        1,
+        &[0.0, 0.25, 0.5, 0.75, 1.0],
+        &[0.0, 1.0, 2.0, 1.0, 0.0],
+    )?)?;
     Ok(Given {
-        curve: Spline::create(
-            &[2],
-            &[9],
-            &[
-                0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0,
-            ],
-            2,
-            &[
-                1.0, 0.0, 1.0, 1.0, 0.0, 1.0, -1.0, 1.0, -1.0, 0.0, -1.0, -1.0, 0.0, -1.0, 1.0,
-                -1.0, 1.0, 0.0,
-            ],
-            Some(&[
-                1.0,
-                0.7071067811865476,
-                1.0,
-                0.7071067811865476,
-                1.0,
-                0.7071067811865476,
-                1.0,
-                0.7071067811865476,
-                1.0,
-            ]),
-            0,
-        )?,
-        r#loop: Spline::create(
-            &[2],
-            &[6],
-            &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
-            2,
-            &[
-                1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0,
-            ],
-            None,
-            1,
-        )?,
-        surface: Spline::create(
-            &[2, 1],
-            &[3, 4],
-            &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
-            3,
-            &[
-                0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 3.0, 3.0, 0.5, 0.0, 0.0, 0.5,
-                1.0, 1.0, 0.5, 2.0, 2.0, 0.5, 3.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 2.0,
-                3.0, 1.0, 3.0, 4.0,
-            ],
-            None,
-            0,
-        )?,
-        volume: Spline::create(
-            &[1, 1, 1],
-            &[2, 2, 2],
-            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
-            4,
-            &[
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0,
-                1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0,
-            ],
-            None,
-            0,
-        )?,
-        homogeneous: Spline::create_homogeneous(
-            &[2],
-            &[3],
-            &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
-            2,
-            &[1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 1.0],
-            0,
-        )?,
-        twist: Spline::create(
-            &[3],
-            &[4],
-            &[0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0],
-            3,
-            &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 3.0, 3.0, 3.0],
-            None,
-            0,
-        )?,
-        segment: Spline::create(
-            &[2],
-            &[3],
-            &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
-            2,
-            &[0.0, 0.0, 1.0, 1.0, 2.0, 0.0],
-            Some(&[1.0, 3.0, 5.0]),
-            0,
-        )?,
-        list: List::read(FILE.as_bytes(), None)?,
+        curve,
+        r#loop,
+        surface,
+        volume,
+        homogeneous,
+        twist,
+        segment,
+        list,
+        no_statistics,
+        statistics,
     })
 }
 
@@ -626,6 +655,91 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    by_hand("data_init");
+    begin("statistics_create");
+    {
+        let found = Statistics::create(&[1, 1], &[2, 3], &[0.0, 1.0, 0.0, 1.0, 2.0], 2, 1.0, 1.0)?;
+        show("out", &found);
+    }
+    begin("statistics_add");
+    {
+        let found = given
+            .statistics
+            .add(&nurbs::Data::new(1, 1, &[0.25, 0.75], &[1.0, 2.0])?.weights(&[1.0, 0.5])?)?;
+        show("out", &found);
+    }
+    begin("statistics_merge");
+    {
+        let found = Statistics::merge(
+            &[&given.statistics, &given.statistics, &given.no_statistics],
+            &[1, -1, 1],
+        )?;
+        show("out", &found);
+    }
+    by_hand("statistics_clone");
+    by_hand("statistics_destroy");
+    begin("statistics_size");
+    {
+        let found = given.statistics.size()?;
+        show("axes", &found.axes);
+        show("dim", &found.dim);
+        show("count", &found.count);
+        show("cells", &found.cells);
+        show("weight", &found.weight);
+    }
+    by_hand("statistics_to_bytes");
+    begin("statistics_from_bytes");
+    {
+        let found = Statistics::from_bytes(NO_DATA)?;
+        show("out", &found);
+    }
+    by_hand("fit_options_init");
+    begin("fit");
+    {
+        let found = given.statistics.fit(
+            &[2],
+            &[4],
+            &[0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0],
+            Some(&nurbs::FitOptions::new()?.smoothing(1, 0.5).penalty_order(1)),
+            0,
+        )?;
+        show("out", &found.spline);
+    }
+    begin("fit_points");
+    {
+        let found = nurbs::fit_points(
+            &nurbs::Data::new(
+                2,
+                1,
+                &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.5],
+                &[0.0, 1.0, 2.0, 1.0, 0.0, 1.0],
+            )?,
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
+            Some(&nurbs::FitOptions::new()?.smoothing(2, 0.0).penalty_order(1)),
+            0,
+        )?;
+        show("out", &found.spline);
+    }
+    begin("fit_tolerance");
+    {
+        let found = nurbs::fit_tolerance(
+            &nurbs::Data::new(
+                1,
+                2,
+                &[0.0, 0.25, 0.5, 0.75, 1.0],
+                &[0.0, 1.0, 2.0, 1.0, 0.0, 0.0, 1.0, 1.0, 2.0, 1.0],
+            )?,
+            &[2],
+            0.01,
+            &[0.0, 1.0],
+            0,
+            Some(&nurbs::FitOptions::new()?.smoothing(0, 0.0).penalty_order(2)),
+            0,
+        )?;
+        show("out", &found.spline);
+    }
     begin("read_with");
     {
         let found = List::read_with(FILE.as_bytes(), None, &mut Call::new().progress(|_| true))?;
@@ -657,6 +771,63 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
+    }
+    begin("statistics_add_with");
+    {
+        let found = given.statistics.add_with(
+            &nurbs::Data::new(1, 1, &[0.25, 0.75], &[1.0, 2.0])?.weights(&[1.0, 0.5])?,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("fit_with");
+    {
+        let found = given.statistics.fit_with(
+            &[2],
+            &[4],
+            &[0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0],
+            Some(&nurbs::FitOptions::new()?.smoothing(1, 0.5).penalty_order(1)),
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found.spline);
+    }
+    begin("fit_points_with");
+    {
+        let found = nurbs::fit_points_with(
+            &nurbs::Data::new(
+                2,
+                1,
+                &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.5],
+                &[0.0, 1.0, 2.0, 1.0, 0.0, 1.0],
+            )?,
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
+            Some(&nurbs::FitOptions::new()?.smoothing(2, 0.0).penalty_order(1)),
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found.spline);
+    }
+    begin("fit_tolerance_with");
+    {
+        let found = nurbs::fit_tolerance_with(
+            &nurbs::Data::new(
+                1,
+                2,
+                &[0.0, 0.25, 0.5, 0.75, 1.0],
+                &[0.0, 1.0, 2.0, 1.0, 0.0, 0.0, 1.0, 1.0, 2.0, 1.0],
+            )?,
+            &[2],
+            0.01,
+            &[0.0, 1.0],
+            0,
+            Some(&nurbs::FitOptions::new()?.smoothing(0, 0.0).penalty_order(2)),
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found.spline);
     }
     Ok(())
 }

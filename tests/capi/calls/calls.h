@@ -25,11 +25,12 @@ void check_intact(const Inputs &in); // they hold what fresh ones hold
 std::vector<double> numbers_of(const nurbs *g);
 bool same_bits(std::span<const double> a, std::span<const double> b);
 
-// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, or none.
+// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, or statistics, or none.
 struct Output {
     Output();
     nurbs *out = check_poison(), *other = check_poison();
     nurbs_list *list = nullptr;
+    nurbs_statistics *statistics = nullptr;
     double values[1024];
     float singles[64];
     int64_t spans[64];
@@ -63,6 +64,9 @@ inline void destroy(nurbs *g) {
 }
 inline void destroy(nurbs_list *list) {
     nurbs_list_destroy(list);
+}
+inline void destroy(nurbs_statistics *statistics) {
+    nurbs_statistics_destroy(statistics);
 }
 
 // An input that is made for one call.

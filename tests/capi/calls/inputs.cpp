@@ -37,6 +37,13 @@ std::vector<double> all_numbers(const Inputs &in) {
         all.insert(all.end(), own.begin(), own.end());
         nurbs_destroy(g);
     }
+    for (const auto statistics : all_statistics) {
+        int64_t size = 0;
+        CHECK_OK(nurbs_statistics_to_bytes(in.*statistics, 0, nullptr, &size));
+        std::vector<unsigned char> bytes(static_cast<size_t>(size));
+        CHECK_OK(nurbs_statistics_to_bytes(in.*statistics, size, bytes.data(), nullptr));
+        all.insert(all.end(), bytes.begin(), bytes.end());
+    }
     return all;
 }
 
@@ -57,6 +64,9 @@ void destroy(const Inputs &in) {
     }
     for (const auto list : lists) {
         nurbs_list_destroy(in.*list);
+    }
+    for (const auto statistics : all_statistics) {
+        nurbs_statistics_destroy(in.*statistics);
     }
 }
 
@@ -101,6 +111,7 @@ void destroy(const Output &o) {
         nurbs_destroy(g == check_poison() ? nullptr : g);
     }
     nurbs_list_destroy(o.list);
+    nurbs_statistics_destroy(o.statistics);
 }
 
 void check_nothing_written(const Output &o) {
@@ -108,6 +119,7 @@ void check_nothing_written(const Output &o) {
         CHECK(g == nullptr || g == check_poison());
     }
     CHECK(o.list == nullptr);
+    CHECK(o.statistics == nullptr);
     CHECK_UNTOUCHED(o.values);
     CHECK_UNTOUCHED(o.singles);
     CHECK_UNTOUCHED(o.spans);

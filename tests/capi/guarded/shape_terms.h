@@ -35,6 +35,26 @@ inline int32_t dim_of(const nurbs *g) {
     return ask<int32_t>(nurbs_dimension, g);
 }
 
+inline int32_t axes_of(const nurbs_statistics *statistics) {
+    int32_t axes = 0;
+    (void)nurbs_statistics_size(statistics, &axes, nullptr, nullptr, nullptr, nullptr);
+    return axes;
+}
+
+inline int32_t dim_of(const nurbs_statistics *statistics) {
+    int32_t dim = 0;
+    (void)nurbs_statistics_size(statistics, nullptr, &dim, nullptr, nullptr, nullptr);
+    return dim;
+}
+
+inline int32_t axes_of(const nurbs_data *data) {
+    return data == nullptr ? 0 : data->axes;
+}
+
+inline int32_t dim_of(const nurbs_data *data) {
+    return data == nullptr ? 0 : data->dim;
+}
+
 inline int32_t rational_of(const nurbs *g) {
     return ask<int32_t>(nurbs_is_rational, g);
 }

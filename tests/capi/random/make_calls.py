@@ -58,7 +58,7 @@ class Writer:
         return f'r.array("{entry.name}", std::span<const {entry.base}>(usual_{entry.name}))'
 
     def handle(self, entry, value):
-        if self.model.inputs[value.name].kind == "nurbs_list":
+        if self.model.inputs[value.name].kind != "nurbs":
             return self.input(value.name) + ("" if entry.is_const else ".release()")
         if entry.is_const:
             self.declare(f"const nurbs *const {entry.name} = {self.spline(value.name)};")
@@ -83,9 +83,10 @@ class Writer:
         return f"&{entry.name}"
 
     def new_handle(self, value):
-        self.declare(f"nurbs{'_list' * (value.place == 'list')} *{value.place} = nullptr;")
+        own = value.place in ("list", "statistics")
+        self.declare(f"nurbs{f'_{value.place}' * own} *{value.place} = nullptr;")
         self.after = getattr(self, "after", []) + [
-            "nurbs_list_destroy(list);" if value.place == "list" else f"r.keep({value.place});"]
+            f"nurbs_{value.place}_destroy({value.place});" if own else f"r.keep({value.place});"]
         return f"&{value.place}"
 
     def argument(self, entry, value, fixed):
@@ -97,7 +98,8 @@ class Writer:
             case Handle():
                 return self.handle(entry, value)
             case Handles():
-                self.declare(f"const nurbs *const {entry.name}[] = {{{', '.join(map(self.spline, value.names))}}};")
+                name = self.spline if entry.base == "nurbs" else self.input
+                self.declare(f"const {entry.base} *const {entry.name}[] = {{{', '.join(map(name, value.names))}}};")
                 return entry.name
             case Items():
                 self.declare(f"const Items<{value.count}> {entry.name}({self.input(value.list)});")

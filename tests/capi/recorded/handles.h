@@ -110,6 +110,20 @@ inline void discard(nurbs_list *list) {
     nurbs_list_destroy(list);
 }
 
+inline void add_handle(Output &output, const nurbs_statistics *statistics) {
+    if (statistics == nullptr) {
+        return;
+    }
+    int64_t size = 0;
+    (void)nurbs_statistics_to_bytes(statistics, 0, nullptr, &size);
+    std::string bytes(static_cast<size_t>(size), '\0');
+    (void)nurbs_statistics_to_bytes(statistics, size, bytes.data(), nullptr);
+    add_text(output, bytes);
+}
+inline void discard(nurbs_statistics *statistics) {
+    nurbs_statistics_destroy(statistics);
+}
+
 } // namespace recorded
 
 #endif

@@ -86,7 +86,7 @@ requires(!std::is_const_v<T>) class Array<T> {
 public:
     Array(Argument &argument, T *caller, int64_t count)
         : argument_(argument), caller_(caller), count_(caller == nullptr || count < 0 ? 0 : count),
-          values_(std::make_unique<T[]>(static_cast<size_t>(count_))) {
+          values_(std::make_unique<T[]>(static_cast<size_t>(count_) + 1)) { // never none
         if (argument.read && caller != nullptr && !is_unread(caller)) {
             std::copy_n(caller, count_, values_.get());
         } else if (!std::is_pointer_v<T>) {
@@ -127,6 +127,14 @@ private:
     T *caller_;
     int64_t count_;
     std::unique_ptr<T[]> values_;
+};
+
+// Bytes.
+template <>
+class Array<void> : public Array<unsigned char> {
+public:
+    Array(Argument &argument, void *caller, int64_t count)
+        : Array<unsigned char>(argument, static_cast<unsigned char *>(caller), count) {}
 };
 
 } // namespace recorded

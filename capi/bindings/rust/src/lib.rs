@@ -23,12 +23,14 @@
 // By hand.
 mod arrays;
 mod call;
+mod data;
 mod error;
 mod list;
 mod moments;
 mod placement;
 mod sizes;
 mod spline;
+mod statistics;
 #[allow(missing_docs, missing_debug_implementations)] // nurbs.h is the manual of these
 pub mod sys;
 
@@ -49,6 +51,7 @@ mod edit;
 mod eval;
 mod files;
 mod fit;
+mod fitting;
 mod forms;
 mod frames;
 mod inspect;
@@ -65,10 +68,12 @@ mod shapes;
 
 pub use arrays::{Records, RecordsMut};
 pub use call::Call;
+pub use data::{Data, FitOptions, FitReport};
 pub use error::{last_error, status_name, version, Error, Result};
 pub use list::{List, ReadOptions};
 pub use placement::{Placement, Turn};
 pub use spline::Spline;
+pub use statistics::Statistics;
 
 pub use analysis::*;
 pub use bounds::*;
@@ -84,6 +89,7 @@ pub use edit::*;
 pub use eval::*;
 pub use files::*;
 pub use fit::*;
+pub use fitting::*;
 pub use frames::*;
 pub use inspect::*;
 pub use knots::*;

@@ -105,11 +105,11 @@ pub struct nurbs_fit_options {
     pub reserved: i32,
     /// number of equations that have to hold, \>= 0; 0
     pub conditions: i64,
-    /// \[conditions\]\[axes\] where, packed; NULL
+    /// \[conditions\]\[axes\] or NULL: where, packed
     pub condition_params: *const f64,
-    /// \[conditions\]\[axes\] or NULL for 0: orders of derivatives; NULL
+    /// \[conditions\]\[axes\] or NULL for 0: orders of derivatives
     pub condition_orders: *const i32,
-    /// \[conditions\]\[dim\] points and derivatives, packed; NULL
+    /// \[conditions\]\[dim\] or NULL: points and derivatives, packed
     pub condition_targets: *const f64,
 }
 
@@ -1620,6 +1620,8 @@ extern "C" {
         out: *mut *mut nurbs_statistics,
     ) -> nurbs_status;
     /// Frees a handle on statistics.
+    ///
+    /// May be null: `statistics`.
     pub fn nurbs_statistics_destroy(statistics: *mut nurbs_statistics);
     /// How much data statistics hold.
     ///
@@ -1635,12 +1637,12 @@ extern "C" {
     /// Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever their
     /// order.
     ///
-    /// May be null: `bytes`, `size`.
+    /// May be null: `bytes`, `length`.
     pub fn nurbs_statistics_to_bytes(
         statistics: *const nurbs_statistics,
         cap: i64,
         bytes: *mut c_void,
-        size: *mut i64,
+        length: *mut i64,
     ) -> nurbs_status;
     /// Statistics from the bytes of nurbs_statistics_to_bytes().
     pub fn nurbs_statistics_from_bytes(

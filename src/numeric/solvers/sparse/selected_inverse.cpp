@@ -90,7 +90,8 @@ double SelectedInverse::element(int64_t i, int64_t j) const noexcept {
         return diagonal_[place(i)];
     }
     const auto [column, row] = std::minmax(i, j);
-    const auto first = rows_.begin() + starts_[place(column)], end = rows_.begin() + starts_[place(column) + 1];
+    const auto first = rows_.begin() + starts_[place(column)],
+               end = rows_.begin() + starts_[place(column) + 1];
     const auto found = std::lower_bound(first, end, static_cast<int32_t>(row));
     return found != end && *found == row ? values_[place(found - rows_.begin())] : 0;
 }

@@ -343,6 +343,126 @@ const Call group[] = {
          static constexpr double knots[] = {0, 0, 0, 1, 1, 1};
          return nurbs_curve_interpolate(2, 3, params, nullptr, 1, targets, 0, 0, knots, 6, 0, &o.out);
      }},
+    {"data_init",
+     [](const Inputs &, Output &) -> nurbs_status {
+         nurbs_data data;
+         return nurbs_data_init(&data, sizeof(nurbs_data));
+     }},
+    {"statistics_create",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {1, 1};
+         static constexpr int64_t break_counts[] = {2, 3};
+         static constexpr double breaks[] = {0, 1, 0, 1, 2};
+         return nurbs_statistics_create(2, degrees, break_counts, breaks, 5, 2, 1, 1, &o.statistics);
+     }},
+    {"statistics_add",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0.25, 0.75};
+         static constexpr double values[] = {1, 2};
+         static constexpr double weights[] = {1, 0.5};
+         nurbs_data data = {};
+         data.struct_size = sizeof(nurbs_data);
+         data.n = 2;
+         data.axes = 1;
+         data.dim = 1;
+         data.params = params;
+         data.values = values;
+         data.weights = weights;
+         return nurbs_statistics_add(in.statistics, &data, &o.statistics);
+     }},
+    {"statistics_merge",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs_statistics *const parts[] = {in.statistics, in.statistics, in.no_statistics};
+         static constexpr int32_t signs[] = {1, -1, 1};
+         return nurbs_statistics_merge(3, parts, signs, &o.statistics);
+     }},
+    {"statistics_clone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_statistics_clone(in.statistics, &o.statistics);
+     }},
+    {"statistics_destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_more_statistics(in, make_more_statistics);
+         if (made_more_statistics.status() != NURBS_OK) {
+             return made_more_statistics.status();
+         }
+         nurbs_statistics_destroy(made_more_statistics.release());
+         return NURBS_OK;
+     }},
+    {"statistics_size",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_statistics_size(in.statistics, o.states, o.states + 1, o.spans, o.spans + 1, o.values);
+     }},
+    {"statistics_to_bytes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_statistics_to_bytes(in.no_statistics, 0, o.text, o.spans);
+     }},
+    {"statistics_from_bytes",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_statistics_from_bytes(texts::no_data, 192, &o.statistics);
+     }},
+    {"fit_options_init",
+     [](const Inputs &, Output &) -> nurbs_status {
+         nurbs_fit_options options;
+         return nurbs_fit_options_init(&options, sizeof(nurbs_fit_options));
+     }},
+    {"fit",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {4};
+         static constexpr double knots[] = {0, 0, 0, 0.5, 1, 1, 1};
+         nurbs_fit_options options = {};
+         options.struct_size = sizeof(nurbs_fit_options);
+         options.smoothing = NURBS_SMOOTHING_LAMBDA;
+         options.penalty_order = 1;
+         options.lambda = 0.5;
+         nurbs_fit_report report = {};
+         report.struct_size = sizeof(nurbs_fit_report);
+         return nurbs_fit(in.statistics, degrees, counts, knots, 7, 0, &options, &report, &o.out);
+     }},
+    {"fit_points",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.5, 0.25, 0.5};
+         static constexpr double values[] = {0, 1, 2, 1, 0, 1};
+         nurbs_data data = {};
+         data.struct_size = sizeof(nurbs_data);
+         data.n = 6;
+         data.axes = 2;
+         data.dim = 1;
+         data.params = params;
+         data.values = values;
+         static constexpr int32_t degrees[] = {1, 1};
+         static constexpr int64_t counts[] = {2, 2};
+         static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 1, 1};
+         nurbs_fit_options options = {};
+         options.struct_size = sizeof(nurbs_fit_options);
+         options.smoothing = NURBS_SMOOTHING_GCV;
+         options.penalty_order = 1;
+         nurbs_fit_report report = {};
+         report.struct_size = sizeof(nurbs_fit_report);
+         return nurbs_fit_points(&data, degrees, counts, knots, 8, 0, &options, &report, &o.out);
+     }},
+    {"fit_tolerance",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0.25, 0.5, 0.75, 1};
+         static constexpr double values[] = {0, 1, 2, 1, 0, 0, 1, 1, 2, 1};
+         nurbs_data data = {};
+         data.struct_size = sizeof(nurbs_data);
+         data.n = 5;
+         data.axes = 1;
+         data.dim = 2;
+         data.params = params;
+         data.values = values;
+         static constexpr int32_t degrees[] = {2};
+         static constexpr double domain[] = {0, 1};
+         nurbs_fit_options options = {};
+         options.struct_size = sizeof(nurbs_fit_options);
+         options.smoothing = NURBS_SMOOTHING_NONE;
+         options.penalty_order = 2;
+         nurbs_fit_report report = {};
+         report.struct_size = sizeof(nurbs_fit_report);
+         return nurbs_fit_tolerance(&data, degrees, domain, 0.01, 0, 0, &options, &report, &o.out);
+     }, true},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -372,6 +492,86 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_file_with(file_path, &options, &call, &o.list);
+     }, true},
+    {"statistics_add_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0.25, 0.75};
+         static constexpr double values[] = {1, 2};
+         static constexpr double weights[] = {1, 0.5};
+         nurbs_data data = {};
+         data.struct_size = sizeof(nurbs_data);
+         data.n = 2;
+         data.axes = 1;
+         data.dim = 1;
+         data.params = params;
+         data.values = values;
+         data.weights = weights;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_statistics_add_with(in.statistics, &data, &call, &o.statistics);
+     }},
+    {"fit_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {4};
+         static constexpr double knots[] = {0, 0, 0, 0.5, 1, 1, 1};
+         nurbs_fit_options options = {};
+         options.struct_size = sizeof(nurbs_fit_options);
+         options.smoothing = NURBS_SMOOTHING_LAMBDA;
+         options.penalty_order = 1;
+         options.lambda = 0.5;
+         nurbs_fit_report report = {};
+         report.struct_size = sizeof(nurbs_fit_report);
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fit_with(in.statistics, degrees, counts, knots, 7, 0, &options, &report, &call, &o.out);
+     }},
+    {"fit_points_with",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.5, 0.25, 0.5};
+         static constexpr double values[] = {0, 1, 2, 1, 0, 1};
+         nurbs_data data = {};
+         data.struct_size = sizeof(nurbs_data);
+         data.n = 6;
+         data.axes = 2;
+         data.dim = 1;
+         data.params = params;
+         data.values = values;
+         static constexpr int32_t degrees[] = {1, 1};
+         static constexpr int64_t counts[] = {2, 2};
+         static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 1, 1};
+         nurbs_fit_options options = {};
+         options.struct_size = sizeof(nurbs_fit_options);
+         options.smoothing = NURBS_SMOOTHING_GCV;
+         options.penalty_order = 1;
+         nurbs_fit_report report = {};
+         report.struct_size = sizeof(nurbs_fit_report);
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fit_points_with(&data, degrees, counts, knots, 8, 0, &options, &report, &call, &o.out);
+     }},
+    {"fit_tolerance_with",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0.25, 0.5, 0.75, 1};
+         static constexpr double values[] = {0, 1, 2, 1, 0, 0, 1, 1, 2, 1};
+         nurbs_data data = {};
+         data.struct_size = sizeof(nurbs_data);
+         data.n = 5;
+         data.axes = 1;
+         data.dim = 2;
+         data.params = params;
+         data.values = values;
+         static constexpr int32_t degrees[] = {2};
+         static constexpr double domain[] = {0, 1};
+         nurbs_fit_options options = {};
+         options.struct_size = sizeof(nurbs_fit_options);
+         options.smoothing = NURBS_SMOOTHING_NONE;
+         options.penalty_order = 2;
+         nurbs_fit_report report = {};
+         report.struct_size = sizeof(nurbs_fit_report);
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fit_tolerance_with(&data, degrees, domain, 0.01, 0, 0, &options, &report, &call, &o.out);
      }, true},
 };
 

@@ -77,6 +77,26 @@ nurbs_status make_list(const Inputs &, nurbs_list **out) {
     return nurbs_read(texts::file, 1134, nullptr, out);
 }
 
+nurbs_status make_no_statistics(const Inputs &, nurbs_statistics **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr int64_t break_counts[] = {3};
+    static constexpr double breaks[] = {0, 0.5, 1};
+    return nurbs_statistics_create(1, degrees, break_counts, breaks, 3, 1, 4, 1, out);
+}
+
+nurbs_status make_statistics(const Inputs &in, nurbs_statistics **out) {
+    static constexpr double params[] = {0, 0.25, 0.5, 0.75, 1};
+    static constexpr double values[] = {0, 1, 2, 1, 0};
+    nurbs_data data = {};
+    data.struct_size = sizeof(nurbs_data);
+    data.n = 5;
+    data.axes = 1;
+    data.dim = 1;
+    data.params = params;
+    data.values = values;
+    return nurbs_statistics_add(in.no_statistics, &data, out);
+}
+
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
     return nurbs_clone(in.curve, out);
 }
@@ -121,6 +141,10 @@ nurbs_status make_faces(const Inputs &in, nurbs_list **out) {
     return nurbs_boundaries(in.volume, out);
 }
 
+nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out) {
+    return nurbs_statistics_clone(in.statistics, out);
+}
+
 Inputs make_inputs() {
     Inputs in{};
     CHECK_OK(make_curve(in, &in.curve));
@@ -131,6 +155,8 @@ Inputs make_inputs() {
     CHECK_OK(make_twist(in, &in.twist));
     CHECK_OK(make_segment(in, &in.segment));
     CHECK_OK(make_list(in, &in.list));
+    CHECK_OK(make_no_statistics(in, &in.no_statistics));
+    CHECK_OK(make_statistics(in, &in.statistics));
     return in;
 }
 

@@ -14,11 +14,14 @@ namespace calls {
 struct Inputs {
     nurbs *curve, *loop, *surface, *volume, *homogeneous, *twist, *segment;
     nurbs_list *list;
+    nurbs_statistics *no_statistics, *statistics;
 };
 
 inline constexpr nurbs *Inputs::*const splines[] = {&Inputs::curve, &Inputs::loop, &Inputs::surface,
     &Inputs::volume, &Inputs::homogeneous, &Inputs::twist, &Inputs::segment};
 inline constexpr nurbs_list *Inputs::*const lists[] = {&Inputs::list};
+inline constexpr nurbs_statistics *Inputs::*const all_statistics[] = {&Inputs::no_statistics,
+    &Inputs::statistics};
 
 namespace arrays {
 inline constexpr double new_knots[] = {0.3, 0.6};
@@ -44,6 +47,13 @@ inline constexpr char file[] =
     "110,0,0,0,1,1,1;                                                       3P      3\n"
     "126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4\n"
     "S      1G      2D      6P      4                                        T      1\n";
+inline constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0,
+    192, 0, 0, 0, 0, 0, 0, 0, 84, 137, 93, 30, 74, 54, 71, 227, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0,
+    0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240,
+    63, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 } // namespace texts
 
 nurbs_status make_curve(const Inputs &in, nurbs **out);
@@ -54,6 +64,8 @@ nurbs_status make_homogeneous(const Inputs &in, nurbs **out);
 nurbs_status make_twist(const Inputs &in, nurbs **out);
 nurbs_status make_segment(const Inputs &in, nurbs **out);
 nurbs_status make_list(const Inputs &in, nurbs_list **out);
+nurbs_status make_no_statistics(const Inputs &in, nurbs_statistics **out);
+nurbs_status make_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_copy(const Inputs &in, nurbs **out);
 nurbs_status make_half(const Inputs &in, nurbs **out);
 nurbs_status make_ramp(const Inputs &in, nurbs **out);
@@ -63,6 +75,7 @@ nurbs_status make_square(const Inputs &in, nurbs **out);
 nurbs_status make_sphere(const Inputs &in, nurbs **out);
 nurbs_status make_edges(const Inputs &in, nurbs_list **out);
 nurbs_status make_faces(const Inputs &in, nurbs_list **out);
+nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
 
 // Those of one kind.
 struct Call;

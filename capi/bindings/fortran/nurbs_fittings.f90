@@ -1,0 +1,200 @@
+! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+!> Splines closest to data, and statistics of data. Conventions: see the module nurbs.
+module nurbs_fittings
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c, only: nurbs_statistics_create, nurbs_statistics_add, nurbs_statistics_merge, nurbs_statistics_size, &
+        nurbs_statistics_from_bytes, nurbs_fit, nurbs_fit_points, nurbs_fit_tolerance, nurbs_statistics_add_with, &
+        nurbs_fit_with, nurbs_fit_points_with, nurbs_fit_tolerance_with, nurbs_data, nurbs_fit_options, nurbs_fit_report
+    use nurbs_support
+    use nurbs_calls
+    use nurbs_handles
+    use nurbs_splines
+    implicit none
+    private
+    public :: fit_points, fit_tolerance
+
+    !> What fits need to know of data; an assignment makes another handle on the same sums.
+    type, extends(nurbs_statistics_handle), public :: nurbs_statistics
+    contains
+        procedure :: create, add, merge, get_size, from_bytes, fit
+    end type nurbs_statistics
+
+contains
+
+    !> Statistics of no data, about cells between breaks and splines of at most the given degrees.
+    subroutine create(this, degrees, break_counts, breaks, dim, value_scale, weight_scale, status)
+        class(nurbs_statistics), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), break_counts(:), dim
+        real(c_double), intent(in) :: breaks(:), value_scale
+        real(c_double), intent(in), optional :: weight_scale
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes
+        type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(break_counts, axes)])
+        if (code == NURBS_OK) code = nurbs_statistics_create(int(axes), degrees, int(break_counts, c_int64_t), breaks, &
+            size(breaks, kind=c_int64_t), dim, value_scale, given(weight_scale, 1d0), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create
+
+    !> Statistics with more data; the sums are exact.
+    subroutine add(this, data, out, status, call)
+        class(nurbs_statistics), intent(in) :: this
+        type(nurbs_data), intent(in) :: data
+        type(nurbs_statistics), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_statistics_add_with(this%handle, data, watched(call), made)
+        else
+            code = nurbs_statistics_add(this%handle, data, made)
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine add
+
+    !> The sum of statistics, of some of them with the sign -1: the same bits for any order and partition of the data.
+    subroutine merge(this, parts, signs, status)
+        class(nurbs_statistics), intent(inout) :: this
+        type(nurbs_statistics), intent(in) :: parts(:)
+        integer(c_int32_t), intent(in), optional :: signs(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: count
+        type(c_ptr) :: made
+        count = size(parts, kind=c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(signs, count)])
+        if (code == NURBS_OK) code = nurbs_statistics_merge(count, handles_of(parts), signs, made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine merge
+
+    !> How much data they hold.
+    subroutine get_size(this, axes, dim, count, cells, weight, status)
+        class(nurbs_statistics), intent(in) :: this
+        integer(c_int32_t), intent(inout), optional :: axes, dim
+        integer(c_int64_t), intent(inout), optional :: count, cells
+        real(c_double), intent(inout), optional :: weight
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_statistics_size(this%handle, axes, dim, count, cells, weight), status)
+    end subroutine get_size
+
+    !> Statistics from what to_bytes() made of them.
+    subroutine from_bytes(this, contents, status)
+        class(nurbs_statistics), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_statistics_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine from_bytes
+
+    !> The spline over full knot vectors, all axes one after the other, that is closest to the data.
+    subroutine fit(this, degrees, counts, knots, out, options, report, flags, status, call)
+        class(nurbs_statistics), intent(in) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:)
+        type(nurbs_spline), intent(inout) :: out
+        type(nurbs_fit_options), intent(in), optional :: options
+        type(nurbs_fit_report), intent(inout), optional :: report
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: knot_count_c, axes
+        type(c_ptr) :: made
+        knot_count_c = size(knots, kind=c_int64_t)
+        axes = statistics_axes_of(this%handle)
+        made = c_null_ptr
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(degrees, axes), fits(counts, axes)])
+        if (present(report)) report%struct_size = c_sizeof(report)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fit_with(this%handle, degrees, int(counts, c_int64_t), knots, knot_count_c, &
+                    given(flags, 0), options, report, watched(call), made)
+            else
+                code = nurbs_fit(this%handle, degrees, int(counts, c_int64_t), knots, knot_count_c, given(flags, 0), &
+                    options, report, made)
+            end if
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine fit
+
+    !> The spline over full knot vectors, all axes one after the other, that is closest to data.
+    subroutine fit_points(data, degrees, counts, knots, out, options, report, flags, status, call)
+        type(nurbs_data), intent(in) :: data
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:)
+        type(nurbs_spline), intent(inout) :: out
+        type(nurbs_fit_options), intent(in), optional :: options
+        type(nurbs_fit_report), intent(inout), optional :: report
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: knot_count_c, axes
+        type(c_ptr) :: made
+        knot_count_c = size(knots, kind=c_int64_t)
+        axes = int(data%axes, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(degrees, axes), fits(counts, axes)])
+        if (present(report)) report%struct_size = c_sizeof(report)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fit_points_with(data, degrees, int(counts, c_int64_t), knots, knot_count_c, &
+                    given(flags, 0), options, report, watched(call), made)
+            else
+                code = nurbs_fit_points(data, degrees, int(counts, c_int64_t), knots, knot_count_c, given(flags, 0), &
+                    options, report, made)
+            end if
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine fit_points
+
+    !> A spline with few control points that no datum is farther from than the tolerance.
+    subroutine fit_tolerance(data, degrees, tolerance, out, domain, max_count, options, report, flags, status, call)
+        type(nurbs_data), intent(in) :: data
+        integer(c_int32_t), intent(in) :: degrees(:)
+        real(c_double), intent(in) :: tolerance
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(in), optional :: domain(:, :)
+        integer(c_int32_t), intent(in), optional :: max_count, flags
+        type(nurbs_fit_options), intent(in), optional :: options
+        type(nurbs_fit_report), intent(inout), optional :: report
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes
+        real(c_double), allocatable :: domain_c(:, :)
+        type(c_ptr) :: made
+        axes = int(data%axes, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(degrees, axes), fits(domain, axes, 2_c_int64_t)])
+        if (present(domain)) domain_c = transpose(domain)
+        if (present(report)) report%struct_size = c_sizeof(report)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fit_tolerance_with(data, degrees, domain_c, tolerance, &
+                    int(given(max_count, 0), c_int64_t), given(flags, 0), options, report, watched(call), made)
+            else
+                code = nurbs_fit_tolerance(data, degrees, domain_c, tolerance, int(given(max_count, 0), c_int64_t), &
+                    given(flags, 0), options, report, made)
+            end if
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine fit_tolerance
+end module nurbs_fittings

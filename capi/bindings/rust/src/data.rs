@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//! Data for fits, what a fit is to be, and what it tells: the structs of the library. Fits are in the module `fitting`.
+
+use crate::arrays::Records;
+use crate::error::{check, Result};
+use crate::sys;
+use std::marker::PhantomData;
+
+/// Values at parameters, with weights or without.
+#[derive(Clone, Copy, Debug)]
+pub struct Data<'a> {
+    raw: sys::nurbs_data,
+    arrays: PhantomData<&'a [f64]>,
+}
+
+impl<'a> Data<'a> {
+    /// `values`, `[n][dim]`, at `params`, `[n][axes]`.
+    pub fn new(
+        axes: usize,
+        dim: usize,
+        params: impl Into<Records<'a>>,
+        values: impl Into<Records<'a>>,
+    ) -> Result<Data<'a>> {
+        let (params, values) = (params.into(), values.into());
+        let n = params.count(axes, "params")?;
+        values.require(n, dim, "values")?;
+        let size = std::mem::size_of::<sys::nurbs_data>() as i64;
+        let mut raw: sys::nurbs_data = unsafe { std::mem::zeroed() };
+        check(unsafe { sys::nurbs_data_init(&mut raw, size) })?;
+        raw.n = n as i64;
+        raw.axes = i32::try_from(axes).unwrap_or(-1);
+        raw.dim = i32::try_from(dim).unwrap_or(-1);
+        raw.params = params.pointer();
+        raw.param_stride = params.stride();
+        raw.param_component_stride = params.component_stride();
+        raw.values = values.pointer();
+        raw.value_stride = values.stride();
+        raw.value_component_stride = values.component_stride();
+        Ok(Data { raw, arrays: PhantomData })
+    }
+    /// Weights, `[n]`, not negative; a value of weight 0 is left out.
+    pub fn weights(mut self, weights: impl Into<Records<'a>>) -> Result<Data<'a>> {
+        let weights = weights.into();
+        weights.require(self.raw.n as usize, 1, "weights")?;
+        self.raw.weights = weights.pointer();
+        self.raw.weight_stride = weights.step();
+        Ok(self)
+    }
+    /// Evaluation flags for the parameters.
+    pub fn flags(mut self, flags: u32) -> Data<'a> {
+        self.raw.flags = flags;
+        self
+    }
+    pub(crate) fn raw(&self) -> *const sys::nurbs_data {
+        &self.raw
+    }
+    pub(crate) fn axes(&self) -> Result<i32> {
+        Ok(self.raw.axes)
+    }
+}
+
+/// What a fit is to be besides close to the data; `FitOptions::new()` has the defaults.
+#[derive(Clone, Copy, Debug)]
+pub struct FitOptions<'a> {
+    raw: sys::nurbs_fit_options,
+    arrays: PhantomData<&'a [f64]>,
+}
+
+impl<'a> FitOptions<'a> {
+    /// The defaults.
+    pub fn new() -> Result<FitOptions<'a>> {
+        let size = std::mem::size_of::<sys::nurbs_fit_options>() as i64;
+        let mut raw: sys::nurbs_fit_options = unsafe { std::mem::zeroed() };
+        check(unsafe { sys::nurbs_fit_options_init(&mut raw, size) })?;
+        Ok(FitOptions { raw, arrays: PhantomData })
+    }
+    /// How smooth, with a NURBS_SMOOTHING_ constant and, for those that need one, lambda or the target.
+    pub fn smoothing(mut self, rule: i32, value: f64) -> FitOptions<'a> {
+        self.raw.smoothing = rule;
+        self.raw.lambda = if rule == sys::NURBS_SMOOTHING_LAMBDA { value } else { 0.0 };
+        self.raw.target = if rule == sys::NURBS_SMOOTHING_DISCREPANCY { value } else { 0.0 };
+        self
+    }
+    /// The derivative that is penalised.
+    pub fn penalty_order(mut self, order: i32) -> FitOptions<'a> {
+        self.raw.penalty_order = order;
+        self
+    }
+    /// Of several fits take that of the smallest penalty.
+    pub fn regularize(mut self) -> FitOptions<'a> {
+        self.raw.regularize = 1;
+        self
+    }
+    /// Equations that have to hold: derivative `orders[i]` (empty: 0) at `params[i]` is `targets[i]`, packed.
+    pub fn conditions(
+        mut self,
+        axes: usize,
+        params: &'a [f64],
+        orders: &'a [i32],
+        targets: &'a [f64],
+    ) -> FitOptions<'a> {
+        self.raw.conditions = (params.len() / axes.max(1)) as i64;
+        self.raw.condition_params = params.as_ptr();
+        self.raw.condition_orders = if orders.is_empty() { std::ptr::null() } else { orders.as_ptr() };
+        self.raw.condition_targets = targets.as_ptr();
+        let right = params.len() % axes.max(1) == 0 && (orders.is_empty() || orders.len() == params.len());
+        if !right || self.raw.conditions as usize > targets.len() {
+            self.raw.conditions = -1; // which the library refuses
+        }
+        self
+    }
+}
+
+/// NULL without settings.
+pub(crate) fn fit_options_pointer(options: Option<&FitOptions>) -> *const sys::nurbs_fit_options {
+    options.map_or(std::ptr::null(), |o| &o.raw)
+}
+
+/// What a fit tells: the fields of `nurbs_fit_report`.
+#[derive(Clone, Copy, Debug)]
+pub struct FitReport {
+    raw: sys::nurbs_fit_report,
+}
+
+impl FitReport {
+    pub(crate) fn empty() -> FitReport {
+        let mut raw: sys::nurbs_fit_report = unsafe { std::mem::zeroed() };
+        raw.struct_size = std::mem::size_of::<sys::nurbs_fit_report>() as i64;
+        FitReport { raw }
+    }
+    pub(crate) fn raw_mut(&mut self) -> *mut sys::nurbs_fit_report {
+        &mut self.raw
+    }
+}
+
+impl std::ops::Deref for FitReport {
+    type Target = sys::nurbs_fit_report;
+    fn deref(&self) -> &sys::nurbs_fit_report {
+        &self.raw
+    }
+}
+
+impl PartialEq for FitReport {
+    fn eq(&self, other: &FitReport) -> bool {
+        format!("{:?}", self.raw) == format!("{:?}", other.raw)
+    }
+}
