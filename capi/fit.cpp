@@ -2,9 +2,11 @@
 // Least squares.
 #include "base/checked.h"
 #include "base/tolerance.h"
+#include "fit/adaptive/approximate.h"
 #include "fit/adaptive/fit_tolerance.h"
 #include "fit_arguments.h"
 #include "guard.h"
+#include "outputs.h"
 #include "spline_data.h"
 #include "structs.h"
 #include "watched.h"
@@ -84,6 +86,7 @@ fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Ax
                  target = checked_factor(given.target, "target");
     wishes.value = given.smoothing == NURBS_SMOOTHING_LAMBDA ? lambda : target;
     check_length(given.conditions, "options: conditions");
+    checked_product(given.conditions, std::max<int64_t>(dim, std::ssize(axes)), "options: conditions");
     if (given.conditions > 0) {
         require(given.condition_params, "options: condition_params");
         require(given.condition_targets, "options: condition_targets");
@@ -177,6 +180,15 @@ int64_t checked_limit(int64_t max_count, const fit::FitDomain &domain) {
              static_cast<long long>(max_count), static_cast<long long>(least));
     }
     return max_count == 0 ? max_doubles : max_count;
+}
+
+fit::FitDomain domain_of(const Spline &spline, const std::vector<int> &degrees) {
+    fit::FitDomain result;
+    result.degrees = degrees;
+    for (int k = 0; k < spline.axes(); ++k) {
+        result.domains.push_back(spline.axis(k).domain());
+    }
+    return result;
 }
 
 // Any axes over the domain: conditions are checked with them.
@@ -281,4 +293,29 @@ nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const int32_t *deg
     return watched(call, out, [&] {
         return nurbs_fit_tolerance(data, degrees, domain, tolerance, max_count, flags, options, report, out);
     });
+}
+
+nurbs_status nurbs_approximate(const nurbs *g, const int32_t *degrees, double tolerance, int64_t max_count,
+                               double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        std::vector<int> wanted;
+        for (int k = 0; k < spline.axes(); ++k) {
+            wanted.push_back(degrees == nullptr ? spline.axis(k).degree() : degrees[k]);
+            check_degree(wanted.back(), k);
+        }
+        check_tolerance(tolerance, "tolerance");
+        const int64_t limit = checked_limit(max_count, domain_of(spline, wanted));
+        const fit::Approximation made = fit::approximate(g->spline, wanted, tolerance, limit);
+        give(made.spline, out);
+        put(bound, made.bound);
+    });
+}
+
+nurbs_status nurbs_approximate_with(const nurbs *g, const int32_t *degrees, double tolerance,
+                                    int64_t max_count, double *bound, const nurbs_call_options *call,
+                                    nurbs **out) {
+    return watched(call, out,
+                   [&] { return nurbs_approximate(g, degrees, tolerance, max_count, bound, out); });
 }

@@ -63,8 +63,12 @@ int checked_scale(double scale, const char *name) {
 
 // The breaks of an axis, as a knot vector of degree 0.
 KnotVectorPtr checked_breaks(const double *breaks, int64_t count, int axis, int64_t offset) {
-    for (int64_t i = 1; i < count; ++i) {
-        if (breaks[i] <= breaks[i - 1]) {
+    for (int64_t i = 0; i < count; ++i) {
+        if (!std::isfinite(breaks[i])) {
+            fail(Status::knot_not_finite, "breaks[%lld] = %s is not finite",
+                 static_cast<long long>(offset + i), Number(breaks[i]).text);
+        }
+        if (i > 0 && breaks[i] <= breaks[i - 1]) {
             fail(Status::knots_decreasing,
                  "breaks[%lld] = %s on axis %d, expected more than breaks[%lld] = %s",
                  static_cast<long long>(offset + i), Number(breaks[i]).text, axis,
@@ -84,7 +88,10 @@ std::shared_ptr<const fit::StatisticsForm> checked_form(int32_t axes, const int3
     int64_t total = 0, cells = 1;
     for (int k = 0; k < axes; ++k) {
         check_degree(degrees[k], k);
-        check_at_least(break_counts[k], 2, "break_counts");
+        if (break_counts[k] < 2) {
+            fail(Status::count, "break_counts[%d] = %lld, expected at least 2", k,
+                 static_cast<long long>(break_counts[k]));
+        }
         total = checked_sum(total, checked_array(break_counts[k], "breaks"), "breaks");
         cells = checked_product(cells, break_counts[k] - 1, "cells");
     }
@@ -207,8 +214,7 @@ nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statistics, int64
     return guard([&] {
         const fit::Statistics &own = *statistics_of(statistics);
         const auto needed = static_cast<int64_t>(io::size_in_bytes(own));
-        if (checked_cap(cap, needed) > 0) {
-            require(bytes, "bytes");
+        if (checked_cap(cap, needed) > 0 && bytes != nullptr) {
             check_apart({{"bytes", bytes, cap}, memory("length", length, 1)}, {});
             const std::vector<unsigned char> made = io::to_bytes(own);
             std::memcpy(bytes, made.data(), made.size());
@@ -221,7 +227,9 @@ nurbs_status nurbs_statistics_from_bytes(const void *bytes, int64_t size, nurbs_
     return guard([&] {
         require_out(out);
         check_length(size, "size");
-        require(bytes, "bytes");
+        if (size > 0) {
+            require(bytes, "bytes");
+        }
         give(io::statistics_from({static_cast<const unsigned char *>(bytes), static_cast<size_t>(size)}),
              out);
     });

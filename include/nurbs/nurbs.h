@@ -2583,10 +2583,11 @@ NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32
                                              nurbs_fit_report *report, const nurbs_call_options *call,
                                              nurbs **out);
 
-/** \brief A spline with few control points that no datum is farther from than a tolerance. Knots are simple and
- * lie where a first fit over even ones says that they are needed; as many as the tolerance asks for are found
- * with some of the data, and checked with all. With several axes each has as many as it needs beside the
- * others. Where data leave control points open, the fit with the smallest penalty is taken.
+/** \brief A spline with few control points that no datum is farther from than a tolerance. Knots lie where a first
+ * fit over even ones says that they are needed, and as often at one place as a kink or a jump of the data asks
+ * for; as many as the tolerance needs are found with some of the data, and checked with all. With several axes
+ * each has as many as it needs beside the others. Where data leave control points open, the fit with the
+ * smallest penalty is taken.
  * \param[in] data the data.
  * \param[in] degrees [axes] degrees.
  * \param[in] domain [axes][2] or NULL: start and end of each axis; NULL for the range of the parameters.
@@ -2626,6 +2627,40 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
                                                 uint32_t flags, const nurbs_fit_options *options,
                                                 nurbs_fit_report *report, const nurbs_call_options *call,
                                                 nurbs **out);
+
+/** \brief A polynomial spline of given degrees with few control points that is proven to be within a tolerance of
+ * another spline at all parameters: rational by polynomial, high degree by low, many knots by few. Samples are
+ * fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The corners of a
+ * fit are those of g bit for bit, jumps and kinks stay where they are if max_count has room for them, periodic axes
+ * stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees raised, where nothing
+ * simpler is found.
+ * \param[in] g a spline.
+ * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
+ * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of no higher
+ *   degrees is met.
+ * \param[in] max_count most control points; 0: no limit but that of the samples.
+ * \param[out] bound or NULL: an upper bound of the distance, above the tolerance if the result is only the closest one
+ *   that was met.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _TOLERANCE, _COUNT; _TOO_FEW_POINTS for a max_count below the
+ *   product of degree + 1, _OVERFLOW, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_approximate(const nurbs *g, const int32_t *degrees, double tolerance,
+                                         int64_t max_count, double *bound, nurbs **out);
+
+/** \brief nurbs_approximate() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_approximate().
+ * \param[in] degrees as for nurbs_approximate().
+ * \param[in] tolerance as for nurbs_approximate().
+ * \param[in] max_count as for nurbs_approximate().
+ * \param[out] bound as for nurbs_approximate().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_approximate(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_approximate_with(const nurbs *g, const int32_t *degrees, double tolerance,
+                                              int64_t max_count, double *bound,
+                                              const nurbs_call_options *call, nurbs **out);
 /** @} */
 
 /** \defgroup continuity Continuity

@@ -11,22 +11,28 @@ import nurbs
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
 NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
              "degree": "degrees", "count": "counts"}
-#: What is no function of its own: handles and lists.
+#: What is no function of its own: handles, lists and structs.
 INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_call_options_init", "nurbs_list_count",
           "nurbs_list_get",
-          "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy"}
+          "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy",
+          "nurbs_data_init", "nurbs_statistics_create", "nurbs_statistics_destroy", "nurbs_statistics_size",
+          "nurbs_fit_options_init"}
 
 
 def functions():
-    """{name: whether its first argument is one spline that it only reads}."""
+    """{name: the class of its first argument, if that is one handle that it only reads}; what else makes statistics
+    has them first too."""
     text = re.sub(r"/\*.*?\*/", " ", HEADER.read_text(), flags=re.S)
-    return {name: bool(re.match(r"\s*const nurbs \*\w+(,|$)", arguments))
-            for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text)}
+    found = {}
+    for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text):
+        first = re.match(r"\s*const (nurbs|nurbs_statistics) \*\w+(,|$)", arguments)
+        found[name] = first[1] if first else "nurbs_statistics" if name.startswith("nurbs_statistics_") else ""
+    return found
 
 
 def names_of(function):
     """What a function may be called here."""
-    name = function[len("nurbs_"):].removesuffix("_with")
+    name = function[len("nurbs_"):].removeprefix("statistics_").removesuffix("_with")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
             re.sub("^create_", "", name)}
@@ -57,12 +63,20 @@ class Rule(unittest.TestCase):
         functions_here, methods = public(nurbs), attributes(nurbs.Spline)
         found = functions()
         self.assertTrue(found)
-        for function, is_method in found.items():
-            if function not in INSIDE:
+        for function, first in found.items():
+            if function not in INSIDE and first != "nurbs_statistics":
                 named = names_of(function)
                 made = function.startswith("nurbs_create_")
-                self.assertEqual(bool(named & methods.keys()), is_method or made, function)
-                self.assertEqual(bool(named & functions_here.keys()), not is_method and not made, function)
+                self.assertEqual(bool(named & methods.keys()), first == "nurbs" or made, function)
+                self.assertEqual(bool(named & functions_here.keys()), first != "nurbs" and not made, function)
+
+    def test_methods_of_statistics(self):
+        functions_here, methods = public(nurbs), attributes(nurbs.Statistics)
+        found = {function for function, first in functions().items() if first == "nurbs_statistics"} - INSIDE
+        self.assertGreaterEqual(found, {"nurbs_fit", "nurbs_statistics_add", "nurbs_statistics_merge"})
+        for function in found:
+            self.assertTrue(names_of(function) & methods.keys(), function)
+            self.assertFalse(names_of(function) & functions_here.keys(), function)
 
 
 class Documentation(unittest.TestCase):

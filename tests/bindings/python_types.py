@@ -20,9 +20,11 @@ reveal_type(spline.remove_knot(0.5).spline.insert_knot(0.5, 2))
 reveal_type(spline.closest_points([1, 2]).params)
 reveal_type(nurbs.read_file("a")[0].rational)
 reveal_type(nurbs.NURBS_CLAMP)
+reveal_type(nurbs.Statistics(3, [0, 1], value_scale=1).add([0.5], [1]).fit(0, [0, 1], smoothing="gcv").spline)
+reveal_type(nurbs.fit_points([0, 1], [[0, 1], [1, 2]], [1], [[0, 0, 1, 1]], conditions=(0, None, [0, 1])).report.rms)
 '''
 REVEALED = ["numpy.ndarray", "numpy.ndarray", "nurbs._spline.Spline", "nurbs._spline.Spline", "numpy.ndarray",
-            "builtins.bool", "builtins.int"]
+            "builtins.bool", "builtins.int", "nurbs._spline.Spline", "builtins.float"]
 
 
 def mypy(folder, *arguments):

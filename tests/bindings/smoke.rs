@@ -228,6 +228,23 @@ fn inspection() -> Result<()> {
     Ok(())
 }
 
+/// The same parabola from points, and from statistics that were copied, split, sent and put together again.
+fn fits() -> Result<()> {
+    let t: Vec<f64> = (0..=20).map(|i| f64::from(i) / 20.0).collect();
+    let y: Vec<f64> = t.iter().map(|t| 1.0 + 2.0 * t * t).collect();
+    let knots = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+    let none = nurbs::Statistics::create(&[2], &[2], &[0.0, 1.0], 1, 4.0, 1.0)?;
+    let first = none.clone().add(&nurbs::Data::new(1, 1, &t[..9], &y[..9])?)?;
+    let rest = nurbs::Statistics::from_bytes(&none.add(&nurbs::Data::new(1, 1, &t[9..], &y[9..])?)?.to_bytes()?)?;
+    let all = nurbs::Statistics::merge(&[&rest, &first], &[])?;
+    assert_eq!((all.size()?.count, all.axes()?), (21, 1));
+    let points = nurbs::fit_points(&nurbs::Data::new(1, 1, &t, &y)?, &[2], &[3], &knots, None, 0)?;
+    for fitted in [all.fit(&[2], &[3], &knots, None, 0)?, points] {
+        assert!(close(&fitted.spline.points()?, &[1.0, 1.0, 3.0], 8.0 * EPS) && fitted.report.data_count == 21);
+    }
+    Ok(())
+}
+
 fn constructors_agree() -> Result<()> {
     let c = circle()?;
     let (knots, weights, homogeneous) = (c.knots(0)?, c.weights()?, c.homogeneous_points()?);
@@ -321,6 +338,7 @@ fn main() -> Result<()> {
     reduction()?;
     strided_arrays()?;
     inspection()?;
+    fits()?;
     constructors_agree()?;
     bases()?;
     frames()?;

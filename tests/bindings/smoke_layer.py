@@ -13,17 +13,21 @@ import numpy
 import smoke_table
 from smoke_table import TYPES, show, text_of
 
-import smoke  # from the project, as calls_model, calls_terms and table
+import calls_model  # from the project, as calls_terms, smoke and table
+import smoke
 import table
-from calls_model import Bytes, Handle, Handles, Items, Null, Number, Numbers, Path, Slot
+from calls_model import Bytes, Handle, Handles, Items, Null, Number, Numbers, Packed, Path, Slot, Struct
 from calls_terms import Sizes
 
 import nurbs
 
 # Names of arguments of the package: what they are called in nurbs.h.
 INSTEAD = {"contents": ("bytes",), "curves": ("boundaries",), "end": ("end_a",), "other_end": ("end_b",), "center": ("origin",),
-           "breaks": ("pieces",), "from_basis": ("from",), "to_basis": ("to",), "inner": ("f",)}
-IN_SHAPES = ("counts", "dim", "degrees")  # what the package takes from the shapes of arrays
+           "breaks": ("pieces",), "from_basis": ("from",), "to_basis": ("to",), "inner": ("f",),
+           "lam": ("lambda",)}
+# What the package takes from the shapes of arrays, those of structs too.
+IN_SHAPES = ("counts", "dim", "degrees", "break_counts", "n", "axes")
+OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics}
 
 
 class Unlike(Exception):
@@ -54,6 +58,9 @@ class LayerCall:
         self.sizes = Sizes(step.given, layer.model.inputs)
         self.own = {name: layer.made(layer.model.inputs[name].call) for name in call.made}
         self.used = set()
+        # What structs hold are arguments of the package.
+        self.fields = {field.name: of for value in step.values.values() if isinstance(value, (Packed, Struct))
+                       for field, of in smoke.fields_of(value, smoke_table.manual)}
 
     def handle(self, name):
         return self.own[name] if name in self.own else self.layer.handles[name]
@@ -68,13 +75,17 @@ class LayerCall:
                 rest = self.one_by_one(self.argument(name))
             elif self.parameter(name):
                 given[name] = self.argument(name)
-        missing = [name for name in self.step.method.given if name not in self.used | {receiver, *IN_SHAPES} and
-                   not isinstance(self.step.given(name), Null) and self.step.given(name) != Number(0)]
+        missing = [name for name in [*self.step.method.given, *self.fields] if name not in self.used | {receiver, *IN_SHAPES}
+                   and not isinstance(self.given(name), (Null, Packed, Struct)) and self.given(name) != Number(0)]
         if missing:
             raise Unlike(f"nothing takes {', '.join(missing)}")
         if self.step.watched:
             given["progress"] = progress
         return function(*rest, **given)
+
+    def given(self, name):
+        """The value of a parameter of the C function, or of a field of a struct."""
+        return self.fields[name] if name in self.fields else self.step.given(name)
 
     def one_by_one(self, array):
         """What is given as several arguments: the parameters of each axis of a grid, or the elements."""
@@ -87,18 +98,19 @@ class LayerCall:
         short = self.step.method.entry.name.removeprefix("nurbs_")
         methods = [method for language in ("cpp", "rust") for method in self.step.method.entry.methods.get(language, ())]
         names = [*(method.name for method in methods), short, re.sub("^(curve|surface|create|list)_", "", short)]
-        handles = [value for value in self.values.values() if value.kind in ("spline", "list") and not value.is_output]
+        handles = [value for value in self.values.values() if value.kind in OWNERS and not value.is_output]
+        made = OWNERS[next((value.kind for value in self.step.method.made), "spline")]
         owners = [self.values[method.receiver] for method in methods if self.values.get(method.receiver) in handles]
         first = next(iter([*owners, *handles]), None)
         names = [name for name in names if name != "count"]  # of a sequence: how often it holds something
         for name in names:
             if first is not None and hasattr(self.handle(self.step.given(first.name).name), name):
                 return first.name, getattr(self.handle(self.step.given(first.name).name), name)
-            owner = nurbs.Spline if first is None and hasattr(nurbs.Spline, name) else nurbs
+            owner = made if first is None and hasattr(made, name) else nurbs
             if hasattr(owner, name) and callable(getattr(owner, name)):
                 return "", getattr(owner, name)
-        if short == "create":
-            return "", nurbs.Spline
+        if short in ("create", "statistics_create"):
+            return "", made
         raise Unlike(f"nothing is called {' or '.join(dict.fromkeys(names))}")
 
     def parameter(self, name):
@@ -109,16 +121,19 @@ class LayerCall:
         others = [value.name for value in self.values.values()
                   if value.kind == "spline" and not value.is_output and value.name != owner]
         behind.setdefault("other", others[-1] if others else "")
-        found = next((each for each in (name, behind.get(name), *INSTEAD.get(name, ())) if each in self.values), "")
-        return "" if not found or isinstance(self.step.given(found), (Null, Slot)) else found
+        found = next((each for each in (name, behind.get(name), *INSTEAD.get(name, ()))
+                      if each in self.values or each in self.fields), "")
+        return "" if not found or isinstance(self.given(found), (Null, Slot)) else found
 
     def argument(self, name):
         parameter = self.parameter(name)
         self.used.add(parameter)
-        value, given = self.values[parameter], self.step.given(parameter)
+        value, given = self.values.get(parameter), self.given(parameter)
         match given:
             case Number():
                 return given.value
+            case Numbers() if parameter in self.fields:
+                return self.of_data(parameter, given)
             case Numbers():
                 return self.array(value, given)
             case Handle():
@@ -128,18 +143,26 @@ class LayerCall:
             case Items():
                 return [self.handle(given.list)[i] for i in range(given.count)]
             case Bytes():
-                return self.layer.model.texts[given.text].encode()
+                return calls_model.encoded(self.layer.model.texts[given.text])
             case Path():
                 return smoke_table.file(given.text)
         raise Unlike(f"what {parameter} is")
+
+    def of_data(self, name, given):
+        """An array of a struct; parameters and values have rows."""
+        width = {"params": "axes", "values": "dim"}.get(name)
+        numbers = numpy.array([item.value for item in given.values], dtype=float)
+        return numbers.reshape(-1, self.fields[width].value) if width else numbers
 
     def numbers(self, name):
         given = self.step.given(name)
         return [item.value for item in given.values] if isinstance(given, Numbers) else []
 
     def by_axis(self, value, array):
-        """Knots of several axes, one after the other."""
+        """Knots or breaks of several axes, one after the other."""
         degrees, counts = self.numbers("degrees"), self.numbers("counts")
+        if value.name == "breaks" and self.numbers("break_counts"):
+            return numpy.split(array, numpy.cumsum(self.numbers("break_counts"))[:-1])
         extent = value.extents[0] if value.extents else None
         if (self.step.method.made and extent and (extent.op, extent.name) == ("call", "sum")
                 and len(counts) > 1):  # parameters of a grid
@@ -180,9 +203,8 @@ class LayerCall:
             show(self.call.name, parameter, texts)
 
     def lines(self, found):
-        if isinstance(found, (nurbs.Spline, nurbs.SplineList)):
-            made = next(value.name for value in self.values.values() if value.kind in ("spline", "list") and value.is_output)
-            yield from self.handle_lines(made, found)
+        if isinstance(found, tuple(OWNERS.values())):
+            yield from self.handle_lines(self.step.method.made[0].name, found)
         elif hasattr(found, "_fields"):
             for field in found._fields:
                 parameter = self.output(field)
@@ -190,7 +212,7 @@ class LayerCall:
                     yield from self.value_lines(parameter, getattr(found, field))
         else:
             outputs = [value.name for value in self.values.values()
-                       if value.is_output and value.kind not in ("count", "spline", "list")]
+                       if value.is_output and value.kind not in ("count", *OWNERS)]
             if len(outputs) != 1:
                 raise Unlike("what it returns")
             yield from self.value_lines(outputs[0], found)
@@ -206,8 +228,10 @@ class LayerCall:
 
     def value_lines(self, parameter, found):
         value = self.values[parameter]
-        if isinstance(found, (nurbs.Spline, nurbs.SplineList)):
+        if isinstance(found, tuple(OWNERS.values())):
             yield from self.handle_lines(parameter, found)
+        elif value.kind == "options":
+            return  # structs are not printed by smoke_reference.cpp
         elif isinstance(found, str):
             yield parameter, [found]
         elif found is not None:
@@ -218,6 +242,9 @@ class LayerCall:
             yield f"{name}.count", [str(len(found))]
             for i, spline in enumerate(found):
                 yield from self.handle_lines(f"{name}[{i}]", spline)
+            return
+        if isinstance(found, nurbs.Statistics):
+            yield f"{name}.bytes", map(str, found.to_bytes())
             return
         yield f"{name}.degrees", map(str, found.degrees)
         yield f"{name}.knots", [text_of(x, ctypes.c_double) for knots in found.knots for x in knots]

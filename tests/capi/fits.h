@@ -76,6 +76,32 @@ static inline nurbs *fitted(FitArgs *a) {
     return out;
 }
 
+/* The line closest to 0, 1, 1 at 0, 1, 2: it misses them by -1/6, 1/3, -1/6. */
+static inline FitArgs line(void) {
+    static const double params[] = {0, 1, 2}, values[] = {0, 1, 1}, knots[] = {0, 0, 2, 2};
+    static const int32_t degree = 1;
+    static const int64_t count = 2;
+    FitArgs a;
+    memset(&a, 0, sizeof a);
+    a.data = data_of(1, 1, 3, params, values);
+    a.degrees = &degree;
+    a.counts = &count;
+    a.knots = knots;
+    a.knot_count = 4;
+    a.options = fit_defaults();
+    a.report = unwritten_report();
+    return a;
+}
+
+static inline nurbs_statistics *statistics_of_line(void) {
+    const FitArgs a = line();
+    nurbs_statistics *none = NULL, *all = NULL;
+    CHECK_OK(nurbs_statistics_create(1, a.degrees, COUNTS(2), VALUES(0, 2), 2, 1, 1, 1, &none));
+    CHECK_OK(nurbs_statistics_add(none, &a.data, &all));
+    nurbs_statistics_destroy(none);
+    return all;
+}
+
 /* N * dim points of g, at most 64 values, within a bound. */
 static inline void check_points_near(const char *file, int line, const nurbs *g, const double *expected,
                                      double bound) {
@@ -91,6 +117,37 @@ static inline void check_points_near(const char *file, int line, const nurbs *g,
     check_doubles(file, line, values, expected, count * dim, bound);
 }
 #define CHECK_POINTS_NEAR(g, expected, bound) check_points_near(__FILE__, __LINE__, g, expected, bound)
+
+/* What nurbs_fit_tolerance() takes. */
+typedef struct ToleranceArgs {
+    nurbs_data data;
+    int without_data; /* NULL in its place */
+    const int32_t *degrees;
+    const double *domain;
+    double tolerance;
+    int64_t max_count;
+    uint32_t flags;
+    nurbs_fit_options options;
+    nurbs_fit_report report;
+} ToleranceArgs;
+
+static inline nurbs_status tolerance_fit(ToleranceArgs *a, const nurbs_call_options *call, nurbs **out) {
+    return nurbs_fit_tolerance_with(a->without_data ? NULL : &a->data, a->degrees, a->domain, a->tolerance,
+                                    a->max_count, a->flags, &a->options, &a->report, call, out);
+}
+
+/* With cubics. */
+static inline ToleranceArgs tolerance_args(nurbs_data data, double tolerance) {
+    static const int32_t cubic[] = {3, 3, 3};
+    ToleranceArgs a;
+    memset(&a, 0, sizeof a);
+    a.data = data;
+    a.degrees = cubic;
+    a.tolerance = tolerance;
+    a.options = fit_defaults();
+    a.report = unwritten_report();
+    return a;
+}
 
 /* As CHECK_NO_HANDLE, for statistics. */
 #define CHECK_NO_STATISTICS(out, call, status, words)                                                        \

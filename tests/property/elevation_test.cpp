@@ -28,7 +28,7 @@ std::string text(const Elevation &elevation) {
     return "axis " + std::to_string(elevation.axis) + " times " + std::to_string(elevation.times);
 }
 
-Recipe open_recipe(Random &random, int axes, int max_degree) {
+Recipe elevated_recipe(Random &random, int axes, int max_degree) {
     Recipe recipe = random_recipe(random, axes, max_degree);
     for (AxisRecipe &axis : recipe.axes) {
         if (axis.form == KnotForm::periodic) {
@@ -76,7 +76,7 @@ TEST(Elevation, control_points_are_exact_to_two_eps_a_step) {
     WorstErrors worst("elevated control points by old degree, unit eps * hull * steps");
     for_each_case(96000, 400, [&](Random &random, uint64_t seed) {
         const int axes = random.chance(60) ? 1 : random.whole(2, 3);
-        auto recipe = open_recipe(random, axes, axes == 1 ? 9 : 3);
+        auto recipe = elevated_recipe(random, axes, axes == 1 ? 9 : 3);
         recipe.dim = random.whole(1, 2);
         const auto data = random_spline(random, recipe);
         Elevation elevation{random.whole(0, axes - 1), 1};

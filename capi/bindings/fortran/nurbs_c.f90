@@ -1333,6 +1333,31 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_tolerance_with
+        !> A polynomial spline of given degrees with few control points that is proven to be within a
+        !> tolerance of another spline at all parameters: rational by polynomial, high degree by low, many
+        !> knots by few.
+        function nurbs_approximate(g, degrees, tolerance, max_count, bound, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(in), optional :: degrees(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: max_count
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_approximate
+        !> nurbs_approximate() as a call that can be watched and ended.
+        function nurbs_approximate_with(g, degrees, tolerance, max_count, bound, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(in), optional :: degrees(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: max_count
+            real(c_double), intent(inout), optional :: bound
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_approximate_with
         ! --- Continuity
         !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
         !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

@@ -5,13 +5,14 @@ module nurbs_reduction
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_deviation, nurbs_remove_knot, nurbs_reduce_knots, nurbs_reduce_degree, nurbs_simplify, &
-        nurbs_reduce_knots_with, nurbs_reduce_degree_with, nurbs_simplify_with
+        nurbs_approximate, nurbs_reduce_knots_with, nurbs_reduce_degree_with, nurbs_simplify_with, &
+        nurbs_approximate_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
-    public :: deviation, remove_knot, reduce_knots, reduce_degree, simplify
+    public :: deviation, remove_knot, reduce_knots, reduce_degree, simplify, approximate
 
 contains
 
@@ -96,4 +97,29 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine simplify
+
+    !> A polynomial spline of given degrees with few control points, proven to be within the tolerance.
+    subroutine approximate(g, tolerance, out, degrees, max_count, bound, status, call)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: tolerance
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: degrees(:), max_count
+        real(c_double), intent(inout), optional :: bound
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = fitting([fits(degrees, axes_of(g%handle))])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_approximate_with(g%handle, degrees, tolerance, int(given(max_count, 0), c_int64_t), &
+                    bound, watched(call), made)
+            else
+                code = nurbs_approximate(g%handle, degrees, tolerance, int(given(max_count, 0), c_int64_t), bound, made)
+            end if
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine approximate
 end module nurbs_reduction

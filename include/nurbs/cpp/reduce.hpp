@@ -93,6 +93,26 @@ inline Returned<Reduced> simplify(const Spline &g, double tolerance, const CallO
     return made;
 }
 
+/// A polynomial spline of given degrees with few control points, proven to be within the tolerance.
+inline Returned<Reduced> approximate(const Spline &g, double tolerance, View<std::int32_t> degrees = {},
+                                     std::int64_t max_count = 0) {
+    detail::require_given(degrees, detail::axes(g.get()), "degrees");
+    Reduced made{};
+    made.spline = detail::made<Spline>(nurbs_approximate, g.get(), detail::pointer(degrees), tolerance,
+                                       max_count, &made.bound);
+    return made;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Reduced> approximate(const Spline &g, double tolerance, View<std::int32_t> degrees,
+                                     std::int64_t max_count, const CallOptions &call) {
+    detail::require_given(degrees, detail::axes(g.get()), "degrees");
+    Reduced made{};
+    const detail::Watch watch(call);
+    made.spline = detail::made<Spline>(nurbs_approximate_with, g.get(), detail::pointer(degrees), tolerance,
+                                       max_count, &made.bound, watch.get());
+    return made;
+}
+
 } // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 

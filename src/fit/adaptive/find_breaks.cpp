@@ -176,7 +176,8 @@ bool BreakSearch::find(const Cluster &cluster, const Cluster &room, double windo
     for (;;) {
         const int64_t first = first_from(param(core.first) - window, room.first, core.first);
         const int64_t end = end_at(param(core.last) + window, core.last + 1, room.last + 1);
-        if (core.first - first <= degree_ + 1 || end - core.last <= degree_ + 2) {
+        if (core.first - first <= degree_ + 1 || end - core.last <= degree_ + 2 ||
+            !(param(first) < param(core.first - 1)) || !(param(core.last + 1) < param(end - 1))) {
             return false;
         }
         const FittedPoints left = polynomial(part(data_, first, core.first), degree_);

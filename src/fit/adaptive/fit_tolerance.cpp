@@ -4,7 +4,6 @@
 #include "base/watch.h"
 #include "basis/generators.h"
 #include "eval/evaluate.h"
-#include "fit/adaptive/find_breaks.h"
 #include "fit/adaptive/knot_density.h"
 #include "numeric/norm.h"
 
@@ -41,15 +40,15 @@ KnotVectorPtr axis_over(const FitDomain &domain, size_t k, const std::vector<Bre
     const auto [lower, upper] = domain.domains[k];
     if (domain.periodic[k]) {
         std::vector<double> breaks{lower};
-        std::vector<int32_t> multiplicities{1};
-        int64_t count = 2 * p + 2;
+        std::vector<int32_t> multiplicities{domain.seams[k]};
+        int64_t count = 2 * p + 1 + domain.seams[k];
         for (const Break &knot : inner) {
             breaks.push_back(knot.param);
             multiplicities.push_back(knot.multiplicity);
             count += knot.multiplicity;
         }
         breaks.push_back(upper);
-        multiplicities.push_back(1);
+        multiplicities.push_back(domain.seams[k]);
         std::vector<double> knots(static_cast<size_t>(count));
         periodic_knots(p, breaks, multiplicities.data(), knots);
         return make_knot_vector(p, std::move(knots), true, static_cast<int>(k));
@@ -72,6 +71,15 @@ std::vector<double> even_knots(Interval domain, int64_t spans) {
         }
     }
     return knots;
+}
+
+// Of control points, with the copies of periodic axes.
+int64_t count_of(const Axes &axes) noexcept {
+    int64_t count = 1;
+    for (const KnotVectorPtr &axis : axes) {
+        count *= axis->count();
+    }
+    return count;
 }
 
 int64_t unknowns_of(const Axes &axes) noexcept {
@@ -131,19 +139,80 @@ private:
     Data data_;
 };
 
+// The data that count, with parameters in the domain: what the search looks at, which may be all as they are.
+class CleanData {
+public:
+    CleanData(const Data &all, const eval::AxisRules &rules, const FitDomain &domain) : data_(all) {
+        const auto is_plain = [](const eval::AxisRule &rule) {
+            return !rule.nan && rule.outside == eval::Outside::refuse;
+        };
+        if (all.weights.data == nullptr && std::ranges::all_of(rules, is_plain)) {
+            return;
+        }
+        double largest = 0;
+        for (int64_t i = 0; all.weights.data != nullptr && i < all.weights.count; ++i) {
+            largest = std::max(largest, std::isfinite(all.weights(i, 0)) ? all.weights(i, 0) : 0);
+        }
+        const CountedData counts(all, rules, domain.domains, exponent_above(largest));
+        for (int64_t i = 0; i < all.params.count; ++i) {
+            if (counts(i)) {
+                append(all, counts, i);
+            }
+        }
+        const auto view = [&](const std::vector<double> &packed, int64_t width) {
+            return ConstRecords{packed.data(), std::ssize(indices_), width, width, 1};
+        };
+        is_copy_ = true;
+        data_ = {view(params_, all.params.width), view(values_, all.values.width), {}};
+        if (all.weights.data != nullptr) {
+            data_.weights = view(weights_, 1);
+        }
+    }
+    CleanData(const CleanData &) = delete;
+    CleanData &operator=(const CleanData &) = delete;
+    [[nodiscard]] const Data &data() const noexcept { return data_; }
+    // The place of a datum among those of the caller.
+    [[nodiscard]] int64_t index(int64_t i) const noexcept {
+        return is_copy_ && i >= 0 ? indices_[static_cast<size_t>(i)] : i;
+    }
+
+private:
+    void append(const Data &all, const CountedData &counts, int64_t i) {
+        for (int64_t k = 0; k < all.params.width; ++k) {
+            params_.push_back(counts.place(i, static_cast<size_t>(k)));
+        }
+        for (int64_t c = 0; c < all.values.width; ++c) {
+            values_.push_back(all.values(i, c));
+        }
+        if (all.weights.data != nullptr) {
+            weights_.push_back(all.weights(i, 0));
+        }
+        indices_.push_back(i);
+    }
+
+    Data data_;
+    bool is_copy_ = false;
+    std::vector<int64_t> indices_;
+    std::vector<double> params_, values_, weights_;
+};
+
 class ToleranceSearch {
 public:
-    ToleranceSearch(const Data &data, const eval::AxisRules &rules, const FitDomain &domain, double tolerance,
-                    int64_t max_count, const FitWishes &wishes)
-        : all_(data), rules_(rules), domain_(domain), tolerance_(tolerance), max_count_(max_count),
-          wishes_(wishes) {
-        wishes_.regularise = wishes_.smoothing == Smoothing::none;
+    ToleranceSearch(const Data &data, const FitDomain &domain, double tolerance, int64_t max_count,
+                    const FitWishes &wishes)
+        : all_(data), domain_(domain), tolerance_(tolerance), max_count_(max_count), wishes_(wishes),
+          breaks_(domain.breaks) {
+        wishes_.regularise = true;
+        if (count_of(even_axes(1)) > max_count) { // there is no room for what is known to break
+            breaks_ = {};
+            domain_.seams = FitDomain{}.seams;
+        }
     }
 
     ToleranceFit fit() {
         constexpr int64_t for_each_unknown = 12;
         constexpr int most_rounds = 4;
-        int64_t size = std::min(all_.params.count, some);
+        int64_t size = std::min(all_.params.count, some());
         for (;;) {
             const Subset subset(all_, size);
             const bool reached = find_densities(subset.data());
@@ -162,7 +231,9 @@ public:
     }
 
 private:
-    static constexpr int64_t some = 2000; // data that are looked at first
+    // How many data are looked at first.
+    [[nodiscard]] int64_t some() const noexcept { return domain_.degrees.size() == 1 ? 2000 : 20000; }
+    static constexpr int64_t most_of_grid = 8100; // control points, whose equations take longest
 
     // From a fit over even spans, with the breaks that it shows; whether that does for some of the data.
     bool find_densities(const Data &data) {
@@ -181,10 +252,15 @@ private:
         const double span =
             (domain_.domains[0].upper - domain_.domains[0].lower) / static_cast<double>(even_.spans);
         const BreakSearch search(data, distances(data, *even_.spline), domain_.degrees[0], span, tolerance_);
-        const std::vector<Break> found = search.breaks(all_);
+        const std::vector<Break> found = search.breaks(all_), known = breaks_[0];
         for (const Break &one : found) {
-            std::erase_if(breaks_, [&](const Break &old) { return std::abs(old.param - one.param) <= span; });
-            breaks_.push_back(one);
+            std::erase_if(breaks_[0],
+                          [&](const Break &old) { return std::abs(old.param - one.param) <= span; });
+            breaks_[0].push_back(one);
+        }
+        if (count_of(even_axes(1)) > max_count_) {
+            breaks_[0] = known;
+            return false;
         }
         return !found.empty();
     }
@@ -241,12 +317,18 @@ private:
     };
     [[nodiscard]] EvenFit even_fit(const Data &data) const {
         EvenFit found{};
+        int64_t before = 0;
         for (int64_t spans = 1;; spans *= 2) {
             const Axes axes = even_axes(spans);
-            if (spans > 1 && too_many(axes, data)) {
+            const bool no_more_doubles = unknowns_of(axes) == before;
+            if (no_more_doubles || (spans > 1 && too_many(axes, data))) {
+                if (found.spline == nullptr) { // the conditions contradict each other: let that be told
+                    (void)fit_points(data, rules_, even_axes(spans / 2), wishes_, true);
+                }
                 return found;
             }
-            const FittedPoints fine = fit_points(data, rules_, axes, wishes_, true);
+            before = unknowns_of(axes);
+            const FittedPoints fine = attempt(data, axes);
             found = {spans, fine.fit.spline, fine.largest};
             if (fine.largest <= tolerance_) {
                 return found;
@@ -254,12 +336,23 @@ private:
         }
     }
     [[nodiscard]] bool enough(const Counts &counts, const Data &data) const {
-        return fit_points(data, rules_, axes_with(counts), wishes_, true).largest <= tolerance_;
+        return attempt(data, axes_with(counts)).largest <= tolerance_;
+    }
+    // No spline where there are too few control points for the conditions.
+    [[nodiscard]] FittedPoints attempt(const Data &data, const Axes &axes) const {
+        try {
+            return fit_points(data, rules_, axes, wishes_, true);
+        } catch (const Error &error) {
+            if (error.status() != Status::contradiction) {
+                throw;
+            }
+            return {{}, 0, INFINITY, -1};
+        }
     }
     [[nodiscard]] int64_t largest_level(const Data &data) const {
         const auto allowed = [&](int64_t level) { return !too_many(axes_with(counts_at(level)), data); };
         int64_t below = 0, above = 1;
-        while (allowed(above)) {
+        while (above <= data.params.count && allowed(above)) {
             below = above;
             above *= 2;
         }
@@ -274,7 +367,8 @@ private:
             if (round > 1 && too_many(axes, all_)) {
                 break;
             }
-            FittedPoints one = fit_points(all_, rules_, axes, wishes_, true);
+            FittedPoints one =
+                round == 1 ? fit_points(all_, rules_, axes, wishes_, true) : attempt(all_, axes);
             if (round == 1 || one.largest < best.points.largest) {
                 best.points = std::move(one);
             }
@@ -294,7 +388,7 @@ private:
         Axes axes;
         for (size_t k = 0; k < domain_.degrees.size(); ++k) {
             axes.push_back(
-                axis_over(domain_, k, with_breaks(even_knots(domain_.domains[k], spans), breaks_)));
+                axis_over(domain_, k, with_breaks(even_knots(domain_.domains[k], spans), breaks_[k])));
         }
         return axes;
     }
@@ -314,37 +408,49 @@ private:
     [[nodiscard]] Axes axes_with(const Counts &counts) const {
         Axes axes;
         for (size_t k = 0; k < counts.size(); ++k) {
-            axes.push_back(axis_over(domain_, k, with_breaks(densities_[k].knots(counts[k]), breaks_)));
+            axes.push_back(axis_over(domain_, k, with_breaks(densities_[k].knots(counts[k]), breaks_[k])));
         }
         return axes;
     }
     // Also where knots are nearly as near to each other as data: of many data that would be noise, and of some of them others
     // lie between.
     [[nodiscard]] bool too_many(const Axes &axes, const Data &data) const noexcept {
-        const int64_t for_each_unknown = all_.params.count > some ? 3 : 1;
-        int64_t count = 1;
-        for (const KnotVectorPtr &axis : axes) {
-            count *= axis->count();
-        }
-        return count > max_count_ || for_each_unknown * unknowns_of(axes) > data.params.count;
+        const int64_t for_each_unknown = all_.params.count > some() ? 3 : 1;
+        const int64_t told = data.params.count + std::ssize(wishes_.conditions);
+        return count_of(axes) > max_count_ || for_each_unknown * unknowns_of(axes) > told ||
+               (axes.size() > 1 && unknowns_of(axes) > most_of_grid);
     }
 
     const Data &all_;
-    const eval::AxisRules &rules_;
-    const FitDomain &domain_;
+    eval::AxisRules rules_{}; // none: the data are clean
+    FitDomain domain_;
     double tolerance_;
     int64_t max_count_;
     FitWishes wishes_;
     EvenFit even_{};
-    std::vector<Break> breaks_;
+    std::array<std::vector<Break>, max_axes> breaks_;
     std::vector<KnotDensity> densities_;
 };
+
+// One polynomial.
+Axes simplest_axes(const FitDomain &domain) {
+    Axes axes;
+    for (size_t k = 0; k < domain.degrees.size(); ++k) {
+        axes.push_back(axis_over(domain, k, {}));
+    }
+    return axes;
+}
 
 } // namespace
 
 ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, const FitDomain &domain,
                               double tolerance, int64_t max_count, const FitWishes &wishes) {
-    return ToleranceSearch(data, rules, domain, tolerance, max_count, wishes).fit();
+    // Of all data, so that what is wrong with one is told by its index.
+    check_data(*form_for(data, rules, simplest_axes(domain)), data, rules);
+    const CleanData clean(data, rules, domain);
+    ToleranceFit found = ToleranceSearch(clean.data(), domain, tolerance, max_count, wishes).fit();
+    found.points.largest_index = clean.index(found.points.largest_index);
+    return found;
 }
 
 } // namespace nrb::fit

@@ -14,33 +14,47 @@ namespace nrb::fit {
 
 namespace {
 
+// Over the domain from 0 to 1, with a largest control point of 1: no power of two in a scale changes a bit, and derivatives
+// do not overflow.
+SplinePtr normalised(const Spline &fine, int axis) {
+    const double extent = largest_magnitude(fine.points());
+    const auto [lower, upper] = fine.axis(axis).domain();
+    std::vector<double> knots, points;
+    for (const double knot : fine.axis(axis).knots()) {
+        knots.push_back((knot - lower) / (upper - lower));
+    }
+    for (const double x : fine.points()) {
+        points.push_back(extent > 0 ? x / extent : 0);
+    }
+    Spline::Axes axes = fine.knot_vectors();
+    axes[static_cast<size_t>(axis)] =
+        std::make_shared<const KnotVector>(fine.axis(axis).degree(), std::move(knots));
+    for (KnotVectorPtr &other : axes) {
+        other = other->periodic()
+                    ? std::make_shared<const KnotVector>(
+                          other->degree(), std::vector<double>(other->knots().begin(), other->knots().end()))
+                    : other;
+    }
+    return make_result(std::move(axes), fine.dim(), Form::polynomial, std::move(points));
+}
+
 // Of each knot inside the domain: the largest jump of the derivative of order p, divided by the mean of the spans beside it.
-std::vector<double> slopes(const Spline &steps, int axis, int order, double extent,
-                           const std::vector<double> &breaks) {
+std::vector<double> slopes(const Spline &steps, int axis, const std::vector<double> &breaks) {
     const AxisView view = axis_view(steps, axis, steps.dim());
-    // In units of the largest control point and of the domain: no power of two in a scale changes a bit.
-    const double length = breaks.back() - breaks.front();
     std::vector<double> result(breaks.size(), 0.0);
-    if (!(extent > 0)) {
-        return result;
-    }
-    double unit = 1 / extent;
-    for (int r = 0; r < order; ++r) {
-        unit *= length;
-    }
     std::vector<double> jump(static_cast<size_t>(steps.dim()));
     const double *const points = steps.points().data();
+    const double length = breaks.back() - breaks.front();
     for (int64_t o = 0; o < view.outer; ++o) {
-        for (int64_t i = 1; i < view.count; ++i) {
-            const double step =
-                (breaks[static_cast<size_t>(i) + 1] - breaks[static_cast<size_t>(i) - 1]) / 2 / length;
+        for (int64_t i = 1; i < std::min<int64_t>(view.count, std::ssize(breaks) - 1); ++i) {
+            const auto at = static_cast<size_t>(i);
+            const double step = (breaks[at + 1] - breaks[at - 1]) / 2 / length;
             for (int64_t inner = 0; inner < view.inner; inner += steps.dim()) {
                 const double *const after = points + (o * view.count + i) * view.inner + inner;
                 for (int64_t c = 0; c < steps.dim(); ++c) {
-                    jump[static_cast<size_t>(c)] = (after[c] - after[c - view.inner]) * unit;
+                    jump[static_cast<size_t>(c)] = after[c] - after[c - view.inner];
                 }
-                double &largest = result[static_cast<size_t>(i)];
-                largest = std::max(largest, norm(jump.data(), steps.dim()) / step);
+                result[at] = std::max(result[at], norm(jump.data(), steps.dim()) / step);
             }
         }
     }
@@ -70,8 +84,9 @@ KnotDensity::KnotDensity(const SplinePtr &fine, int axis) {
     const int p = fine->axis(axis).degree();
     const auto breaks = fine->axis(axis).spans().breaks();
     breaks_.assign(breaks.begin(), breaks.end());
-    const SplinePtr steps = p == 0 ? fine : refine::polynomial_derivative(fine, axis, p);
-    std::vector<double> roots = slopes(*steps, axis, p, largest_magnitude(fine->points()), breaks_);
+    const SplinePtr unit = normalised(*fine, axis);
+    const SplinePtr steps = p == 0 ? unit : refine::polynomial_derivative(unit, axis, p);
+    std::vector<double> roots = slopes(*steps, axis, breaks_);
     leave_out_multiple_knots(fine->axis(axis), roots);
     for (double &root : roots) {
         root = std::pow(root, 1.0 / (p + 1));

@@ -67,10 +67,11 @@ DoubleDouble Conditions::left_side(const Row &row, const std::vector<DoubleDoubl
     return sum;
 }
 
-void Conditions::add_squares(NormalEquations &equations) const {
+void Conditions::add_squares(NormalEquations &equations) {
     const DoubleDouble trace = equations.matrix.trace();
     const DoubleDouble factor =
         trace.high > 0 ? trace / DoubleDouble(static_cast<double>(equations.matrix.size())) : DoubleDouble(1);
+    factor_ = factor;
     for (const Row &row : rows_) {
         for (const Coefficient &a : row.coefficients) {
             for (const Coefficient &b : row.coefficients) {
@@ -186,7 +187,7 @@ private:
 } // namespace
 
 // With A Z = C^T for the rows C of the conditions: C Z mu = C x - t, and x - Z mu is the solution.
-void Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const {
+double Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const {
     const auto count = std::ssize(rows_);
     const auto at = [&](int64_t i, int64_t j) { return static_cast<size_t>(i * count + j); };
     std::vector<DoubleDouble> columns(x.size() / static_cast<size_t>(dim) * rows_.size());
@@ -217,6 +218,34 @@ void Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDoub
                    columns[static_cast<size_t>(unknown * count + r)] * mu[static_cast<size_t>(r * dim + c)];
         }
     }
+    return lost_freedom(system, columns, matrix);
+}
+
+// With Z = A^-1 C^T, G without the squares, and all of it for those of the conditions that are independent:
+// factor tr C Z + tr (C Z)^-1 Z^T G Z.
+double Conditions::lost_freedom(const PenalisedSystem &system, const std::vector<DoubleDouble> &columns,
+                                const std::vector<DoubleDouble> &matrix) const {
+    const auto count = rows_.size();
+    const std::vector<DoubleDouble> image = system.product(columns, static_cast<int64_t>(count));
+    std::vector<DoubleDouble> right(count * count);
+    DoubleDouble lost;
+    for (size_t i = 0; i < count; ++i) {
+        lost = lost + factor_ * matrix[i * count + i];
+        for (size_t j = 0; j < count; ++j) {
+            for (size_t u = 0; u < columns.size(); u += count) {
+                right[i * count + j] = right[i * count + j] + columns[u + i] * image[u + j];
+            }
+            for (size_t r = 0; r < count; ++r) {
+                right[i * count + j] =
+                    right[i * count + j] - factor_ * matrix[r * count + i] * matrix[r * count + j];
+            }
+        }
+    }
+    const std::vector<DoubleDouble> solved = Multipliers(matrix, right, static_cast<int>(count)).solve();
+    for (size_t i = 0; i < count; ++i) {
+        lost = lost + solved[i * count + i];
+    }
+    return lost.high;
 }
 
 } // namespace nrb::fit

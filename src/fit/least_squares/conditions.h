@@ -24,10 +24,11 @@ public:
     [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
     // Adds multiples of the squares of what is missing to the sum that is minimised: they vanish at the solution, and
     // determine what only the conditions determine.
-    void add_squares(NormalEquations &equations) const;
+    void add_squares(NormalEquations &equations);
     // From the minimum of that sum to that under the conditions, by Lagrange's multipliers. Throws Status::contradiction with
     // the index of a condition that those before it, or the spline, do not allow.
-    void impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const;
+    // Returns by how much the trace of the influence matrix of the data is less than that of the equations with the squares.
+    double impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const;
 
 private:
     struct Coefficient {
@@ -39,10 +40,13 @@ private:
         std::vector<Coefficient> coefficients; // scaled to a largest one of 1
         std::vector<double> target;
     };
+    [[nodiscard]] double lost_freedom(const PenalisedSystem &system, const std::vector<DoubleDouble> &columns,
+                                      const std::vector<DoubleDouble> &matrix) const;
     [[nodiscard]] DoubleDouble left_side(const Row &row, const std::vector<DoubleDouble> &x, int64_t width,
                                          int64_t c) const noexcept;
 
     std::vector<Row> rows_;
+    DoubleDouble factor_; // of the squares
 };
 
 } // namespace nrb::fit

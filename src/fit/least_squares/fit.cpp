@@ -56,7 +56,8 @@ std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wish
 // former leave what the data do not tell as the first one found it.
 PenalisedSystem::Numbers settled(const NormalEquations &equations, PenalisedSystem &system) {
     constexpr double enough = 0x1p-56;
-    constexpr int most = 60;
+    constexpr int64_t many = 500;
+    const int most = equations.matrix.size() > many ? 4 : 20;
     PenalisedSystem::Numbers x(equations.right.size()), rest = equations.right;
     for (int step = 0; step < most; ++step) {
         const PenalisedSystem::Numbers change = system.solve(rest, equations.dim);
@@ -99,54 +100,127 @@ SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDo
 void complete(PenalisedSystem &system, const Conditions &conditions, int dim, Smoothed &found) {
     found.residual = system.relative_residual(found.x);
     if (!conditions.empty()) {
-        conditions.impose(system, dim, found.x);
+        found.freedom -= conditions.impose(system, dim, found.x);
     }
     found.squares = system.remaining_squares(found.x);
 }
 
-Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, const FitWishes &wishes,
-                const Conditions &conditions) {
-    PenalisedSystem system(equations, form);
+Smoothed plain(const NormalEquations &equations, const Conditions &conditions) {
+    PenalisedSystem system(equations, nullptr);
     Smoothed found;
-    if (form != nullptr) {
-        LambdaSearch search(equations, *form, system, free_unknowns(equations.axes, wishes.penalty_order));
-        found = search.choose(wishes.smoothing, wishes.value);
-    } else {
-        system.factorise(0);
-        found.x = system.solve(equations.right, equations.dim);
-        found.freedom = static_cast<double>(equations.matrix.size());
-    }
+    system.factorise(0);
+    found.x = system.solve(equations.right, equations.dim);
+    found.freedom = static_cast<double>(equations.matrix.size());
     complete(system, conditions, equations.dim, found);
     return found;
 }
 
-// The penalty of the highest order that decides, if the data do not: that of values always does.
-Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes,
-                     const Conditions &conditions) {
-    constexpr double part = 0x1p-30;
-    PenalisedSystem alone(equations, nullptr);
-    if (alone.try_factorise(0) < 0) {
-        Smoothed found;
-        found.x = alone.solve(equations.right, equations.dim);
-        found.freedom = static_cast<double>(equations.matrix.size());
-        complete(alone, conditions, equations.dim, found);
-        return found;
+Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, const FitWishes &wishes,
+                const Conditions &conditions, int64_t lacking) {
+    if (form == nullptr && lacking < 0) {
+        return plain(equations, conditions);
     }
-    const double trace = equations.matrix.trace().high, scale = part * (trace > 0 ? trace : 1);
-    Smoothed found;
-    for (int order = std::min(wishes.penalty_order, highest_degree(equations.axes)); order >= 0; --order) {
-        const StencilMatrix form = penalty(equations.axes, order);
-        const double size = form.trace().high;
-        PenalisedSystem system(equations, &form);
-        if (size > 0 && system.try_factorise(scale / size) < 0) {
-            found.x = settled(equations, system);
-            found.freedom = system.freedom();
-            complete(system, conditions, equations.dim, found);
-            found.residual = 0;
-            return found;
+    PenalisedSystem system(equations, form);
+    if (form == nullptr) {
+        system.fail_rank(lacking);
+    }
+    LambdaSearch search(equations, *form, system, free_unknowns(equations.axes, wishes.penalty_order));
+    Smoothed found = search.choose(wishes.smoothing, wishes.value);
+    complete(system, conditions, equations.dim, found);
+    return found;
+}
+
+// Nothing where the equations do not determine it, which solving them may be the first to see.
+template <class Solve>
+std::optional<Smoothed> if_determined(Solve &&solve) {
+    try {
+        return solve();
+    } catch (const Error &error) {
+        if (error.status() != Status::rank) {
+            throw;
         }
+        return std::nullopt;
+    }
+}
+
+Smoothed least_penalty(const NormalEquations &equations, const Conditions &conditions, int order) {
+    constexpr double part = 0x1p-20;
+    const StencilMatrix form = penalty(equations.axes, order);
+    const double trace = equations.matrix.trace().high, size = form.trace().high;
+    PenalisedSystem system(equations, &form);
+    const int64_t unsure = size > 0 ? system.try_factorise_surely(part * (trace > 0 ? trace : 1) / size) : 0;
+    if (unsure >= 0) {
+        system.fail_rank(unsure);
+    }
+    Smoothed found;
+    found.x = settled(equations, system);
+    found.freedom = std::clamp(system.freedom(), 0.0,
+                               static_cast<double>(std::min(equations.data_count, equations.matrix.size())));
+    complete(system, conditions, equations.dim, found);
+    found.residual = 0;
+    return found;
+}
+
+// The penalty of the highest order that decides, if the data do not: that of values always does.
+Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, const Conditions &conditions,
+                     int64_t lacking) {
+    std::optional<Smoothed> found;
+    if (lacking < 0) {
+        found = if_determined([&] { return plain(equations, conditions); });
+    }
+    for (int order = std::min(wishes.penalty_order, highest_degree(equations.axes)); !found && order >= 0;
+         --order) {
+        found = if_determined([&] { return least_penalty(equations, conditions, order); });
+    }
+    if (found) {
+        return std::move(*found);
     }
     fail(Status::rank, "the data do not determine the control points, whatever is penalised");
+}
+
+// Of a curve the first control point for which no datum is left if each takes the first one in its support that is free: I.
+// Schoenberg and A. Whitney's condition, as far as the numbers of data in the cells tell (those of equal parameters count as
+// different ones). Of other splines only the number of all data is compared. -1: none.
+int64_t first_without_datum(const Statistics &statistics, const Axes &axes) {
+    int64_t unknowns = 1;
+    for (const KnotVectorPtr &axis : axes) {
+        unknowns *= axis->distinct_layers();
+    }
+    if (axes.size() > 1 || axes[0]->periodic()) {
+        return statistics.data_count() < unknowns ? 0 : -1;
+    }
+    const KnotVector &axis = *axes[0], &breaks = *statistics.form().breaks[0];
+    size_t cell = 0;
+    int64_t taken = 0; // of the data in that cell
+    const auto cells = statistics.cells();
+    for (int64_t i = 0; i < axis.count(); ++i) {
+        while (cell < cells.size() &&
+               (taken == statistics.counts()[cell] || breaks[cells[cell] + 1] <= axis[i])) {
+            ++cell;
+            taken = 0;
+        }
+        if (cell == cells.size() || breaks[cells[cell]] >= axis[i + axis.degree() + 1]) {
+            return i;
+        }
+        ++taken;
+    }
+    return -1;
+}
+
+// What the data leave open is decided by the smallest penalty, where that is wanted.
+Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form, const FitWishes &wishes,
+                    const Conditions &conditions, int64_t lacking) {
+    if (wishes.regularise && wishes.smoothing == Smoothing::none) {
+        return regularised(equations, wishes, conditions, lacking);
+    }
+    try {
+        return solved(equations, form, wishes, conditions, lacking);
+    } catch (const Error &error) {
+        if (!wishes.regularise || error.status() != Status::rank) {
+            throw;
+        }
+        return regularised(equations, wishes, conditions, lacking);
+    }
 }
 
 // In units of the scales, as equations are.
@@ -170,15 +244,14 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     const FitWishes wishes = scaled(given, units);
     const std::optional<StencilMatrix> form = penalty_for(axes, wishes);
     const NormalEquations data = normal_equations(statistics, axes);
-    const Conditions conditions(axes, wishes.conditions);
+    Conditions conditions(axes, wishes.conditions);
     std::optional<NormalEquations> with_conditions;
     if (!conditions.empty()) {
         conditions.add_squares(with_conditions.emplace(data));
     }
     const NormalEquations &equations = with_conditions ? *with_conditions : data;
-    const Smoothed found = wishes.regularise && wishes.smoothing == Smoothing::none
-                               ? regularised(equations, wishes, conditions)
-                               : solved(equations, form ? &*form : nullptr, wishes, conditions);
+    const int64_t lacking = conditions.empty() ? first_without_datum(statistics, axes) : -1;
+    const Smoothed found = wanted_fit(equations, form ? &*form : nullptr, wishes, conditions, lacking);
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
     result.weight = std::ldexp(data.weight.high, units.weight_exponent);

@@ -19,6 +19,10 @@ struct FittedPoints {
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
                         const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes, bool compared);
 
+// What statistics of the data over the knots as breaks are about.
+std::shared_ptr<const StatisticsForm> form_for(const Data &data, const eval::AxisRules &rules,
+                                               const std::vector<KnotVectorPtr> &axes);
+
 // The smallest exponent for which |value| <= 2^exponent.
 int exponent_above(double value) noexcept;
 

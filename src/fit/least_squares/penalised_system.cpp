@@ -14,6 +14,8 @@ namespace {
 
 // Pivots relative to the diagonal below which factors in double precision are not tried, and below which nothing is known of
 // those with twice the precision; and how exact the sums of functions are (normal_equations.h).
+// Factors that take more multiply-adds are not made with twice the precision, which takes 20 times as long.
+constexpr double most_precise_work = 1e7;
 constexpr double least_pivot = 0x1p-36, least_precise_pivot = 0x1p-92, noise_of_sums = 0x1p-56;
 
 std::vector<double> diagonal_of(const ColumnsOf<DoubleDouble> &columns) {
@@ -89,11 +91,52 @@ int64_t PenalisedSystem::try_factorise(double lambda) {
     for (size_t e = 0; e < smooth_.values.size(); ++e) {
         sum_.values[e] = data_.values[e] + DoubleDouble(lambda_) * smooth_.values[e];
     }
-    in_double_ = factorise_in_double();
-    return in_double_ ? -1 : factorise_precisely();
+    const int64_t bad = factorise_in_double();
+    in_double_ = bad < 0;
+    if (in_double_ || factors_->cost() > most_precise_work) {
+        return bad;
+    }
+    return factorise_precisely();
 }
 
-bool PenalisedSystem::factorise_in_double() {
+int64_t PenalisedSystem::try_factorise_surely(double lambda) {
+    const int64_t bad = try_factorise(lambda);
+    if (bad >= 0 || factors_->cost() > most_precise_work) {
+        return bad;
+    }
+    return in_double_ ? unsure_pivot(*factors_) : unsure_pivot(*precise_);
+}
+
+// A pivot is v A v with v = L^-T e_k, 1 at k and 0 behind it: an error of the sums is multiplied by the product of two elements
+// of v. Only pivots that are small beside their diagonal can be lost in that.
+template <class Number>
+int64_t PenalisedSystem::unsure_pivot(const LdltOf<Number> &factors) const {
+    constexpr double suspicious = 0x1p-16, noise = 0x1p-58;
+    const std::vector<double> diagonal = diagonal_of(sum_);
+    for (size_t k = 0; k < diagonal.size(); ++k) {
+        const double pivot = DoubleDouble(factors.diagonal()[k]).high;
+        if (pivot > suspicious * diagonal[k]) {
+            continue;
+        }
+        std::vector<double> v(k + 1, 0.0);
+        v[k] = 1;
+        double sum = 0;
+        for (size_t j = k + 1; j-- > 0;) {
+            for (auto p = static_cast<size_t>(factors.starts()[j]);
+                 p < static_cast<size_t>(factors.starts()[j + 1]); ++p) {
+                const auto row = static_cast<size_t>(factors.rows()[p]);
+                v[j] -= row <= k ? DoubleDouble(factors.values()[p]).high * v[row] : 0;
+            }
+            sum += std::abs(v[j]) * std::sqrt(equations_.support[static_cast<size_t>(order_[j])]);
+        }
+        if (!(pivot > noise * sum * sum)) {
+            return order_[k];
+        }
+    }
+    return -1;
+}
+
+int64_t PenalisedSystem::factorise_in_double() {
     std::vector<double> floors = diagonal_of(sum_);
     for (double &floor : floors) {
         floor *= least_pivot;
@@ -102,7 +145,8 @@ bool PenalisedSystem::factorise_in_double() {
     if (!factors_) {
         factors_.emplace(sum);
     }
-    return factors_->factorise(sum, floors) < 0;
+    const int64_t bad = factors_->factorise(sum, floors);
+    return bad < 0 ? -1 : order_[static_cast<size_t>(bad)];
 }
 
 int64_t PenalisedSystem::factorise_precisely() {
@@ -203,7 +247,7 @@ bool PenalisedSystem::refine(const Numbers &right, int64_t width, Numbers &x) co
 PenalisedSystem::Numbers PenalisedSystem::solve(const Numbers &right, int64_t width) {
     const Numbers own = ordered(right, width);
     Numbers x;
-    if (!refine(own, width, x) && in_double_) {
+    if (!refine(own, width, x) && in_double_ && factors_->cost() <= most_precise_work) {
         in_double_ = false;
         if (const int64_t unknown = factorise_precisely(); unknown >= 0) {
             fail_rank(unknown);
@@ -220,6 +264,14 @@ PenalisedSystem::Numbers PenalisedSystem::estimate() {
     Numbers x = ordered(equations_.right, equations_.dim);
     correct(x, equations_.dim);
     return restored(x, equations_.dim);
+}
+
+PenalisedSystem::Numbers PenalisedSystem::product(const Numbers &x, int64_t width) const {
+    Numbers image = restored(residual_of(data_, Numbers(x.size()), ordered(x, width), width), width);
+    for (DoubleDouble &value : image) {
+        value = -value;
+    }
+    return image;
 }
 
 PenalisedSystem::Numbers PenalisedSystem::missing(const Numbers &x) const {

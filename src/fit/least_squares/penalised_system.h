@@ -21,8 +21,11 @@ public:
 
     // Returns -1, or an unknown that is not determined.
     [[nodiscard]] int64_t try_factorise(double lambda);
+    // The same, also where rounding of the sums may be all that determines it.
+    [[nodiscard]] int64_t try_factorise_surely(double lambda);
     // Throws Status::rank naming the control point.
     void factorise(double lambda);
+    [[noreturn]] void fail_rank(int64_t unknown) const;
     // Solutions for right sides [unknowns][width].
     [[nodiscard]] Numbers solve(const Numbers &right, int64_t width);
     // The solution for the right side of the equations: to be trusted where it is compared with others.
@@ -30,6 +33,8 @@ public:
 
     // Of x[unknowns][dim]: r - G x; sum w |y - s|^2; |G x + lambda P x - r| / |r|.
     [[nodiscard]] Numbers missing(const Numbers &x) const;
+    // G x for x[unknowns][width].
+    [[nodiscard]] Numbers product(const Numbers &x, int64_t width) const;
     [[nodiscard]] double remaining_squares(const Numbers &x) const;
     [[nodiscard]] double relative_residual(const Numbers &x) const;
 
@@ -43,14 +48,15 @@ public:
     }
 
 private:
-    [[nodiscard]] bool factorise_in_double();
+    [[nodiscard]] int64_t factorise_in_double();
     [[nodiscard]] int64_t factorise_precisely();
     [[nodiscard]] bool refine(const Numbers &right, int64_t width, Numbers &x) const;
     void correct(Numbers &residual, int64_t width) const;
     // Rows in the order of elimination, and back.
     [[nodiscard]] Numbers ordered(const Numbers &x, int64_t width) const;
     [[nodiscard]] Numbers restored(const Numbers &x, int64_t width) const;
-    [[noreturn]] void fail_rank(int64_t unknown) const;
+    template <class Number>
+    [[nodiscard]] int64_t unsure_pivot(const LdltOf<Number> &factors) const;
 
     const NormalEquations &equations_;
     double lambda_ = 0;

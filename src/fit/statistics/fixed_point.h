@@ -4,7 +4,9 @@
 
 #include "fit/statistics/statistics.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb::fit {
 
@@ -44,7 +46,8 @@ inline int64_t function_product(int64_t a, int64_t b) noexcept {
 class ScaledUnits {
 public:
     explicit ScaledUnits(int exponent) noexcept
-        : scale_(std::ldexp(1.0, exponent)), first_(std::ldexp(1.0, (value_bits - exponent) / 2)),
+        : scale_(std::min(std::ldexp(1.0, exponent), std::numeric_limits<double>::max())),
+          first_(std::ldexp(1.0, (value_bits - exponent) / 2)),
           second_(std::ldexp(1.0, value_bits - exponent - (value_bits - exponent) / 2)) {}
 
     [[nodiscard]] double scale() const noexcept { return scale_; }

@@ -73,6 +73,18 @@ public:
         }
     }
 
+    // The same checks, and nothing else.
+    void check_all() {
+        const int64_t n = data_.params.count;
+        for (int64_t i = 0; i < n; ++i) {
+            const int64_t weight = weighted_ ? weight_of(i) : int64_t{1} << value_bits;
+            if (weight != 0 && is_placed(i)) {
+                read_value(i, weight);
+            }
+        }
+        count_work(4 * n);
+    }
+
     Statistics result(std::shared_ptr<const StatisticsForm> form) {
         const std::vector<int64_t> &cells = slots_.cells();
         std::vector<size_t> order(cells.size());
@@ -146,7 +158,9 @@ private:
             const double given = data_.params(i, static_cast<int64_t>(k));
             const KnotVector &breaks = *form_.breaks[k];
             const Interval domain = breaks.domain();
-            const bool inside = given >= domain.lower && given <= domain.upper;
+            const bool wraps = rules_[k].outside == eval::Outside::wrap; // an end too
+            const bool inside = wraps ? given > domain.lower && given < domain.upper
+                                      : given >= domain.lower && given <= domain.upper;
             if (!inside) {
                 check_parameter(i, k, domain);
             }
@@ -157,6 +171,20 @@ private:
             const int64_t span = rules_[k].left ? finders_[k].number<true>(t) : finders_[k].number<false>(t);
             cell = cell * breaks.count() + span;
             set_functions(k, place_in_cell(t, breaks[span], breaks[span + 1]));
+        }
+        return true;
+    }
+    [[nodiscard]] bool is_placed(int64_t i) const {
+        for (size_t k = 0; k < finders_.size(); ++k) {
+            const double t = data_.params(i, static_cast<int64_t>(k));
+            const Interval domain = form_.breaks[k]->domain();
+            if (t >= domain.lower && t <= domain.upper) {
+                continue;
+            }
+            check_parameter(i, k, domain);
+            if (std::isnan(eval::place(t, rules_[k], domain))) {
+                return false;
+            }
         }
         return true;
     }
@@ -299,6 +327,10 @@ Statistics gather(std::shared_ptr<const StatisticsForm> form, const Data &data,
     Gathering gathering(*form, data, rules);
     gathering.add_all();
     return gathering.result(std::move(form));
+}
+
+void check_data(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules) {
+    Gathering(form, data, rules).check_all();
 }
 
 } // namespace nrb::fit

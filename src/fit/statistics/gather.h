@@ -6,6 +6,8 @@
 #include "eval/parameters.h"
 #include "fit/statistics/statistics.h"
 
+#include <cmath>
+
 namespace nrb::fit {
 
 // Data as the caller has them: values at parameters, with weights or without (data null: all 1).
@@ -15,9 +17,45 @@ struct Data {
     ConstRecords weights;
 };
 
+// Which data count: those of a weight above 2^-54 of the scale, at a parameter that the rules do not make NaN.
+class CountedData {
+public:
+    // `domains` of the axes.
+    CountedData(const Data &data, const eval::AxisRules &rules, std::vector<Interval> domains,
+                int weight_exponent)
+        : data_(data), rules_(rules), domains_(std::move(domains)),
+          least_weight_(std::ldexp(1.0, weight_exponent - value_bits - 1)) {}
+
+    [[nodiscard]] bool operator()(int64_t i) const noexcept {
+        if (data_.weights.data != nullptr && !(data_.weights(i, 0) > least_weight_)) {
+            return false;
+        }
+        for (size_t k = 0; k < domains_.size(); ++k) {
+            const double t = place(i, k);
+            if (!(t == t)) {
+                return false;
+            }
+        }
+        return true;
+    }
+    // Its parameter on an axis.
+    [[nodiscard]] double place(int64_t i, size_t k) const noexcept {
+        return eval::place(data_.params(i, static_cast<int64_t>(k)), rules_[k], domains_[k]);
+    }
+
+private:
+    const Data &data_;
+    const eval::AxisRules &rules_;
+    std::vector<Interval> domains_;
+    double least_weight_;
+};
+
 // Statistics of the data. A parameter that the rules make NaN leaves its point out, and so does a weight of 0, whatever the
 // value is. Throws Status::parameter_not_finite, outside_domain, point_not_finite, weight_not_finite, weight_negative, and
 // Status::scale for a value or a weight above its scale, with the index of the first one; none are gathered then.
 Statistics gather(std::shared_ptr<const StatisticsForm> form, const Data &data, const eval::AxisRules &rules);
+
+// Throws what gather() does.
+void check_data(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules);
 
 } // namespace nrb::fit

@@ -28,6 +28,11 @@ uint64_t number_at(std::span<const unsigned char> bytes, size_t place, size_t si
     return value;
 }
 
+// Of all bytes but its own.
+uint64_t checksum_of(std::span<const unsigned char> bytes) noexcept {
+    return crc64(bytes.subspan(at_numbers), crc64(bytes.first(at_checksum)));
+}
+
 } // namespace
 
 ByteWriter::ByteWriter(Kind kind, const HeaderNumbers &numbers, size_t size) {
@@ -57,7 +62,7 @@ void ByteWriter::align() {
 
 std::vector<unsigned char> ByteWriter::finish() {
     put_number(bytes_.size(), 8, bytes_.data() + at_size);
-    put_number(crc64(std::span(bytes_).subspan(at_numbers)), 8, bytes_.data() + at_checksum);
+    put_number(checksum_of(bytes_), 8, bytes_.data() + at_checksum);
     return std::move(bytes_);
 }
 
@@ -83,7 +88,7 @@ Header read_header(std::span<const unsigned char> bytes) {
              "size = %zu, expected %llu as the header says", bytes.size(),
              static_cast<unsigned long long>(size));
     }
-    if (number_at(bytes, at_checksum, 8) != crc64(bytes.subspan(at_numbers))) {
+    if (number_at(bytes, at_checksum, 8) != checksum_of(bytes)) {
         fail(Status::checksum, "the bytes are not those that were written: their checksum differs");
     }
     header.kind = static_cast<Kind>(number_at(bytes, at_kind, 4));

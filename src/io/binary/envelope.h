@@ -5,7 +5,7 @@
 //     8   version of the form: major, minor (16 bits each)
 //     12  kind of handle (32 bits)
 //     16  size of the whole in bytes (64 bits)
-//     24  crc64() of what comes after byte 32
+//     24  crc64() of all other bytes
 //     32  8 numbers of the kind (32 bits each), 0 where there are none
 //     64  the body
 //

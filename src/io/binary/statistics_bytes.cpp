@@ -69,11 +69,13 @@ std::vector<int64_t> integers_from(ByteReader &reader, int64_t count) {
 }
 
 void check_cells(const std::vector<int64_t> &cells, const std::vector<int64_t> &counts, int64_t all) {
+    uint64_t sum = 0;
     for (size_t i = 0; i < cells.size(); ++i) {
         if (cells[i] < 0 || cells[i] >= all || (i > 0 && cells[i] <= cells[i - 1])) {
             fail_number("a cell", cells[i]);
         }
-        if (counts[i] <= 0) {
+        sum += static_cast<uint64_t>(counts[i]);
+        if (counts[i] <= 0 || counts[i] > max_doubles || sum > static_cast<uint64_t>(max_doubles)) {
             fail_number("a count", counts[i]);
         }
     }
@@ -152,10 +154,14 @@ fit::Statistics statistics_from(std::span<const unsigned char> bytes) {
     reader.need(static_cast<uint64_t>(checked_product(cells, 3 * entries, "sums")));
     fit::Statistics made(std::make_shared<const fit::StatisticsForm>(std::move(form)));
     made.reserve(static_cast<size_t>(cells));
-    std::vector<ExactSum> sums(static_cast<size_t>(entries));
+    std::vector<ExactSum> sums(cells > 0 ? static_cast<size_t>(entries) : 0);
     for (size_t i = 0; i < indices.size(); ++i) {
         for (ExactSum &sum : sums) {
             sum = ExactSum({reader.take(), reader.take(), reader.take()});
+        }
+        if (sums.back().negative()) {
+            fail(Status::syntax, "the sum of the weights of cell %lld is negative",
+                 static_cast<long long>(indices[i]));
         }
         made.append(indices[i], counts[i], sums);
     }

@@ -25,7 +25,7 @@ program smoke_calls
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(3)//char(0)//char(0)//char(0)//&
         char(192)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(84)//char(137)//char(93)//char(30)//char(74)//char(54)//char(71)//char(227)//&
+        char(114)//char(160)//char(102)//char(241)//char(94)//char(129)//char(142)//char(24)//&
         char(1)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -657,6 +657,14 @@ contains
                 report=report_found, flags=0)
             call show('out', out_found)
         end block
+        call begin('approximate')
+        block
+            type(nurbs_spline) :: out_found
+            real(c_double) :: bound_found
+            call approximate(g=curve, tolerance=0.001d0, out=out_found, degrees=[3], max_count=0, bound=bound_found)
+            call show('out', out_found)
+            call show('bound', bound_found)
+        end block
         call begin('read_with')
         block
             type(nurbs_call) :: watching
@@ -761,6 +769,16 @@ contains
                 domain=reshape([0.0d0, 1.0d0], [1, 2], order=[2, 1]), max_count=0, options=options_given, &
                 report=report_found, flags=0, call=watching)
             call show('out', out_found)
+        end block
+        call begin('approximate_with')
+        block
+            type(nurbs_spline) :: out_found
+            real(c_double) :: bound_found
+            type(nurbs_call) :: watching
+            call approximate(g=curve, tolerance=0.001d0, out=out_found, degrees=[3], max_count=0, bound=bound_found, &
+                call=watching)
+            call show('out', out_found)
+            call show('bound', bound_found)
         end block
     end subroutine calls_of_data
 

@@ -9,8 +9,9 @@
 
 The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. One rule tells where a
 C function is: if its first argument is one spline it is a method of Spline, of what the spline is made of a property;
-constructors from points are class methods of Spline; everything else (shapes, several splines, knots, files) is a
-function of this module. Prefixes (nurbs_, curve_, surface_, volume_) are left out where the name is clear without.
+constructors from points are class methods of Spline; what makes statistics of data, or is made of them, is in the class
+Statistics; everything else (shapes, several splines, knots, files) is a function of this module. Prefixes (nurbs_,
+curve_, surface_, volume_, statistics_) are left out where the name is clear without.
 
 - Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,),
   results S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order;
@@ -30,7 +31,7 @@ function of this module. Prefixes (nurbs_, curve_, surface_, volume_) are left o
 - Ctrl-C interrupts all of these, as does what other handlers of signals raise, with progress or without; splines are as
   they were.
 - The interpreter's lock is released during every call, and one spline may be used by many threads at once.
-- Splines are values: they never change, can be compared, hashed, copied and pickled, bit for bit.
+- Splines and statistics are values: they never change, can be compared, hashed, copied and pickled, bit for bit.
 
 The library is $NURBS_LIBRARY, a path to libnurbs.so, if that is set, else the system's libnurbs.so.1. The C functions
 themselves are attributes of `nurbs.lib`.
@@ -52,6 +53,7 @@ from ._edit import *  # noqa: F403
 from ._evaluation import *  # noqa: F403
 from ._files import *  # noqa: F403
 from ._fit import *  # noqa: F403
+from ._fitting import *  # noqa: F403
 from ._frames import *  # noqa: F403
 from ._knots import *  # noqa: F403
 from ._linear import *  # noqa: F403
@@ -66,8 +68,8 @@ from ._together import *  # noqa: F403
 #: The version of this package; version() is that of the library that is loaded.
 __version__ = "1.1.0"
 
-# Results, exceptions and pickled splines are known by the names they have here.
+# Results, exceptions, pickled splines and statistics are known by the names they have here.
 for _value in (*globals().values(), _restored):
-    if _value is _restored or isinstance(_value, type) and issubclass(_value, (tuple, Exception)):
+    if _value is _restored or isinstance(_value, type) and issubclass(_value, (tuple, Exception, Statistics)):  # noqa: F405
         _value.__module__ = __name__
 del _value

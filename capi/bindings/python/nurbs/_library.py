@@ -51,6 +51,16 @@ _ARGUMENTS = {
 }
 
 
+def int32(value: Any) -> int:
+    """An integer that the library takes as int32_t."""
+    return int(_ARGUMENTS["i"].from_param(value).value)
+
+
+def uint32(value: Any) -> int:
+    """An integer that the library takes as uint32_t."""
+    return int(_ARGUMENTS["u"].from_param(value).value)
+
+
 def int64(value: Any) -> int:
     """An integer that the library takes as int64_t."""
     return int(_ARGUMENTS["l"].from_param(value).value)

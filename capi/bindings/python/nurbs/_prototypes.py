@@ -120,6 +120,8 @@ PROTOTYPES = {
     "nurbs_fit_points_with": "i pppplupppp",
     "nurbs_fit_tolerance": "i pppdluppp",
     "nurbs_fit_tolerance_with": "i pppdlupppp",
+    "nurbs_approximate": "i ppdlpp",
+    "nurbs_approximate_with": "i ppdlppp",
     "nurbs_continuity": "i pidddlpppppppp",
     "nurbs_continuity_between": "i pipidddppppp",
     "nurbs_deviation": "i pppp",

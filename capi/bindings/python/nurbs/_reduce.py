@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union
 
+import numpy
+
+from ._arrays import address, if_given
 from ._base import SplineBase, handle_of
 from ._calls import watched
 from ._library import get, lib
@@ -79,6 +82,13 @@ class Reduction(SplineBase):
     def simplify(self, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Reduced:
         """The simplest spline within the tolerance: weights, degrees and knots that are not needed go."""
         return self._reduced(watched(lib.nurbs_simplify, progress, work), tolerance)
+
+    def approximate(self, tolerance: float, degrees: Optional[Union[int, Sequence[int]]] = None, *, max_count: int = 0,
+                    progress: Progress = None, work: Optional[int] = None) -> Reduced:
+        """A polynomial spline of given degrees, those of this one for None, with few control points: within the
+        tolerance where the bound says so, else the closest one that was met."""
+        wanted = if_given(degrees, self.axes, "degrees", numpy.int32)
+        return self._reduced(watched(lib.nurbs_approximate, progress, work), address(wanted), tolerance, max_count)
 
     def snap_knots(self, tolerance: float, *, axis: int = 0) -> Snapped:
         """Knots of an axis within `tolerance` times the length of the domain become one."""

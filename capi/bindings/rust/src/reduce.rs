@@ -2,6 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Operations that move the shape, each with a proven bound.
 
+use crate::arrays::if_given;
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::spline::Spline;
@@ -98,6 +99,40 @@ impl Spline {
         let mut bound = 0.0;
         let spline = Spline::made(|out| unsafe {
             sys::nurbs_simplify_with(self.raw(), tolerance, &mut bound, call.options(), out)
+        })?;
+        Ok(Reduced { spline, bound })
+    }
+
+    /// A polynomial spline of given degrees with few control points, proven to be within the tolerance.
+    pub fn approximate(&self, tolerance: f64, degrees: &[i32], max_count: usize) -> Result<Reduced> {
+        let degrees = if_given(degrees, self.axes()? as usize, "degrees")?;
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_approximate(self.raw(), degrees, tolerance, max_count as i64, &mut bound, out)
+        })?;
+        Ok(Reduced { spline, bound })
+    }
+
+    /// The same as `approximate`; it can be watched and stopped.
+    pub fn approximate_with(
+        &self,
+        tolerance: f64,
+        degrees: &[i32],
+        max_count: usize,
+        call: &mut Call,
+    ) -> Result<Reduced> {
+        let degrees = if_given(degrees, self.axes()? as usize, "degrees")?;
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_approximate_with(
+                self.raw(),
+                degrees,
+                tolerance,
+                max_count as i64,
+                &mut bound,
+                call.options(),
+                out,
+            )
         })?;
         Ok(Reduced { spline, bound })
     }

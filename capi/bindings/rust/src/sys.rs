@@ -1741,6 +1741,30 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A polynomial spline of given degrees with few control points that is proven to be within a tolerance
+    /// of another spline at all parameters: rational by polynomial, high degree by low, many knots by few.
+    ///
+    /// May be null: `degrees`, `bound`.
+    pub fn nurbs_approximate(
+        g: *const nurbs,
+        degrees: *const i32,
+        tolerance: f64,
+        max_count: i64,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_approximate() as a call that can be watched and ended.
+    ///
+    /// May be null: `degrees`, `bound`, `call`.
+    pub fn nurbs_approximate_with(
+        g: *const nurbs,
+        degrees: *const i32,
+        tolerance: f64,
+        max_count: i64,
+        bound: *mut f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     // --- Continuity
     /// Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
     /// named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

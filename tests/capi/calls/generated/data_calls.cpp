@@ -463,6 +463,11 @@ const Call group[] = {
          report.struct_size = sizeof(nurbs_fit_report);
          return nurbs_fit_tolerance(&data, degrees, domain, 0.01, 0, 0, &options, &report, &o.out);
      }, true},
+    {"approximate",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3};
+         return nurbs_approximate(in.curve, degrees, 0.001, 0, o.values, &o.out);
+     }, true},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -572,6 +577,13 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fit_tolerance_with(&data, degrees, domain, 0.01, 0, 0, &options, &report, &call, &o.out);
+     }, true},
+    {"approximate_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_approximate_with(in.curve, degrees, 0.001, 0, o.values, &call, &o.out);
      }, true},
 };
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "fit/adaptive/approximate.h"
+
+#include "analysis/continuity.h"
+#include "base/representable.h"
+#include "base/watch.h"
+#include "bounds/deviation.h"
+#include "eval/evaluate.h"
+#include "fit/adaptive/fit_tolerance.h"
+#include "refine/degree/elevate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace nrb::fit {
+
+namespace {
+
+// Values of g at some places of every span, and at the ends of the domain.
+class GridSamples {
+public:
+    // So many on each axis, at least; more where it has more spans.
+    GridSamples(const Spline &g, const std::vector<int> &degrees, int64_t least) {
+        const auto axes = static_cast<size_t>(g.axes());
+        std::array<ConstRecords, max_axes> places{};
+        for (size_t k = 0; k < axes; ++k) {
+            const KnotVector &axis = g.axis(static_cast<int>(k));
+            const int64_t for_a_span =
+                std::max<int64_t>(std::max(axis.degree(), degrees[k]) + 2,
+                                  (least + axis.spans().size() - 1) / axis.spans().size());
+            add_places(axis, for_a_span, sites_[k]);
+            places[k] = {sites_[k].data(), std::ssize(sites_[k]), 1, 1, 1};
+            count_ *= std::ssize(sites_[k]);
+        }
+        values_.resize(static_cast<size_t>(count_ * g.dim()));
+        eval::evaluate_grid(g, {}, 0, places, {values_.data(), count_, g.dim(), g.dim(), 1});
+        require_representable(values_, "points");
+        list_params(axes);
+        const auto width = static_cast<int64_t>(axes);
+        data_.params = {params_.data(), count_, width, width, 1};
+        data_.values = {values_.data(), count_, g.dim(), g.dim(), 1};
+    }
+    GridSamples(const GridSamples &) = delete;
+    GridSamples &operator=(const GridSamples &) = delete;
+
+    [[nodiscard]] const Data &data() const noexcept { return data_; }
+    [[nodiscard]] int64_t along(size_t axis) const noexcept { return std::ssize(sites_[axis]); }
+
+private:
+    static void add_places(const KnotVector &axis, int64_t count, std::vector<double> &sites) {
+        const auto breaks = axis.spans().breaks();
+        sites.push_back(breaks.front());
+        for (size_t s = 0; s + 1 < breaks.size(); ++s) {
+            for (int64_t j = 0; j < count; ++j) {
+                const double angle = (static_cast<double>(j) + 0.5) / static_cast<double>(count);
+                const double part = (1 - std::cos(std::numbers::pi * angle)) / 2;
+                const double site = breaks[s] + part * (breaks[s + 1] - breaks[s]);
+                if (site > sites.back() && site < breaks.back()) {
+                    sites.push_back(site);
+                }
+            }
+        }
+        sites.push_back(breaks.back());
+    }
+    void list_params(size_t axes) {
+        params_.reserve(static_cast<size_t>(count_) * axes);
+        for (int64_t i = 0; i < count_; ++i) {
+            const size_t first = params_.size();
+            params_.resize(first + axes);
+            int64_t rest = i;
+            for (size_t k = axes; k-- > 0; rest /= std::ssize(sites_[k])) {
+                params_[first + k] = sites_[k][static_cast<size_t>(rest % std::ssize(sites_[k]))];
+            }
+        }
+    }
+
+    std::array<std::vector<double>, max_axes> sites_;
+    int64_t count_ = 1;
+    std::vector<double> params_, values_;
+    Data data_;
+};
+
+// Knots where a derivative of g below an order jumps along an axis, and the seam of a periodic one, at the upper end.
+std::vector<Break> breaks_of(const SplinePtr &g, int k, int degree, int order) {
+    std::vector<Break> breaks;
+    for (const analysis::KnotContinuity &knot : analysis::continuity(g, k, {0, 1e-9, 1e-9})) {
+        if (knot.found.order < std::min(order, degree)) {
+            breaks.push_back({knot.knot, std::max(1, degree - knot.found.order)});
+        }
+    }
+    return breaks;
+}
+
+FitDomain domain_of(const SplinePtr &g, const std::vector<int> &degrees, int order) {
+    FitDomain domain;
+    domain.degrees = degrees;
+    domain.find_breaks = false;
+    for (int k = 0; k < g->axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        domain.domains.push_back(g->axis(k).domain());
+        domain.periodic[at] = g->axis(k).periodic();
+        domain.breaks[at] = breaks_of(g, k, degrees[at], order);
+        if (!domain.breaks[at].empty() && domain.breaks[at].back().param == domain.domains[at].upper) {
+            domain.seams[at] = domain.breaks[at].back().multiplicity;
+            domain.breaks[at].pop_back();
+        }
+    }
+    return domain;
+}
+
+// The corners, unless an axis has no ends.
+std::vector<FitCondition> corners(const Spline &g, const FitDomain &domain) {
+    std::vector<FitCondition> conditions;
+    for (int corner = 0; corner < 1 << g.axes(); ++corner) {
+        FitCondition one{};
+        eval::AxisRules rules{};
+        for (int k = 0; k < g.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            if (domain.periodic[at]) {
+                return {};
+            }
+            const bool upper = (corner >> k & 1) != 0;
+            one.place[at] = upper ? domain.domains[at].upper : domain.domains[at].lower;
+            rules[at].left = upper;
+        }
+        one.target.resize(static_cast<size_t>(g.dim()));
+        eval::evaluate_points(g, rules, 0, {one.place.data(), 1, g.axes(), g.axes(), 1},
+                              {one.target.data(), 1, g.dim(), g.dim(), 1});
+        require_representable(one.target, "points");
+        conditions.push_back(std::move(one));
+    }
+    return conditions;
+}
+
+// g itself with the degrees, if it is of that kind.
+std::optional<SplinePtr> same_spline(const SplinePtr &g, const std::vector<int> &degrees) {
+    if (g->rational()) {
+        return std::nullopt;
+    }
+    SplinePtr result = g;
+    for (int k = 0; k < g->axes(); ++k) {
+        const int more = degrees[static_cast<size_t>(k)] - g->axis(k).degree();
+        if (more < 0) {
+            return std::nullopt;
+        }
+        result = refine::elevate(result, k, more);
+    }
+    return result;
+}
+
+class ApproximationSearch {
+public:
+    // Knots where a derivative of g below an order jumps are kept, as multiple ones.
+    ApproximationSearch(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
+                        int64_t max_count, int order)
+        : g_(g), degrees_(degrees), tolerance_(tolerance), max_count_(max_count),
+          domain_(domain_of(g, degrees, order)) {
+        wishes_.conditions = corners(*g, domain_);
+    }
+
+    // The samples have to be met a little better than the rest of g.
+    Approximation best() {
+        constexpr int most_rounds = 6;
+        constexpr int64_t most_samples = 50000;
+        double aim = 0.95 * tolerance_;
+        int64_t least = 64;
+        Approximation found{nullptr, INFINITY};
+        for (int round = 0; round < most_rounds && found.bound > tolerance_; ++round) {
+            const GridSamples samples(*g_, degrees_, least);
+            const ToleranceFit fit = fit_to_tolerance(samples.data(), {}, domain_, aim, max_count_, wishes_);
+            const SplinePtr &made = fit.points.fit.spline;
+            const double bound = bounds::deviation(*made, *g_).upper;
+            if (found.spline == nullptr || bound < found.bound) {
+                found = {made, bound};
+            }
+            const bool more = is_dense(samples, *made) && samples.data().params.count < most_samples;
+            if (!fit.reached && !more) {
+                break;
+            }
+            least = more ? 2 * least : least;
+            aim *= std::clamp(0.9 * tolerance_ / bound, 0.3, 0.9);
+        }
+        return found;
+    }
+
+private:
+    // Whether there are few samples for each control point, so that what lies between them is not seen.
+    [[nodiscard]] bool is_dense(const GridSamples &samples, const Spline &made) const noexcept {
+        constexpr int64_t few = 6;
+        for (int k = 0; k < made.axes(); ++k) {
+            if (samples.along(static_cast<size_t>(k)) < few * made.count(k)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const SplinePtr &g_;
+    const std::vector<int> &degrees_;
+    double tolerance_;
+    int64_t max_count_;
+    FitDomain domain_;
+    FitWishes wishes_;
+};
+
+bool has_few_knots(const Spline &g) {
+    constexpr size_t few = 64;
+    size_t spans = 0;
+    for (int k = 0; k < g.axes(); ++k) {
+        spans += g.axis(k).spans().indices().size();
+    }
+    return spans > static_cast<size_t>(g.axes()) && spans <= few;
+}
+
+bool is_better(const Approximation &a, const Approximation &b, double tolerance) noexcept {
+    if ((a.bound <= tolerance) != (b.bound <= tolerance)) {
+        return a.bound <= tolerance;
+    }
+    return a.bound <= tolerance ? a.spline->point_count() < b.spline->point_count() : a.bound < b.bound;
+}
+
+} // namespace
+
+Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
+                          int64_t max_count) {
+    const std::optional<SplinePtr> same = same_spline(g, degrees);
+    if (same && tolerance == 0) {
+        return {*same, 0};
+    }
+    Approximation found{nullptr, INFINITY};
+    int64_t limit = max_count;
+    if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
+        found = ApproximationSearch(g, degrees, tolerance, max_count, max_degree).best();
+        limit = found.bound <= tolerance ? std::min(limit, found.spline->point_count()) : limit;
+    }
+    const Approximation plain = ApproximationSearch(g, degrees, tolerance, limit, 1).best();
+    if (found.spline == nullptr || is_better(plain, found, tolerance)) {
+        found = plain;
+    }
+    const bool is_worse =
+        found.bound > tolerance || (same && (*same)->point_count() <= found.spline->point_count());
+    if (same && is_worse && (*same)->point_count() <= max_count) {
+        return {*same, bounds::deviation(**same, *g).upper};
+    }
+    return found;
+}
+
+} // namespace nrb::fit

@@ -1,0 +1,124 @@
+// Approximation of splines by simpler ones: the bound is proven, corners stay, and less is needed than there was.
+#include "property/fits.h"
+
+namespace approximate_test {
+
+using namespace support;
+using namespace support::fits;
+
+namespace {
+
+struct Approximated {
+    Handle spline;
+    double bound = -1;
+    [[nodiscard]] int64_t count() const { return read_back(spline.get()).point_count(); }
+};
+
+Approximated approximated(const nurbs *g, const std::vector<int32_t> &degrees, double tolerance,
+                          int64_t max_count = 0) {
+    Approximated result;
+    result.spline = made([&](nurbs **out) {
+        return nurbs_approximate(g, degrees.empty() ? nullptr : degrees.data(), tolerance, max_count,
+                                 &result.bound, out);
+    });
+    return result;
+}
+
+// As fits are; others are g itself with raised degrees.
+bool is_clamped(const SplineData &data) {
+    for (int k = 0; k < data.axes(); ++k) {
+        const std::vector<double> &knots = data.knots[static_cast<size_t>(k)];
+        const auto p = static_cast<size_t>(data.degrees[static_cast<size_t>(k)]);
+        if (knots[0] != knots[p] || knots[knots.size() - 1 - p] != knots.back()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+TEST(Approximate, is_within_its_bound) {
+    for_each_case(920000, 60, [](Random &random, uint64_t seed) {
+        const int axes = random.chance(80) ? 1 : 2;
+        Recipe recipe = random_recipe(random, axes, axes == 1 ? 7 : 3);
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        for (AxisRecipe &axis : recipe.axes) {
+            axis.spacing = Spacing::full;
+            axis.placement = Placement::origin;
+        }
+        const SplineData data = random_spline(random, recipe);
+        const Handle g = create(data);
+        const double tolerance = extent(data) * random.magnitude(1e-3, 0.1);
+        const std::vector<int32_t> degrees(static_cast<size_t>(axes), random.whole(1, 5));
+        const Approximated result = approximated(g.get(), degrees, tolerance);
+        const SplineData back = read_back(result.spline.get());
+        ASSERT_TRUE(back.weights.empty()) << where(seed, data);
+        ASSERT_EQ(back.degrees, degrees) << where(seed, data);
+        ASSERT_EQ(back.flags, data.flags) << where(seed, data);
+        double most = 0;
+        for (int i = 0; i < 300; ++i) {
+            const auto param = random_params(random, data, 1);
+            const auto a = eval(g.get(), param), b = eval(result.spline.get(), param);
+            double sum = 0;
+            for (size_t c = 0; c < a.size(); ++c) {
+                sum = std::hypot(sum, a[c] - b[c]);
+            }
+            most = std::max(most, sum);
+        }
+        ASSERT_LE(most, result.bound) << where(seed, data);
+        if (data.flags == 0 && is_clamped(back)) { // corners, of jumps beside them too
+            std::vector<double> lower, upper;
+            for (int k = 0; k < axes; ++k) {
+                lower.push_back(data.lower(k));
+                upper.push_back(data.upper(k));
+            }
+            ASSERT_TRUE(same_bits(eval(g.get(), lower), eval(result.spline.get(), lower)))
+                << where(seed, data);
+            const uint32_t left = NURBS_ON_ALL_AXES(axes, NURBS_LEFT);
+            ASSERT_TRUE(same_bits(eval(g.get(), upper, left), eval(result.spline.get(), upper, left)))
+                << where(seed, data);
+        }
+    });
+}
+
+TEST(Approximate, meets_the_tolerance_with_few_control_points) {
+    const double s = 0.70710678118654757;
+    const SplineData circle{{2},
+                            {9},
+                            {{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}},
+                            2,
+                            {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0},
+                            {1, s, 1, s, 1, s, 1, s, 1},
+                            0};
+    const Handle g = create(circle);
+    for (const auto &[degree, tolerance, most] :
+         {std::tuple{3, 1e-2, 16}, {3, 1e-4, 30}, {3, 1e-6, 90}, {5, 1e-6, 42}, {5, 1e-9, 95}}) {
+        const Approximated result = approximated(g.get(), {degree}, tolerance);
+        EXPECT_LE(result.bound, tolerance) << degree;
+        EXPECT_LE(result.count(), most) << degree << ' ' << tolerance;
+    }
+    // The degree of g, a limit that is too low, and a tolerance that no polynomial meets.
+    EXPECT_EQ(read_back(approximated(g.get(), {}, 1e-2).spline.get()).degrees[0], 2);
+    const Approximated few = approximated(g.get(), {3}, 1e-6, 20);
+    EXPECT_LE(few.count(), 20);
+    EXPECT_GT(few.bound, 1e-6);
+    EXPECT_GT(approximated(g.get(), {3}, 0, 30).bound, 0);
+}
+
+TEST(Approximate, returns_what_is_simple_already) {
+    SplineData cubic = even_curve(3, 8, 2);
+    for (size_t i = 0; i < cubic.points.size(); ++i) {
+        cubic.points[i] = std::sin(static_cast<double>(i * i));
+    }
+    const Handle g = create(cubic);
+    const Approximated same = approximated(g.get(), {3}, 0);
+    EXPECT_EQ(same.bound, 0);
+    EXPECT_TRUE(same_bits(read_back(same.spline.get()).points, cubic.points));
+    const Approximated near = approximated(g.get(), {3}, 1e-9);
+    EXPECT_LE(near.bound, 1e-9);
+    EXPECT_EQ(near.count(), 8);
+    EXPECT_EQ(read_back(approximated(g.get(), {4}, 0).spline.get()).degrees[0], 4);
+}
+
+} // namespace approximate_test
