@@ -169,10 +169,10 @@ fit::FitDomain checked_domain(const nurbs_data &data, const ConstRecords &params
     return result;
 }
 
-int64_t checked_limit(int64_t max_count, const fit::FitDomain &domain) {
+int64_t checked_limit(int64_t max_count, const std::vector<int> &degrees) {
     check_length(max_count, "max_count");
     int64_t least = 1;
-    for (const int degree : domain.degrees) {
+    for (const int degree : degrees) {
         least *= degree + 1;
     }
     if (max_count != 0 && max_count < least) {
@@ -180,27 +180,6 @@ int64_t checked_limit(int64_t max_count, const fit::FitDomain &domain) {
              static_cast<long long>(max_count), static_cast<long long>(least));
     }
     return max_count == 0 ? max_doubles : max_count;
-}
-
-fit::FitDomain domain_of(const Spline &spline, const std::vector<int> &degrees) {
-    fit::FitDomain result;
-    result.degrees = degrees;
-    for (int k = 0; k < spline.axes(); ++k) {
-        result.domains.push_back(spline.axis(k).domain());
-    }
-    return result;
-}
-
-// Any axes over the domain: conditions are checked with them.
-Spline::Axes simplest_axes(const fit::FitDomain &domain) {
-    Spline::Axes axes;
-    for (size_t k = 0; k < domain.degrees.size(); ++k) {
-        const auto order = static_cast<size_t>(domain.degrees[k]) + 1;
-        std::vector<double> knots(2 * order, domain.domains[k].upper);
-        std::fill_n(knots.begin(), order, domain.domains[k].lower);
-        axes.push_back(std::make_shared<const KnotVector>(domain.degrees[k], std::move(knots)));
-    }
-    return axes;
 }
 
 } // namespace
@@ -272,8 +251,8 @@ nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees,
         check_at_least(data->n, 1, "n");
         check_tolerance(tolerance, "tolerance");
         const fit::FitDomain over = checked_domain(*data, given.data.params, degrees, domain, flags);
-        const int64_t limit = checked_limit(max_count, over);
-        const fit::FitWishes wishes = checked_wishes(options, simplest_axes(over), data->dim);
+        const int64_t limit = checked_limit(max_count, over.degrees);
+        const fit::FitWishes wishes = checked_wishes(options, fit::simplest_axes(over), data->dim);
         check_report(report);
         const fit::ToleranceFit made =
             fit::fit_to_tolerance(given.data, given.rules, over, tolerance, limit, wishes);
@@ -306,7 +285,7 @@ nurbs_status nurbs_approximate(const nurbs *g, const int32_t *degrees, double to
             check_degree(wanted.back(), k);
         }
         check_tolerance(tolerance, "tolerance");
-        const int64_t limit = checked_limit(max_count, domain_of(spline, wanted));
+        const int64_t limit = checked_limit(max_count, wanted);
         const fit::Approximation made = fit::approximate(g->spline, wanted, tolerance, limit);
         give(made.spline, out);
         put(bound, made.bound);

@@ -2636,8 +2636,8 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
  * simpler is found.
  * \param[in] g a spline.
  * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
- * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of no higher
- *   degrees is met.
+ * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of these degrees
+ *   is met.
  * \param[in] max_count most control points; 0: no limit but that of the samples.
  * \param[out] bound or NULL: an upper bound of the distance, above the tolerance if the result is only the closest one
  *   that was met.

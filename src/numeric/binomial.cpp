@@ -47,4 +47,15 @@ double binomial(int n, int k) noexcept {
     return binomials(n)[k];
 }
 
+std::vector<DoubleDouble> precise_product_factors(int p) {
+    const std::vector<DoubleDouble> lower = precise_binomials(p), higher = precise_binomials(2 * p);
+    std::vector<DoubleDouble> factors;
+    for (size_t i = 0; i < lower.size(); ++i) {
+        for (size_t j = 0; j < lower.size(); ++j) {
+            factors.push_back(lower[i] * lower[j] / higher[i + j]);
+        }
+    }
+    return factors;
+}
+
 } // namespace nrb::inline numeric

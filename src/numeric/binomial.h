@@ -17,5 +17,7 @@ double binomial(int n, int k) noexcept;
 const double *binomials(int n) noexcept;
 // The same with twice the precision: exact below 2^106.
 std::vector<DoubleDouble> precise_binomials(int n);
+// C(p, i) C(p, j) / C(2 p, i + j), [p + 1][p + 1]: the factors of B_(i+j) of degree 2 p in B_i B_j.
+std::vector<DoubleDouble> precise_product_factors(int p);
 
 } // namespace nrb::inline numeric

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "shapes.h"
 
+#include <float.h>
 #include <math.h>
 
 #define VALUES(...) ((const double[]){__VA_ARGS__})
@@ -63,6 +64,35 @@ static void what_is_simple(void) {
     CHECK_OK(nurbs_approximate(g, NULL, 0, 0, &bound, &h));
     CHECK_DOUBLE(bound, 0);
     CHECK_SAME_CURVE(g, h);
+    nurbs_destroy(h);
+    double upper = -1; /* raised degrees round, which the bound tells */
+    CHECK_OK(nurbs_approximate(g, DEGREES(5), 0, 0, &bound, &h));
+    CHECK_OK(nurbs_deviation(h, g, NULL, &upper));
+    CHECK_DOUBLE(bound, upper);
+    CHECK(bound > 0 && bound < 128 * DBL_EPSILON);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
+}
+
+/* A volume with weights that are all the same, and a half circle whose middle is at infinity. */
+static void volumes_and_no_weights(void) {
+    static const double corners[] = {0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0, 1, 1, 1, 0, 1, 1, 1};
+    static const double homogeneous[] = {1, 0, 1, 0, 1, 0, -1, 0, 1};
+    nurbs *g = NULL, *h = NULL, *rational = NULL;
+    int64_t count = 0;
+    double bound = -1;
+    CHECK_OK(nurbs_volume_trilinear(3, corners, 0, 0, &g));
+    CHECK_OK(nurbs_make_rational(g, &rational));
+    CHECK_OK(nurbs_approximate(rational, NULL, 1e-6, 0, &bound, &h));
+    CHECK_OK(nurbs_point_count(h, &count));
+    CHECK(count == 8 && bound <= 1e-6);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
+    nurbs_destroy(rational);
+    CHECK_OK(nurbs_create_homogeneous(1, DEGREES(2), (const int64_t[]){3}, VALUES(0, 0, 0, 1, 1, 1), 6, 2,
+                                      homogeneous, 0, 0, 0, &g));
+    CHECK_OK(nurbs_approximate(g, DEGREES(5), 1e-6, 0, &bound, &h));
+    CHECK(bound <= 1e-6 && from_circle(h) <= bound);
     nurbs_destroy(g);
     nurbs_destroy(h);
 }
@@ -100,6 +130,7 @@ static void refusals(void) {
 int main(void) {
     a_circle();
     what_is_simple();
+    volumes_and_no_weights();
     too_few();
     refusals();
     return check_summary("approximate");

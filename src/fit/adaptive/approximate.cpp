@@ -3,7 +3,6 @@
 
 #include "analysis/continuity.h"
 #include "base/representable.h"
-#include "base/watch.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
 #include "fit/adaptive/fit_tolerance.h"
@@ -175,7 +174,7 @@ public:
             if (found.spline == nullptr || bound < found.bound) {
                 found = {made, bound};
             }
-            const bool more = is_dense(samples, *made) && samples.data().params.count < most_samples;
+            const bool more = has_few(samples, *made) && samples.data().params.count < most_samples;
             if (!fit.reached && !more) {
                 break;
             }
@@ -187,7 +186,7 @@ public:
 
 private:
     // Whether there are few samples for each control point, so that what lies between them is not seen.
-    [[nodiscard]] bool is_dense(const GridSamples &samples, const Spline &made) const noexcept {
+    [[nodiscard]] bool has_few(const GridSamples &samples, const Spline &made) const noexcept {
         constexpr int64_t few = 6;
         for (int k = 0; k < made.axes(); ++k) {
             if (samples.along(static_cast<size_t>(k)) < few * made.count(k)) {
@@ -226,23 +225,26 @@ bool is_better(const Approximation &a, const Approximation &b, double tolerance)
 Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
                           int64_t max_count) {
     const std::optional<SplinePtr> same = same_spline(g, degrees);
+    const auto itself = [&] { // raising degrees rounds
+        return Approximation{*same, *same == g ? 0 : bounds::deviation(**same, *g).upper};
+    };
     if (same && tolerance == 0) {
-        return {*same, 0};
+        return itself();
     }
+    const int64_t own = same ? (*same)->point_count() : max_count;
+    int64_t limit = std::min(max_count, own); // more would not be taken
     Approximation found{nullptr, INFINITY};
-    int64_t limit = max_count;
     if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
-        found = ApproximationSearch(g, degrees, tolerance, max_count, max_degree).best();
+        found = ApproximationSearch(g, degrees, tolerance, limit, max_degree).best();
         limit = found.bound <= tolerance ? std::min(limit, found.spline->point_count()) : limit;
     }
     const Approximation plain = ApproximationSearch(g, degrees, tolerance, limit, 1).best();
     if (found.spline == nullptr || is_better(plain, found, tolerance)) {
         found = plain;
     }
-    const bool is_worse =
-        found.bound > tolerance || (same && (*same)->point_count() <= found.spline->point_count());
-    if (same && is_worse && (*same)->point_count() <= max_count) {
-        return {*same, bounds::deviation(**same, *g).upper};
+    const bool is_worse = found.bound > tolerance || own <= found.spline->point_count();
+    if (same && is_worse && own <= max_count) {
+        return itself();
     }
     return found;
 }

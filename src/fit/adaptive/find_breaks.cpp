@@ -2,12 +2,13 @@
 #include "fit/adaptive/find_breaks.h"
 
 #include "eval/evaluate.h"
+#include "fit/adaptive/chosen_data.h"
 #include "fit/least_squares/fit_points.h"
+#include "numeric/golden_section.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace nrb::fit {
 
@@ -27,51 +28,26 @@ Data part(const Data &data, int64_t first, int64_t end) noexcept {
 
 // The polynomial closest to data, with what it misses of them.
 FittedPoints polynomial(const Data &data, int degree) {
-    const auto order = static_cast<size_t>(degree) + 1;
-    std::vector<double> knots(2 * order, data.params(data.params.count - 1, 0));
-    std::fill_n(knots.begin(), order, data.params(0, 0));
     FitWishes wishes;
     wishes.regularise = true;
-    return fit_points(data, {}, {std::make_shared<const KnotVector>(degree, std::move(knots))}, wishes, true);
+    const Interval domain{data.params(0, 0), data.params(data.params.count - 1, 0)};
+    return fit_points(data, {}, simplest_axes({.degrees = {degree}, .domains = {domain}}), wishes, true);
 }
 
 // Points of a polynomial, anywhere.
-std::vector<double> continued(const Spline &spline, std::span<const double> params) {
-    std::vector<double> points(params.size() * static_cast<size_t>(spline.dim()));
+std::vector<double> continued(const Spline &spline, const ConstRecords &params) {
+    std::vector<double> points(static_cast<size_t>(params.count * spline.dim()));
     eval::AxisRules rules{};
     rules[0].outside = eval::Outside::extrapolate;
-    eval::evaluate_points(spline, rules, 0, {params.data(), std::ssize(params), 1, 1, 1},
-                          {points.data(), std::ssize(params), spline.dim(), spline.dim(), 1});
+    eval::evaluate_points(spline, rules, 0, params,
+                          {points.data(), params.count, spline.dim(), spline.dim(), 1});
     return points;
 }
 
 double gap(const Spline &a, const Spline &b, double t) {
-    const std::vector<double> x = continued(a, {&t, 1}), y = continued(b, {&t, 1});
+    const ConstRecords at{&t, 1, 1, 1, 1};
+    const std::vector<double> x = continued(a, at), y = continued(b, at);
     return norm_of(a.dim(), [&](int c) { return x[static_cast<size_t>(c)] - y[static_cast<size_t>(c)]; });
-}
-
-// Where two polynomials are nearest to each other.
-double nearest(const Spline &a, const Spline &b, double lower, double upper) {
-    constexpr double golden = 0.6180339887498949;
-    constexpr int steps = 60;
-    double x = upper - golden * (upper - lower), y = lower + golden * (upper - lower);
-    double at_x = gap(a, b, x), at_y = gap(a, b, y);
-    for (int i = 0; i < steps; ++i) {
-        if (at_x < at_y) {
-            upper = y;
-            y = x;
-            at_y = at_x;
-            x = upper - golden * (upper - lower);
-            at_x = gap(a, b, x);
-        } else {
-            lower = x;
-            x = y;
-            at_x = at_y;
-            y = lower + golden * (upper - lower);
-            at_y = gap(a, b, y);
-        }
-    }
-    return lower + (upper - lower) / 2;
 }
 
 // How far data are from the splines before and after a place.
@@ -79,52 +55,28 @@ struct Split {
     int64_t at;      // how many data belong to the first one
     double distance; // the largest one
 };
-Split best_split(const Spline &before, const Spline &after, std::span<const double> params,
-                 std::span<const double> values) {
-    const std::vector<double> a = continued(before, params), b = continued(after, params);
+Split best_split(const Spline &before, const Spline &after, const Data &data) {
+    const std::vector<double> a = continued(before, data.params), b = continued(after, data.params);
     const auto dim = static_cast<size_t>(before.dim());
     const auto distance = [&](const std::vector<double> &points, size_t i) {
         return norm_of(before.dim(), [&](int c) {
-            const size_t at = i * dim + static_cast<size_t>(c);
-            return points[at] - values[at];
+            return points[i * dim + static_cast<size_t>(c)] - data.values(static_cast<int64_t>(i), c);
         });
     };
-    std::vector<double> later(params.size() + 1, 0.0);
-    for (size_t i = params.size(); i-- > 0;) {
+    const auto n = static_cast<size_t>(data.params.count);
+    std::vector<double> later(n + 1, 0.0);
+    for (size_t i = n; i-- > 0;) {
         later[i] = std::max(later[i + 1], distance(b, i));
     }
     Split best{0, later[0]};
     double earlier = 0;
-    for (size_t i = 0; i < params.size(); ++i) {
+    for (size_t i = 0; i < n; ++i) {
         earlier = std::max(earlier, distance(a, i));
         if (const double both = std::max(earlier, later[i + 1]); both < best.distance) {
             best = {static_cast<int64_t>(i) + 1, both};
         }
     }
     return best;
-}
-
-// Data with parameters in an interval, sorted.
-struct Between {
-    std::vector<double> params, values;
-};
-Between data_between(const Data &all, double lower, double upper) {
-    std::vector<int64_t> indices;
-    for (int64_t i = 0; i < all.params.count; ++i) {
-        const double t = all.params(i, 0);
-        if (t >= lower && t <= upper && (all.weights.data == nullptr || all.weights(i, 0) > 0)) {
-            indices.push_back(i);
-        }
-    }
-    std::ranges::stable_sort(indices, {}, [&](int64_t i) { return all.params(i, 0); });
-    Between found;
-    for (const int64_t i : indices) {
-        found.params.push_back(all.params(i, 0));
-        for (int64_t c = 0; c < all.values.width; ++c) {
-            found.values.push_back(all.values(i, c));
-        }
-    }
-    return found;
 }
 
 } // namespace
@@ -187,9 +139,10 @@ bool BreakSearch::find(const Cluster &cluster, const Cluster &room, double windo
         }
         const Spline &a = *left.fit.spline, &b = *right.fit.spline;
         const bool last = core.last - core.first < 4;
-        const Between own = last ? data_between(all, param(core.first - 1), param(core.last + 1))
-                                 : data_between(data_, param(core.first - 1), param(core.last + 1));
-        const Split split = best_split(a, b, own.params, own.values);
+        const PackedData between =
+            data_between(last ? all : data_, param(core.first - 1), param(core.last + 1));
+        const Data own = between.data();
+        const Split split = best_split(a, b, own);
         if (last) {
             return split.distance <= tolerance_ && meet(a, b, own.params, split.at, found);
         }
@@ -216,17 +169,19 @@ int64_t BreakSearch::end_at(double t, int64_t first, int64_t end) const noexcept
 }
 
 // The break between data number `at` - 1 and `at`.
-bool BreakSearch::meet(const Spline &a, const Spline &b, const std::vector<double> &params, int64_t at,
+bool BreakSearch::meet(const Spline &a, const Spline &b, const ConstRecords &params, int64_t at,
                        Break &found) const {
-    if (at == 0 || at == std::ssize(params)) {
+    constexpr int sections = 60;
+    if (at == 0 || at == params.count) {
         return false;
     }
-    const double lower = params[static_cast<size_t>(at) - 1], upper = params[static_cast<size_t>(at)];
+    const double lower = params(at - 1, 0), upper = params(at, 0);
     if (!(lower < upper)) {
         return false;
     }
-    const double meeting = nearest(a, b, std::max(lower - (upper - lower), params.front()),
-                                   std::min(upper + (upper - lower), params.back()));
+    const double meeting = golden_section(std::max(lower - (upper - lower), params(0, 0)),
+                                          std::min(upper + (upper - lower), params(params.count - 1, 0)),
+                                          sections, [&](double t) { return gap(a, b, t); });
     const bool kink = degree_ > 0 && gap(a, b, meeting) <= tolerance_;
     found = kink ? Break{meeting, degree_} : Break{lower + (upper - lower) / 2, degree_ + 1};
     return true;

@@ -2,17 +2,12 @@
 // Where data are not smooth.
 #pragma once
 
+#include "fit/adaptive/fit_domain.h"
 #include "fit/statistics/gather.h"
 
 #include <vector>
 
 namespace nrb::fit {
-
-// A knot where polynomials of a degree meet: its multiplicity is the degree at a kink, one more at a jump.
-struct Break {
-    double param;
-    int multiplicity;
-};
 
 // Of data that a smooth fit over even spans misses here and there by more than the tolerance, and data of a curve in the order
 // of their parameters: places between two data such that one polynomial is within the tolerance on the data of some spans
@@ -33,7 +28,7 @@ private:
     [[nodiscard]] std::vector<Cluster> clusters() const;
     [[nodiscard]] bool find(const Cluster &cluster, const Cluster &room, double window, const Data &all,
                             Break &found) const;
-    [[nodiscard]] bool meet(const Spline &a, const Spline &b, const std::vector<double> &params, int64_t at,
+    [[nodiscard]] bool meet(const Spline &a, const Spline &b, const ConstRecords &params, int64_t at,
                             Break &found) const;
     [[nodiscard]] int64_t first_from(double t, int64_t from, int64_t end) const noexcept;
     [[nodiscard]] int64_t end_at(double t, int64_t first, int64_t end) const noexcept;

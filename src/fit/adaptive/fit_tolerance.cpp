@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/adaptive/fit_tolerance.h"
 
-#include "base/watch.h"
-#include "basis/generators.h"
 #include "eval/evaluate.h"
+#include "fit/adaptive/chosen_data.h"
+#include "fit/adaptive/find_breaks.h"
 #include "fit/adaptive/knot_density.h"
 #include "numeric/norm.h"
 
@@ -32,33 +32,6 @@ std::vector<Break> with_breaks(const std::vector<double> &inner, const std::vect
     }
     std::ranges::sort(all, {}, &Break::param);
     return all;
-}
-
-// Inside a domain, clamped or periodic.
-KnotVectorPtr axis_over(const FitDomain &domain, size_t k, const std::vector<Break> &inner) {
-    const int p = domain.degrees[k];
-    const auto [lower, upper] = domain.domains[k];
-    if (domain.periodic[k]) {
-        std::vector<double> breaks{lower};
-        std::vector<int32_t> multiplicities{domain.seams[k]};
-        int64_t count = 2 * p + 1 + domain.seams[k];
-        for (const Break &knot : inner) {
-            breaks.push_back(knot.param);
-            multiplicities.push_back(knot.multiplicity);
-            count += knot.multiplicity;
-        }
-        breaks.push_back(upper);
-        multiplicities.push_back(domain.seams[k]);
-        std::vector<double> knots(static_cast<size_t>(count));
-        periodic_knots(p, breaks, multiplicities.data(), knots);
-        return make_knot_vector(p, std::move(knots), true, static_cast<int>(k));
-    }
-    std::vector<double> knots(static_cast<size_t>(p) + 1, lower);
-    for (const Break &knot : inner) {
-        knots.insert(knots.end(), static_cast<size_t>(knot.multiplicity), knot.param);
-    }
-    knots.insert(knots.end(), static_cast<size_t>(p) + 1, upper);
-    return make_knot_vector(p, std::move(knots), false, static_cast<int>(k));
 }
 
 std::vector<double> even_knots(Interval domain, int64_t spans) {
@@ -90,112 +63,6 @@ int64_t unknowns_of(const Axes &axes) noexcept {
     return count;
 }
 
-// Some of the data, packed: the first and last ones, and others at places that follow no row of a grid.
-class Subset {
-public:
-    Subset(const Data &all, int64_t size) {
-        constexpr double golden = 0.6180339887498949;
-        const int64_t n = all.params.count;
-        const double step = static_cast<double>(n) / static_cast<double>(size);
-        std::vector<int64_t> chosen;
-        for (int64_t j = 0; j < size; ++j) {
-            const double shift = std::fmod(golden * static_cast<double>(j), 1);
-            const auto i = static_cast<int64_t>((static_cast<double>(j) + shift) * step);
-            chosen.push_back(j == 0 ? 0 : j + 1 == size ? n - 1 : std::min(i, n - 1));
-        }
-        if (all.params.width == 1) { // those of curves in order
-            std::ranges::stable_sort(chosen, {}, [&](int64_t i) { return all.params(i, 0); });
-        }
-        for (const int64_t i : chosen) {
-            append(all, i);
-        }
-        const auto view = [&](const std::vector<double> &packed, int64_t width) {
-            return ConstRecords{packed.data(), size, width, width, 1};
-        };
-        data_.params = view(params_, all.params.width);
-        data_.values = view(values_, all.values.width);
-        if (all.weights.data != nullptr) {
-            data_.weights = view(weights_, 1);
-        }
-    }
-    Subset(const Subset &) = delete;
-    Subset &operator=(const Subset &) = delete;
-    [[nodiscard]] const Data &data() const noexcept { return data_; }
-
-private:
-    void append(const Data &all, int64_t i) {
-        for (int64_t k = 0; k < all.params.width; ++k) {
-            params_.push_back(all.params(i, k));
-        }
-        for (int64_t c = 0; c < all.values.width; ++c) {
-            values_.push_back(all.values(i, c));
-        }
-        if (all.weights.data != nullptr) {
-            weights_.push_back(all.weights(i, 0));
-        }
-    }
-
-    std::vector<double> params_, values_, weights_;
-    Data data_;
-};
-
-// The data that count, with parameters in the domain: what the search looks at, which may be all as they are.
-class CleanData {
-public:
-    CleanData(const Data &all, const eval::AxisRules &rules, const FitDomain &domain) : data_(all) {
-        const auto is_plain = [](const eval::AxisRule &rule) {
-            return !rule.nan && rule.outside == eval::Outside::refuse;
-        };
-        if (all.weights.data == nullptr && std::ranges::all_of(rules, is_plain)) {
-            return;
-        }
-        double largest = 0;
-        for (int64_t i = 0; all.weights.data != nullptr && i < all.weights.count; ++i) {
-            largest = std::max(largest, std::isfinite(all.weights(i, 0)) ? all.weights(i, 0) : 0);
-        }
-        const CountedData counts(all, rules, domain.domains, exponent_above(largest));
-        for (int64_t i = 0; i < all.params.count; ++i) {
-            if (counts(i)) {
-                append(all, counts, i);
-            }
-        }
-        const auto view = [&](const std::vector<double> &packed, int64_t width) {
-            return ConstRecords{packed.data(), std::ssize(indices_), width, width, 1};
-        };
-        is_copy_ = true;
-        data_ = {view(params_, all.params.width), view(values_, all.values.width), {}};
-        if (all.weights.data != nullptr) {
-            data_.weights = view(weights_, 1);
-        }
-    }
-    CleanData(const CleanData &) = delete;
-    CleanData &operator=(const CleanData &) = delete;
-    [[nodiscard]] const Data &data() const noexcept { return data_; }
-    // The place of a datum among those of the caller.
-    [[nodiscard]] int64_t index(int64_t i) const noexcept {
-        return is_copy_ && i >= 0 ? indices_[static_cast<size_t>(i)] : i;
-    }
-
-private:
-    void append(const Data &all, const CountedData &counts, int64_t i) {
-        for (int64_t k = 0; k < all.params.width; ++k) {
-            params_.push_back(counts.place(i, static_cast<size_t>(k)));
-        }
-        for (int64_t c = 0; c < all.values.width; ++c) {
-            values_.push_back(all.values(i, c));
-        }
-        if (all.weights.data != nullptr) {
-            weights_.push_back(all.weights(i, 0));
-        }
-        indices_.push_back(i);
-    }
-
-    Data data_;
-    bool is_copy_ = false;
-    std::vector<int64_t> indices_;
-    std::vector<double> params_, values_, weights_;
-};
-
 class ToleranceSearch {
 public:
     ToleranceSearch(const Data &data, const FitDomain &domain, double tolerance, int64_t max_count,
@@ -211,10 +78,9 @@ public:
 
     ToleranceFit fit() {
         constexpr int64_t for_each_unknown = 12;
-        constexpr int most_rounds = 4;
         int64_t size = std::min(all_.params.count, some());
         for (;;) {
-            const Subset subset(all_, size);
+            const PackedData subset = some_of(all_, size);
             const bool reached = find_densities(subset.data());
             const bool whole = size == all_.params.count;
             if (!reached && !whole) {
@@ -224,7 +90,7 @@ public:
             const Counts counts = fewest(subset.data());
             const int64_t wanted = for_each_unknown * unknowns_of(axes_with(counts));
             if (whole || size >= wanted) {
-                return finished(counts, most_rounds);
+                return finished(counts);
             }
             size = std::min(all_.params.count, 2 * wanted);
         }
@@ -360,7 +226,8 @@ private:
     }
 
     // With all data, and more knots where that is not enough.
-    ToleranceFit finished(Counts counts, int most_rounds) {
+    ToleranceFit finished(Counts counts) {
+        constexpr int most_rounds = 4;
         ToleranceFit best{};
         for (int round = 1; round <= most_rounds; ++round) {
             const Axes axes = axes_with(counts);
@@ -432,24 +299,22 @@ private:
     std::vector<KnotDensity> densities_;
 };
 
-// One polynomial.
-Axes simplest_axes(const FitDomain &domain) {
-    Axes axes;
-    for (size_t k = 0; k < domain.degrees.size(); ++k) {
-        axes.push_back(axis_over(domain, k, {}));
-    }
-    return axes;
-}
-
 } // namespace
 
 ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, const FitDomain &domain,
                               double tolerance, int64_t max_count, const FitWishes &wishes) {
     // Of all data, so that what is wrong with one is told by its index.
     check_data(*form_for(data, rules, simplest_axes(domain)), data, rules);
-    const CleanData clean(data, rules, domain);
-    ToleranceFit found = ToleranceSearch(clean.data(), domain, tolerance, max_count, wishes).fit();
-    found.points.largest_index = clean.index(found.points.largest_index);
+    const auto search = [&](const Data &clean) {
+        return ToleranceSearch(clean, domain, tolerance, max_count, wishes).fit();
+    };
+    if (is_clean(data, rules)) {
+        return search(data);
+    }
+    const CleanData clean(data, rules, domain.domains);
+    ToleranceFit found = search(clean.packed.data());
+    int64_t &largest = found.points.largest_index; // of the caller
+    largest = largest < 0 ? largest : clean.indices[static_cast<size_t>(largest)];
     return found;
 }
 

@@ -2,23 +2,10 @@
 // Fits with as few knots as a tolerance allows.
 #pragma once
 
-#include "fit/adaptive/find_breaks.h"
+#include "fit/adaptive/fit_domain.h"
 #include "fit/least_squares/fit_points.h"
 
-#include <array>
-#include <vector>
-
 namespace nrb::fit {
-
-// What a fit to a tolerance is over.
-struct FitDomain {
-    std::vector<int> degrees;
-    std::vector<Interval> domains;
-    std::array<bool, max_axes> periodic{};
-    bool find_breaks = true;                           // kinks and jumps of curves become multiple knots
-    std::array<std::vector<Break>, max_axes> breaks{}; // that are known; kept if there is room
-    std::array<int, max_axes> seams{1, 1, 1};          // multiplicities of the ends of periodic axes
-};
 
 struct ToleranceFit {
     FittedPoints points;

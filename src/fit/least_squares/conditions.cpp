@@ -31,23 +31,22 @@ Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector
     const StencilMatrix numbers(axes);
     for (const FitCondition &condition : conditions) {
         std::array<AxisValues, max_axes> along{AxisValues{0, {1}}, AxisValues{0, {1}}, AxisValues{0, {1}}};
+        Index first{}, counts{1, 1, 1};
         for (size_t k = 0; k < axes.size(); ++k) {
             along[k] = values_at(*axes[k], condition.place[k], condition.orders[k]);
+            first[k] = along[k].first;
+            counts[k] = std::ssize(along[k].values);
         }
         Row row{{}, condition.target};
         double most = 0;
-        for (size_t i = 0; i < along[0].values.size(); ++i) {
-            for (size_t j = 0; j < along[1].values.size(); ++j) {
-                for (size_t k = 0; k < along[2].values.size(); ++k) {
-                    const Index layer{along[0].first + static_cast<int64_t>(i),
-                                      along[1].first + static_cast<int64_t>(j),
-                                      along[2].first + static_cast<int64_t>(k)};
-                    const double value = along[0].values[i] * along[1].values[j] * along[2].values[k];
-                    row.coefficients.push_back({layer, numbers.unknown(layer), value});
-                    most = std::max(most, std::abs(value));
-                }
+        for_each_index(first, counts, [&](const Index &layer) {
+            double value = 1;
+            for (size_t k = 0; k < layer.size(); ++k) {
+                value *= along[k].values[static_cast<size_t>(layer[k] - first[k])];
             }
-        }
+            row.coefficients.push_back({layer, numbers.unknown(layer), value});
+            most = std::max(most, std::abs(value));
+        });
         for (Coefficient &coefficient : row.coefficients) {
             coefficient.value = most > 0 ? coefficient.value / most : 0;
         }

@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/representable.h"
-#include "base/watch.h"
 #include "fit/least_squares/clamped_axes.h"
 #include "fit/least_squares/penalty.h"
 
@@ -77,21 +76,17 @@ PenalisedSystem::Numbers settled(const NormalEquations &equations, PenalisedSyst
 
 SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDouble> &x, int exponent) {
     const auto dim = static_cast<size_t>(equations.dim);
-    Index end{1, 1, 1}, layer{};
+    Index counts{1, 1, 1};
     for (size_t k = 0; k < equations.axes.size(); ++k) {
-        end[k] = equations.axes[k]->count();
+        counts[k] = equations.axes[k]->count();
     }
     std::vector<double> points;
-    for (layer[0] = 0; layer[0] < end[0]; ++layer[0]) {
-        for (layer[1] = 0; layer[1] < end[1]; ++layer[1]) {
-            for (layer[2] = 0; layer[2] < end[2]; ++layer[2]) {
-                const auto unknown = static_cast<size_t>(equations.matrix.unknown(layer));
-                for (size_t c = 0; c < dim; ++c) {
-                    points.push_back(std::ldexp(x[unknown * dim + c].high, exponent));
-                }
-            }
+    for_each_index({}, counts, [&](const Index &layer) {
+        const auto unknown = static_cast<size_t>(equations.matrix.unknown(layer));
+        for (size_t c = 0; c < dim; ++c) {
+            points.push_back(std::ldexp(x[unknown * dim + c].high, exponent));
         }
-    }
+    });
     require_representable(points, "control points");
     return make_result(equations.axes, equations.dim, Form::polynomial, std::move(points));
 }
@@ -154,8 +149,7 @@ Smoothed least_penalty(const NormalEquations &equations, const Conditions &condi
     }
     Smoothed found;
     found.x = settled(equations, system);
-    found.freedom = std::clamp(system.freedom(), 0.0,
-                               static_cast<double>(std::min(equations.data_count, equations.matrix.size())));
+    found.freedom = std::round(system.freedom()); // of a projection, as it is without the small penalty
     complete(system, conditions, equations.dim, found);
     found.residual = 0;
     return found;
@@ -181,13 +175,10 @@ Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, 
 // Of a curve the first control point for which no datum is left if each takes the first one in its support that is free: I.
 // Schoenberg and A. Whitney's condition, as far as the numbers of data in the cells tell (those of equal parameters count as
 // different ones). Of other splines only the number of all data is compared. -1: none.
-int64_t first_without_datum(const Statistics &statistics, const Axes &axes) {
-    int64_t unknowns = 1;
-    for (const KnotVectorPtr &axis : axes) {
-        unknowns *= axis->distinct_layers();
-    }
+int64_t first_without_datum(const Statistics &statistics, const NormalEquations &equations) {
+    const Axes &axes = equations.axes;
     if (axes.size() > 1 || axes[0]->periodic()) {
-        return statistics.data_count() < unknowns ? 0 : -1;
+        return statistics.data_count() < equations.matrix.size() ? 0 : -1;
     }
     const KnotVector &axis = *axes[0], &breaks = *statistics.form().breaks[0];
     size_t cell = 0;
@@ -250,7 +241,7 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
         conditions.add_squares(with_conditions.emplace(data));
     }
     const NormalEquations &equations = with_conditions ? *with_conditions : data;
-    const int64_t lacking = conditions.empty() ? first_without_datum(statistics, axes) : -1;
+    const int64_t lacking = conditions.empty() ? first_without_datum(statistics, data) : -1;
     const Smoothed found = wanted_fit(equations, form ? &*form : nullptr, wishes, conditions, lacking);
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);

@@ -11,18 +11,6 @@ namespace nrb::fit {
 
 namespace {
 
-// C(p, i) C(p, j) / C(2 p, i + j).
-std::vector<DoubleDouble> product_factors(int p) {
-    const std::vector<DoubleDouble> lower = precise_binomials(p), higher = precise_binomials(2 * p);
-    std::vector<DoubleDouble> factors;
-    for (size_t i = 0; i < lower.size(); ++i) {
-        for (size_t j = 0; j < lower.size(); ++j) {
-            factors.push_back(lower[i] * lower[j] / higher[i + j]);
-        }
-    }
-    return factors;
-}
-
 // From Bernstein coefficients of degree n - 1 to those of degree n.
 void elevate(int n, DoubleDouble *coefficients) noexcept {
     coefficients[n] = coefficients[n - 1];
@@ -45,7 +33,7 @@ Place place_of(double t, double lower, double upper) noexcept {
 
 FitAxis::FitAxis(KnotVectorPtr knots, KnotVectorPtr breaks, int data_degree, int axis)
     : knots_(std::move(knots)), breaks_(std::move(breaks)), data_degree_(data_degree),
-      product_factors_(product_factors(data_degree)) {
+      product_factors_(precise_product_factors(data_degree)) {
     const Interval own = knots_->domain(), given = breaks_->domain();
     if (degree() > data_degree) {
         fail(Status::degree, "degrees[%d] = %d, expected at most %d, the degree of the statistics", axis,

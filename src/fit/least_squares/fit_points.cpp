@@ -21,15 +21,6 @@ std::vector<Interval> domains_of(const std::vector<KnotVectorPtr> &axes) {
     return domains;
 }
 
-double largest_weight(const Data &data) noexcept {
-    double largest = 0;
-    for (int64_t i = 0; data.weights.data != nullptr && i < data.weights.count; ++i) {
-        const double weight = data.weights(i, 0);
-        largest = weight > largest && std::isfinite(weight) ? weight : largest;
-    }
-    return largest;
-}
-
 // Of the numbers among the values of data that count.
 double largest_value(const Data &data, const CountedData &counts) noexcept {
     double largest = 0;
@@ -94,7 +85,7 @@ std::shared_ptr<const StatisticsForm> form_for(const Data &data, const eval::Axi
         form.breaks.push_back(
             std::make_shared<const KnotVector>(0, std::vector<double>(breaks.begin(), breaks.end())));
     }
-    form.weight_exponent = data.weights.data == nullptr ? 0 : exponent_above(largest_weight(data));
+    form.weight_exponent = exponent_above(largest_weight(data));
     const CountedData counts(data, rules, domains_of(axes), form.weight_exponent);
     form.value_exponent = exponent_above(largest_value(data, counts));
     return std::make_shared<const StatisticsForm>(std::move(form));

@@ -156,17 +156,11 @@ private:
     // Visits the active control points of a span, last axis fastest.
     template <class Visit>
     void for_each_function(const Index &first, Visit &&visit) const {
-        Index end{1, 1, 1};
+        Index counts{1, 1, 1};
         for (size_t k = 0; k < axes_.size(); ++k) {
-            end[k] = axes_[k].degree() + 1;
+            counts[k] = axes_[k].degree() + 1;
         }
-        for (int64_t i = 0; i < end[0]; ++i) {
-            for (int64_t j = 0; j < end[1]; ++j) {
-                for (int64_t k = 0; k < end[2]; ++k) {
-                    visit(Index{first[0] + i, first[1] + j, first[2] + k});
-                }
-            }
-        }
+        for_each_index(first, counts, visit);
     }
 
     void add_right(const Index &first, const std::array<const SpanTables *, max_axes> &tables) {

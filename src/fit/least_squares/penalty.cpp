@@ -62,15 +62,11 @@ private:
             }
         }
     }
-    // Of Bernstein functions of degree m over an interval of length 1, [m + 1][m + 1]: C(m, i) C(m, j) / (C(2 m, i + j)
-    // (2 m + 1)).
+    // Of Bernstein functions of degree m over an interval of length 1, [m + 1][m + 1].
     static std::vector<DoubleDouble> products(int m) {
-        const std::vector<DoubleDouble> lower = precise_binomials(m), higher = precise_binomials(2 * m);
-        std::vector<DoubleDouble> result;
-        for (size_t i = 0; i < lower.size(); ++i) {
-            for (size_t j = 0; j < lower.size(); ++j) {
-                result.push_back(lower[i] * lower[j] / (higher[i + j] * DoubleDouble(2 * m + 1)));
-            }
+        std::vector<DoubleDouble> result = precise_product_factors(m);
+        for (DoubleDouble &value : result) {
+            value = value / DoubleDouble(2 * m + 1);
         }
         return result;
     }

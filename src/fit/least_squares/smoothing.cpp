@@ -2,6 +2,7 @@
 #include "fit/least_squares/smoothing.h"
 
 #include "base/watch.h"
+#include "numeric/golden_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,37 +67,22 @@ double LambdaSearch::criterion(Smoothing rule, double exponent) {
 
 // The best of a coarse grid, then golden sections beside it.
 Smoothed LambdaSearch::smallest(Smoothing rule) {
-    constexpr int sections = 14;
-    constexpr double golden = 0.6180339887498949;
+    constexpr int sections = 12;
     const int steps = static_cast<int>(std::ceil(widest_ - lowest));
-    Steps progress(steps + sections);
+    Steps progress(steps + sections + 3);
+    const auto value_at = [&](double exponent) {
+        const double value = criterion(rule, exponent);
+        progress.next();
+        return value;
+    };
     double best = lowest, least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= steps; ++i, progress.next()) {
-        const double value = criterion(rule, lowest + i);
-        if (value < least) {
+    for (int i = 0; i <= steps; ++i) {
+        if (const double value = value_at(lowest + i); value < least) {
             least = value;
             best = lowest + i;
         }
     }
-    double a = best - 1, b = best + 1;
-    double x = b - golden * (b - a), y = a + golden * (b - a);
-    double at_x = criterion(rule, x), at_y = criterion(rule, y);
-    for (int i = 2; i < sections; ++i, progress.next()) {
-        if (at_x < at_y) {
-            b = y;
-            y = x;
-            at_y = at_x;
-            x = b - golden * (b - a);
-            at_x = criterion(rule, x);
-        } else {
-            a = x;
-            x = y;
-            at_x = at_y;
-            y = a + golden * (b - a);
-            at_y = criterion(rule, y);
-        }
-    }
-    return at(lambda_of((a + b) / 2));
+    return at(lambda_of(golden_section(best - 1, best + 1, sections, value_at)));
 }
 
 // The squares that are left grow with lambda.

@@ -15,6 +15,18 @@ namespace nrb::fit {
 
 using Index = std::array<int64_t, max_axes>;
 
+// Calls visit(index) for those from `first` on, counts[k] along each axis, last axis fastest.
+template <class Visit>
+void for_each_index(const Index &first, const Index &counts, Visit &&visit) {
+    for (int64_t i = 0; i < counts[0]; ++i) {
+        for (int64_t j = 0; j < counts[1]; ++j) {
+            for (int64_t k = 0; k < counts[2]; ++k) {
+                visit(Index{first[0] + i, first[1] + j, first[2] + k});
+            }
+        }
+    }
+}
+
 // Unknowns are the distinct layers of control points on each axis, last axis fastest. An element is kept at the first of its
 // two functions and the offset to the second one, counted in layers before these are wrapped; half of the offsets will do.
 class StencilMatrix {

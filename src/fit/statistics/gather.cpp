@@ -322,6 +322,15 @@ private:
 
 } // namespace
 
+double largest_weight(const Data &data) noexcept {
+    double largest = 0;
+    for (int64_t i = 0; data.weights.data != nullptr && i < data.weights.count; ++i) {
+        const double weight = data.weights(i, 0);
+        largest = weight > largest && std::isfinite(weight) ? weight : largest;
+    }
+    return largest;
+}
+
 Statistics gather(std::shared_ptr<const StatisticsForm> form, const Data &data,
                   const eval::AxisRules &rules) {
     Gathering gathering(*form, data, rules);

@@ -17,6 +17,9 @@ struct Data {
     ConstRecords weights;
 };
 
+// Of the finite ones; 0 without weights.
+double largest_weight(const Data &data) noexcept;
+
 // Which data count: those of a weight above 2^-54 of the scale, at a parameter that the rules do not make NaN.
 class CountedData {
 public:
