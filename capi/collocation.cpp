@@ -31,20 +31,6 @@ eval::Orders checked_orders(const int32_t *orders, int axes) {
     return result;
 }
 
-Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
-                          int64_t knot_count) {
-    const AxesData data(axes, degrees, counts, 0);
-    check_size(knot_count, data.knot_total(1), "knot_count");
-    static_cast<void>(data.point_count()); // columns are 64-bit integers
-    require(knots, "knots");
-    return data.make(
-        [knots](const AxisData &axis, int, int64_t offset) {
-            const double *first = knots + offset;
-            return std::pair(std::vector<double>(first, first + axis.count + axis.degree + 1), offset);
-        },
-        1);
-}
-
 } // namespace
 
 nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64_t *counts,
@@ -53,7 +39,7 @@ nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64
                                int64_t cap, double *values, int64_t *columns, int64_t *row_pointers,
                                int64_t *entries, uint32_t flags) {
     return guard([&] {
-        const Spline::Axes vectors = checked_axes(axes, degrees, counts, knots, knot_count);
+        const Spline::Axes vectors = AxesData(axes, degrees, counts, 0).with_knots(knots, knot_count);
         const eval::AxisRules rules = decode_rules(flags, axes);
         const eval::Orders derivative = checked_orders(orders, axes);
         check_length(n, "n");

@@ -106,17 +106,6 @@ std::vector<double> expand_knots(const AxisData &axis, const double *distinct, c
     return knots;
 }
 
-Spline::Axes full_axes(const AxesData &axes, const double *knots, int64_t knot_count) {
-    check_size(knot_count, axes.knot_total(1), "knot_count");
-    require(knots, "knots");
-    return axes.make(
-        [&](const AxisData &axis, int, int64_t offset) {
-            const double *first = knots + offset;
-            return std::pair(std::vector<double>(first, first + axis.count + axis.degree + 1), offset);
-        },
-        1);
-}
-
 Spline::Axes short_axes(const AxesData &axes, const double *knots, int64_t knot_count) {
     check_short_degrees(axes);
     check_size(knot_count, axes.knot_total(-1), "knot_count");
@@ -185,7 +174,7 @@ nurbs_status nurbs_create(int32_t axes, const int32_t *degrees, const int64_t *c
         const PointsData net{dim, points, point_stride, point_component_stride, weights, weight_stride};
         const int64_t count =
             data.point_count(); // refuses counts that no array can have, before knots are read
-        give(net.make(full_axes(data, knots, knot_count), count), out);
+        give(net.make(data.with_knots(knots, knot_count), count), out);
     });
 }
 
@@ -198,7 +187,7 @@ nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *degrees, cons
         const AxesData data(axes, degrees, counts, flags);
         const PointsData net{dim, points, point_stride, point_component_stride, nullptr, 0};
         const int64_t count = data.point_count();
-        give(net.make_homogeneous(full_axes(data, knots, knot_count), count), out);
+        give(net.make_homogeneous(data.with_knots(knots, knot_count), count), out);
     });
 }
 

@@ -99,19 +99,6 @@ fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Ax
 
 namespace {
 
-Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
-                          int64_t knot_count, uint32_t flags) {
-    const AxesData data(axes, degrees, counts, flags);
-    check_size(knot_count, data.knot_total(1), "knot_count");
-    require(knots, "knots");
-    return data.make(
-        [&](const AxisData &axis, int, int64_t offset) {
-            const double *first = knots + offset;
-            return std::pair(std::vector<double>(first, first + axis.count + axis.degree + 1), offset);
-        },
-        1);
-}
-
 void check_report(const nurbs_fit_report *report) {
     if (report != nullptr) {
         check_struct_size("report", report->struct_size, sizeof(nurbs_fit_report));
@@ -199,7 +186,8 @@ nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degree
     return guard([&] {
         require_out(out);
         const fit::Statistics &own = *statistics_of(statistics);
-        const Spline::Axes axes = checked_axes(own.form().axes(), degrees, counts, knots, knot_count, flags);
+        const Spline::Axes axes =
+            AxesData(own.form().axes(), degrees, counts, flags).with_knots(knots, knot_count);
         const fit::FitWishes wishes = checked_wishes(options, axes, own.form().dim);
         check_report(report);
         const fit::Fitted made = fit::fit(own, axes, wishes);
@@ -223,7 +211,7 @@ nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *degrees, co
     return guard([&] {
         require_out(out);
         const CheckedData given = checked_data(data);
-        const Spline::Axes axes = checked_axes(data->axes, degrees, counts, knots, knot_count, flags);
+        const Spline::Axes axes = AxesData(data->axes, degrees, counts, flags).with_knots(knots, knot_count);
         const fit::FitWishes wishes = checked_wishes(options, axes, data->dim);
         check_report(report);
         const fit::FittedPoints made =

@@ -81,6 +81,18 @@ int64_t AxesData::knot_total(int extra) const {
     return total;
 }
 
+Spline::Axes AxesData::with_knots(const double *knots, int64_t knot_count) const {
+    check_size(knot_count, knot_total(1), "knot_count");
+    static_cast<void>(point_count()); // before so many knots are read
+    require(knots, "knots");
+    return make(
+        [knots](const AxisData &axis, int, int64_t offset) {
+            const double *first = knots + offset;
+            return std::pair(std::vector<double>(first, first + axis.count + axis.degree + 1), offset);
+        },
+        1);
+}
+
 SplinePtr PointsData::make(Spline::Axes axes, int64_t count, std::vector<double> kept) const {
     check_dimension(dim);
     const ConstRecords point_view = input("points", points, count, dim, stride, component_stride);

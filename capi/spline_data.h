@@ -30,6 +30,9 @@ public:
     // The sum of counts[k] + degrees[k] + extra.
     [[nodiscard]] int64_t knot_total(int extra) const;
 
+    // Over full knot vectors, one axis after the other.
+    [[nodiscard]] Spline::Axes with_knots(const double *knots, int64_t knot_count) const;
+
     // knots_of(axis, index, offset) returns the full knots of an axis and the place in the caller's array
     // that messages count from; `offset` is the number of knots of the axes before, each of count + degree +
     // extra.

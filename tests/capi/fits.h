@@ -4,6 +4,7 @@
 #define NURBS_TESTS_CAPI_FITS_H
 
 #include "check.h"
+#include "shapes.h"
 
 #define VALUES(...) ((const double[]){__VA_ARGS__})
 #define COUNTS(...) ((const int64_t[]){__VA_ARGS__})
@@ -101,22 +102,6 @@ static inline nurbs_statistics *statistics_of_line(void) {
     nurbs_statistics_destroy(none);
     return all;
 }
-
-/* N * dim points of g, at most 64 values, within a bound. */
-static inline void check_points_near(const char *file, int line, const nurbs *g, const double *expected,
-                                     double bound) {
-    int64_t count = 0;
-    int32_t dim = 0;
-    double values[64];
-    (void)nurbs_point_count(g, &count);
-    (void)nurbs_dimension(g, &dim);
-    if (count * dim > 64 || nurbs_points(g, count, values, 0, 0) != NURBS_OK) {
-        check_report(file, line, "the points cannot be read\n");
-        return;
-    }
-    check_doubles(file, line, values, expected, count * dim, bound);
-}
-#define CHECK_POINTS_NEAR(g, expected, bound) check_points_near(__FILE__, __LINE__, g, expected, bound)
 
 /* What nurbs_fit_tolerance() takes. */
 typedef struct ToleranceArgs {

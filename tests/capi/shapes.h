@@ -143,19 +143,32 @@ static inline SplineArgs cube(void) {
     return a;
 }
 
-/* N * dim points of g, at most 64 values. */
-static inline void check_points(const char *file, int line, const nurbs *g, const double *expected) {
+/* N * dim values of the points of g, at most 64: how many; 0 and a report if there are none to read. */
+static inline int64_t few_points(const char *file, int line, const nurbs *g, double *values) {
     int64_t count = 0;
     int32_t dim = 0;
-    double values[64];
     (void)nurbs_point_count(g, &count);
     (void)nurbs_dimension(g, &dim);
     if (count * dim > 64 || nurbs_points(g, count, values, 0, 0) != NURBS_OK) {
         check_report(file, line, "the points cannot be read\n");
-        return;
+        return 0;
     }
-    check_bits(file, line, values, expected, (size_t)(count * dim) * sizeof *values);
+    return count * dim;
 }
+
+static inline void check_points(const char *file, int line, const nurbs *g, const double *expected) {
+    double values[64];
+    const int64_t size = few_points(file, line, g, values);
+    check_bits(file, line, values, expected, (size_t)size * sizeof *values);
+}
+
+static inline void check_points_near(const char *file, int line, const nurbs *g, const double *expected,
+                                     double bound) {
+    double values[64];
+    const int64_t size = few_points(file, line, g, values);
+    check_doubles(file, line, values, expected, size, bound);
+}
+#define CHECK_POINTS_NEAR(g, expected, bound) check_points_near(__FILE__, __LINE__, g, expected, bound)
 
 static inline void check_knot_vector(const char *file, int line, const nurbs *g, int32_t axis,
                                      const double *expected) {

@@ -59,6 +59,17 @@ std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix,
     return y;
 }
 
+// Row order[i] of x[unknowns][width] becomes row i.
+std::vector<DoubleDouble> permuted(const std::vector<DoubleDouble> &x, const std::vector<int64_t> &order,
+                                   int64_t width) {
+    std::vector<DoubleDouble> result;
+    result.reserve(x.size());
+    for (const int64_t i : order) {
+        result.insert(result.end(), x.begin() + i * width, x.begin() + (i + 1) * width);
+    }
+    return result;
+}
+
 double largest(const std::vector<DoubleDouble> &x, int64_t first, int64_t width) noexcept {
     double most = 0;
     for (int64_t i = first; i < std::ssize(x); i += width) {
@@ -183,21 +194,11 @@ void PenalisedSystem::fail_rank(int64_t unknown) const {
 }
 
 PenalisedSystem::Numbers PenalisedSystem::ordered(const Numbers &x, int64_t width) const {
-    Numbers result;
-    result.reserve(x.size());
-    for (const int64_t i : order_) {
-        result.insert(result.end(), x.begin() + i * width, x.begin() + (i + 1) * width);
-    }
-    return result;
+    return permuted(x, order_, width);
 }
 
 PenalisedSystem::Numbers PenalisedSystem::restored(const Numbers &x, int64_t width) const {
-    Numbers result;
-    result.reserve(x.size());
-    for (const int64_t i : place_) {
-        result.insert(result.end(), x.begin() + i * width, x.begin() + (i + 1) * width);
-    }
-    return result;
+    return permuted(x, place_, width);
 }
 
 // The residual becomes what the factors make of it.

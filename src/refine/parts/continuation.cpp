@@ -247,12 +247,12 @@ SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends) {
 
 SplinePtr with_end_knots(const SplinePtr &spline, int axis, std::span<const double> below,
                          std::span<const double> above) {
-    const auto [lower, upper] = spline->axis(axis).domain();
+    const Interval domain = spline->axis(axis).domain();
     SplinePtr result = spline;
-    if (std::ranges::any_of(above, [upper](double knot) { return knot != upper; })) {
+    if (std::ranges::any_of(above, [domain](double knot) { return knot != domain.upper; })) {
         result = unclamp_upper(result, axis, above, false);
     }
-    if (std::ranges::any_of(below, [lower](double knot) { return knot != lower; })) {
+    if (std::ranges::any_of(below, [domain](double knot) { return knot != domain.lower; })) {
         result = unclamp_lower(result, axis, below);
     }
     return result;

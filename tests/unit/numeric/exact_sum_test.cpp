@@ -30,7 +30,7 @@ Whole whole_of(const Number &value) {
 
 Whole whole_of(const ExactSum &sum) {
     Whole value = static_cast<int64_t>(sum.limbs()[2]);
-    for (const size_t i : {1, 0}) {
+    for (const size_t i : {size_t{1}, size_t{0}}) {
         value = value * (Whole(1) << 64) + sum.limbs()[i];
     }
     return value;
