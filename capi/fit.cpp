@@ -4,6 +4,7 @@
 #include "base/tolerance.h"
 #include "fit/adaptive/approximate.h"
 #include "fit/adaptive/fit_tolerance.h"
+#include "fit/least_squares/robust_fit.h"
 #include "fit_arguments.h"
 #include "guard.h"
 #include "outputs.h"
@@ -18,84 +19,6 @@ using namespace nrb;
 using namespace nrb::capi;
 
 namespace nrb::capi {
-
-namespace {
-
-double checked_factor(double factor, const char *name) {
-    if (!(factor >= 0 && std::isfinite(factor))) {
-        fail(Status::factor, "options: %s = %s, expected a finite value >= 0", name, Number(factor).text);
-    }
-    return factor;
-}
-
-fit::FitCondition checked_condition(const nurbs_fit_options &options, int64_t i, const Spline::Axes &axes,
-                                    int dim) {
-    const auto count = std::ssize(axes);
-    fit::FitCondition condition{};
-    for (int64_t k = 0; k < count; ++k) {
-        const int64_t at = i * count + k;
-        const KnotVector &axis = *axes[static_cast<size_t>(k)];
-        const double t = options.condition_params[at];
-        const int order = options.condition_orders == nullptr ? 0 : options.condition_orders[at];
-        char name[64];
-        std::snprintf(name, sizeof name, "condition_params[%lld][%lld]", static_cast<long long>(i),
-                      static_cast<long long>(k));
-        eval::check_parameter(t, {}, axis.domain(), name);
-        if (order < 0 || order > axis.degree()) {
-            fail(Status::order, "condition_orders[%lld][%lld] = %d, expected 0 to %d, the degree",
-                 static_cast<long long>(i), static_cast<long long>(k), order, axis.degree());
-        }
-        condition.place[static_cast<size_t>(k)] = t;
-        condition.orders[static_cast<size_t>(k)] = order;
-    }
-    for (int64_t c = 0; c < dim; ++c) {
-        const double target = options.condition_targets[i * dim + c];
-        if (!std::isfinite(target)) {
-            fail(Status::point_not_finite, "condition_targets[%lld][%lld] = %s is not finite",
-                 static_cast<long long>(i), static_cast<long long>(c), Number(target).text);
-        }
-        condition.target.push_back(target);
-    }
-    return condition;
-}
-
-} // namespace
-
-fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Axes &axes, int dim) {
-    fit::FitWishes wishes;
-    if (options == nullptr) {
-        return wishes;
-    }
-    const nurbs_fit_options &given = checked_struct("options", options);
-    if (given.smoothing < NURBS_SMOOTHING_NONE || given.smoothing > NURBS_SMOOTHING_DISCREPANCY) {
-        fail(Status::rule, "options: smoothing = %d, expected a NURBS_SMOOTHING_ constant", given.smoothing);
-    }
-    if (given.penalty_order < 1) {
-        fail(Status::order, "options: penalty_order = %d, expected at least 1", given.penalty_order);
-    }
-    if (given.regularize != 0 && given.regularize != 1) {
-        fail(Status::options, "options: regularize = %d, expected 0 or 1", given.regularize);
-    }
-    if (given.reserved != 0) {
-        fail(Status::options, "options: reserved = %d, expected 0", given.reserved);
-    }
-    wishes.smoothing = static_cast<fit::Smoothing>(given.smoothing);
-    wishes.penalty_order = given.penalty_order;
-    wishes.regularise = given.regularize == 1;
-    const double lambda = checked_factor(given.lambda, "lambda"),
-                 target = checked_factor(given.target, "target");
-    wishes.value = given.smoothing == NURBS_SMOOTHING_LAMBDA ? lambda : target;
-    check_length(given.conditions, "options: conditions");
-    checked_product(given.conditions, std::max<int64_t>(dim, std::ssize(axes)), "options: conditions");
-    if (given.conditions > 0) {
-        require(given.condition_params, "options: condition_params");
-        require(given.condition_targets, "options: condition_targets");
-    }
-    for (int64_t i = 0; i < given.conditions; ++i) {
-        wishes.conditions.push_back(checked_condition(given, i, axes, dim));
-    }
-    return wishes;
-}
 
 namespace {
 
@@ -122,7 +45,25 @@ void tell(const fit::Fitted &fit, int64_t data_count, int dim, double largest, i
     report->largest = largest;
     report->largest_index = index;
     report->bits = fit.reached ? 0 : NURBS_FIT_TARGET_MISSED;
-    report->reserved = 0;
+    report->rounds = 1;
+    report->outliers = 0;
+}
+
+void tell(const fit::FittedPoints &made, int dim, bool robust, nurbs_fit_report *report) {
+    tell(made.fit, made.data_count, dim, made.largest, made.largest_index, report);
+    if (report != nullptr && robust) {
+        report->bits |= made.converged ? 0 : NURBS_FIT_NOT_CONVERGED;
+        report->rounds = made.rounds;
+        report->outliers = made.outliers;
+        report->sigma = made.scale;
+    }
+}
+
+void refuse_robust(const fit::FitWishes &wishes, const char *why) {
+    if (wishes.robust != fit::Robust::none) {
+        fail(Status::rule, "options: robust = %d, expected NURBS_ROBUST_NONE: %s",
+             static_cast<int>(wishes.robust), why);
+    }
 }
 
 // The range of the parameters of an axis that are finite.
@@ -173,13 +114,6 @@ int64_t checked_limit(int64_t max_count, const std::vector<int> &degrees) {
 
 } // namespace nrb::capi
 
-nurbs_status nurbs_fit_options_init(nurbs_fit_options *options, int64_t struct_size) {
-    return guard([&] {
-        clear_struct("options", options, struct_size);
-        options->penalty_order = fit::FitWishes().penalty_order;
-    });
-}
-
 nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees, const int64_t *counts,
                        const double *knots, int64_t knot_count, uint32_t flags,
                        const nurbs_fit_options *options, nurbs_fit_report *report, nurbs **out) {
@@ -189,6 +123,7 @@ nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degree
         const Spline::Axes axes =
             AxesData(own.form().axes(), degrees, counts, flags).with_knots(knots, knot_count);
         const fit::FitWishes wishes = checked_wishes(options, axes, own.form().dim);
+        refuse_robust(wishes, "statistics do not hold the data");
         check_report(report);
         const fit::Fitted made = fit::fit(own, axes, wishes);
         give(made.spline, out);
@@ -214,10 +149,12 @@ nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *degrees, co
         const Spline::Axes axes = AxesData(data->axes, degrees, counts, flags).with_knots(knots, knot_count);
         const fit::FitWishes wishes = checked_wishes(options, axes, data->dim);
         check_report(report);
+        const bool robust = wishes.robust != fit::Robust::none;
         const fit::FittedPoints made =
-            fit::fit_points(given.data, given.rules, axes, wishes, report != nullptr);
+            robust ? fit::robust_fit(given.data, given.rules, axes, wishes)
+                   : fit::fit_points(given.data, given.rules, axes, wishes, report != nullptr);
         give(made.fit.spline, out);
-        tell(made.fit, made.data_count, data->dim, made.largest, made.largest_index, report);
+        tell(made, data->dim, robust, report);
     });
 }
 
@@ -241,12 +178,13 @@ nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees,
         const fit::FitDomain over = checked_domain(*data, given.data.params, degrees, domain, flags);
         const int64_t limit = checked_limit(max_count, over.degrees);
         const fit::FitWishes wishes = checked_wishes(options, fit::simplest_axes(over), data->dim);
+        refuse_robust(wishes, "a tolerance is for all data");
         check_report(report);
         const fit::ToleranceFit made =
             fit::fit_to_tolerance(given.data, given.rules, over, tolerance, limit, wishes);
         const fit::FittedPoints &points = made.points;
         give(points.fit.spline, out);
-        tell(points.fit, points.data_count, data->dim, points.largest, points.largest_index, report);
+        tell(points, data->dim, false, report);
         if (report != nullptr && !made.reached) {
             report->bits |= NURBS_FIT_TARGET_MISSED;
         }

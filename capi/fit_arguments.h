@@ -22,6 +22,9 @@ struct CheckedData {
 // Axes, dimension, layout and flags; the numbers are left to fit::gather().
 CheckedData checked_data(const nurbs_data *data);
 
+// Evaluation flags for places of data, which are not extrapolated; `where` precedes the name in messages.
+eval::AxisRules data_rules(uint32_t flags, int axes, const char *where);
+
 // NULL: the defaults.
 fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Axes &axes, int dim);
 

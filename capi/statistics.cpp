@@ -25,6 +25,16 @@ const fit::StatisticsPtr &statistics_of(const nurbs_statistics *statistics, cons
     return statistics->statistics;
 }
 
+eval::AxisRules data_rules(uint32_t flags, int axes, const char *where) {
+    const eval::AxisRules rules = decode_rules(flags, axes);
+    for (const eval::AxisRule &rule : rules) {
+        if (rule.outside == eval::Outside::extrapolate) {
+            fail(Status::flags, "%sflags = 0x%x: there are no cells to extrapolate to", where, flags);
+        }
+    }
+    return rules;
+}
+
 CheckedData checked_data(const nurbs_data *data) {
     const nurbs_data &given = checked_struct("data", data);
     check_axes(given.axes);
@@ -34,12 +44,7 @@ CheckedData checked_data(const nurbs_data *data) {
         fail(Status::options, "data: reserved = %u, expected 0", given.reserved);
     }
     CheckedData checked{};
-    checked.rules = decode_rules(given.flags, given.axes);
-    for (const eval::AxisRule &rule : checked.rules) {
-        if (rule.outside == eval::Outside::extrapolate) {
-            fail(Status::flags, "data: flags = 0x%x: there are no cells to extrapolate to", given.flags);
-        }
-    }
+    checked.rules = data_rules(given.flags, given.axes, "data: ");
     checked.data.params =
         input("params", given.params, given.n, given.axes, given.param_stride, given.param_component_stride);
     checked.data.values =

@@ -461,9 +461,25 @@ enum {
 #define NURBS_SMOOTHING_DISCREPANCY 4 /**< as smooth as a sum of squares allows (Reinsch 1967) */
 /** @} */
 
+/** \name What outliers are worth, for nurbs_fit_options
+ * @{ */
+#define NURBS_ROBUST_NONE 0  /**< as much as all data */
+#define NURBS_ROBUST_HUBER 1 /**< min(1, 1 / x) of their weight (Huber 1964) */
+#define NURBS_ROBUST_TUKEY 2 /**< (1 - x^2)^2 of it for x < 1, nothing beyond (Beaton & Tukey 1974) */
+/** @} */
+
+/** \name Shapes along an axis, for nurbs_fit_options; they can be added
+ * @{ */
+#define NURBS_TREND_RISING 0x01  /**< the first derivative is >= 0 */
+#define NURBS_TREND_FALLING 0x02 /**< the first derivative is <= 0 */
+#define NURBS_TREND_CONVEX 0x04  /**< the first derivative does not fall */
+#define NURBS_TREND_CONCAVE 0x08 /**< the first derivative does not rise */
+/** @} */
+
 /** \name What nurbs_fit_report tells besides
  * @{ */
 #define NURBS_FIT_TARGET_MISSED 0x01 /**< no smoothing leaves as little as the target asks for */
+#define NURBS_FIT_NOT_CONVERGED 0x02 /**< the rounds of a robust fit still changed it at their end */
 /** @} */
 
 /** \name Rules for tangents, for nurbs_tangents()
@@ -535,11 +551,11 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * cancelled in it ends after the call.
  *
  * **Work** is counted in multiply-adds, estimated, and never measured by a clock: the load of the machine
- * changes no answer. A processor does some 10^9 of them in a second or two. What a handle keeps for later
- * calls (tables and trees, built at the first call that needs them, which takes as long as that takes) is not
- * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at the
- * end of its budget, with what is proven so far: in a batch the points that are left get what is found without a
- * search. Any other function returns NURBS_ERROR_WORK and writes nothing.
+ * changes no answer. A processor does some 10^9 of them in a second or two. What a handle keeps for later calls
+ * (tables and trees, built at the first call that needs them, which takes as long as that takes) is not
+ * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at
+ * the end of its budget, with what is proven so far: in a batch the points that are left get what is found
+ * without a search. Any other function returns NURBS_ERROR_WORK and writes nothing.
  *
  * **Without a limit of the caller's** the functions that go on until something holds (distances of two
  * splines, features of curves, the fold test, constraints, bends, free-form deformations) have one of their
@@ -2329,6 +2345,19 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * equations are then solved with twice the precision, so that the error of a fit is about that of
  * orthogonal methods up to degree 15 or so. Where the data determine a control point no better than rounding
  * does, that is NURBS_ERROR_RANK.
+ *
+ * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
+ * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)), where sigma is the
+ * median of sqrt(w_i) |y_i - s(t_i)| over that of normal errors of deviation 1. Widths of 1.345 for Huber's
+ * function and 4.685 for Tukey's, which starts from Huber's fit and keeps its sigma, cost 5 % of efficiency if
+ * there are no outliers. Where only outliers
+ * determine a control point Tukey's is Huber's fit, and NURBS_FIT_NOT_CONVERGED.
+ *
+ * Shapes and bounds are asked of the control points, and slopes between these, which is enough for the spline,
+ * and for degrees from 2 on a little more than needed. Of all such splines the fit is the closest one to the
+ * data, for the lambda that is best without the shape. The control points fulfil the inequalities exactly, as
+ * doubles, on axes that are clamped or periodic, and within rounding on others, since clamped ones are fitted
+ * and their ends moved then. Convexity and the like are those along each axis by itself.
  * @{ */
 
 /** \brief Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are
@@ -2476,6 +2505,12 @@ typedef struct nurbs_fit_options {
     const double *condition_params;  /**< [conditions][axes] or NULL: where, packed */
     const int32_t *condition_orders; /**< [conditions][axes] or NULL for 0: orders of derivatives */
     const double *condition_targets; /**< [conditions][dim] or NULL: points and derivatives, packed */
+    int32_t robust; /**< a NURBS_ROBUST_ constant, for fits of points over given knots; NURBS_ROBUST_NONE */
+    int32_t reserved2;     /**< 0 */
+    double robust_width;   /**< where outliers begin, in standard deviations, >= 0; 0: the usual one */
+    const int32_t *shapes; /**< [axes][dim] or NULL: sums of NURBS_TREND_ constants, or 0 */
+    const double *lower;   /**< [dim] or NULL: lower bounds of coordinates; -INFINITY for none */
+    const double *upper;   /**< [dim] or NULL: upper bounds of coordinates; INFINITY for none */
 } nurbs_fit_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -2495,12 +2530,14 @@ typedef struct nurbs_fit_report {
     double rms;          /**< receives the square root of squares / weight */
     double lambda;       /**< receives the factor of the penalty */
     double freedom;      /**< receives the trace of the influence matrix: the parameters that count */
-    double sigma;        /**< receives the standard deviation of a coordinate of weight 1 by the residuals */
+    double sigma;        /**< receives the standard deviation of a coordinate of weight 1 by the residuals; of
+                            robust fits by their median */
     double residual;     /**< receives |G x + lambda P x - r| / |r| of the normal equations */
     double largest;      /**< receives the largest |y_i - s(t_i)|; NaN from nurbs_fit() */
     int64_t largest_index; /**< receives where that is; -1 from nurbs_fit() */
     int32_t bits;          /**< receives a sum of NURBS_FIT_ bits */
-    int32_t reserved;      /**< receives 0 */
+    int32_t rounds;        /**< receives the number of fits that a robust fit took, else 1 */
+    int64_t outliers;      /**< receives the number of data with x > 1 of a robust fit, else 0 */
 } nurbs_fit_report;
 
 /** \brief The spline over given knots that is closest to the data of statistics.
@@ -2520,7 +2557,11 @@ typedef struct nurbs_fit_report {
  *   _OPTIONS, _RULE for another smoothing, _ORDER for a penalty above all degrees or an order of a condition
  *   that is negative or above the degree, _FACTOR for a lambda or target that is negative or not finite,
  *   _PARAMETER_NOT_FINITE, _POINT_NOT_FINITE for conditions, _CONTRADICTION naming one; _RANK naming a control
- *   point that the data do not determine, _NOT_REPRESENTABLE.
+ *   point that the data do not determine, _NOT_REPRESENTABLE. For shapes: _RULE for opposite ones, or one along
+ *   a periodic axis, _ORDER for a convex axis of degree 0, _MULTIPLICITY for one with a knot of multiplicity
+ *   degree + 1 inside, _POINT_NOT_FINITE for a bound that is NaN, _CONTRADICTION for bounds that cross, or
+ *   where no spline fulfils conditions and shape, _NOT_CONVERGED where rounding does not let control points
+ *   fulfil it. _RULE also for a robust fit, which needs the data.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees,
                                  const int64_t *counts, const double *knots, int64_t knot_count,
@@ -2557,7 +2598,8 @@ NURBS_API nurbs_status nurbs_fit_with(const nurbs_statistics *statistics, const 
  * \param[in,out] report or NULL: where answers go.
  * \param[out] out the new handle.
  * \return as for nurbs_fit(), and NURBS_ERROR_AXES, _DIMENSION, _STRIDE, _PARAMETER_NOT_FINITE,
- *   _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE; without _NOT_A_KNOT.
+ *   _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _FACTOR for a width that is
+ *   negative or not finite; without _NOT_A_KNOT, and _RULE only for another smoothing, robust rule or shape.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *degrees, const int64_t *counts,
                                         const double *knots, int64_t knot_count, uint32_t flags,
@@ -2583,10 +2625,87 @@ NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32
                                              nurbs_fit_report *report, const nurbs_call_options *call,
                                              nurbs **out);
 
-/** \brief A spline with few control points that no datum is farther from than a tolerance. Knots lie where a first
- * fit over even ones says that they are needed, and as often at one place as a kink or a jump of the data asks
- * for; as many as the tolerance needs are found with some of the data, and checked with all. With several axes
- * each has as many as it needs beside the others. Where data leave control points open, the fit with the
+/** \brief Pointwise standard errors of a fit: sigma sqrt(b(t) (G + lambda P)^-1 b(t)) for the functions b, the
+ * matrix G of the data and P of the penalty: what each coordinate of the fit may be off, if those of data of
+ * weight w have the standard deviation sigma / sqrt(w). Without a penalty that is the error of least squares;
+ * with one it is Bayesian, and 1.96 of it on both sides cover the true function at 95 % of all places (Wahba
+ * 1983). Conditions, shapes and factors of robust fits are not regarded.
+ * \param[in] statistics those of the data that were fitted.
+ * \param[in] g the fit, or any spline over its knots: only the knots count.
+ * \param[in] penalty_order order of the derivative that was penalised, >= 1; not read for a lambda of 0.
+ * \param[in] lambda its factor, >= 0, as the report of the fit tells it.
+ * \param[in] sigma >= 0, as the report of the fit tells it.
+ * \param[in] n number of parameters, >= 0.
+ * \param[in] params [n][axes] where.
+ * \param[in] param_stride distance between parameters, 0 = packed.
+ * \param[in] param_component_stride distance between components, 0 = 1.
+ * \param[in] flags evaluation flags, without NURBS_EXTRAPOLATE.
+ * \param[out] errors [n] receives them.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES for a spline with another number of axes, _COUNT, _STRIDE,
+ *   _OVERFLOW, _FLAGS, _OVERLAP, _DEGREE, _NOT_A_KNOT, _OUTSIDE_DOMAIN, _PARAMETER_NOT_FINITE, _ORDER, _FACTOR,
+ *   _RANK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_errors(const nurbs_statistics *statistics, const nurbs *g,
+                                        int32_t penalty_order, double lambda, double sigma, int64_t n,
+                                        const double *params, int64_t param_stride,
+                                        int64_t param_component_stride, uint32_t flags, double *errors);
+
+/** \brief nurbs_fit_errors() as a call that can be watched and ended.
+ * \param[in] statistics as for nurbs_fit_errors().
+ * \param[in] g as for nurbs_fit_errors().
+ * \param[in] penalty_order as for nurbs_fit_errors().
+ * \param[in] lambda as for nurbs_fit_errors().
+ * \param[in] sigma as for nurbs_fit_errors().
+ * \param[in] n as for nurbs_fit_errors().
+ * \param[in] params as for nurbs_fit_errors().
+ * \param[in] param_stride as for nurbs_fit_errors().
+ * \param[in] param_component_stride as for nurbs_fit_errors().
+ * \param[in] flags as for nurbs_fit_errors().
+ * \param[out] errors as for nurbs_fit_errors().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_fit_errors(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_errors_with(const nurbs_statistics *statistics, const nurbs *g,
+                                             int32_t penalty_order, double lambda, double sigma, int64_t n,
+                                             const double *params, int64_t param_stride,
+                                             int64_t param_component_stride, uint32_t flags, double *errors,
+                                             const nurbs_call_options *call);
+
+/** \brief What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and
+ * _REML: with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i - s(t_i)|^2
+ * and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R + lambda P) + log
+ * det(G + lambda P) - (N - M) log lambda.
+ * \param[in] statistics a handle.
+ * \param[in] g a spline: only its knots count, which are to be as for nurbs_fit().
+ * \param[in] penalty_order order of the derivative that is penalised, >= 1.
+ * \param[in] n number of factors, >= 0.
+ * \param[in] lambdas [n] factors, > 0.
+ * \param[out] values [n][4] receives R, t, GCV and REML of each.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _DEGREE, _NOT_A_KNOT,
+ *   _OUTSIDE_DOMAIN, _ORDER, _FACTOR, _RANK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_criteria(const nurbs_statistics *statistics, const nurbs *g,
+                                          int32_t penalty_order, int64_t n, const double *lambdas,
+                                          double *values);
+
+/** \brief nurbs_fit_criteria() as a call that can be watched and ended.
+ * \param[in] statistics as for nurbs_fit_criteria().
+ * \param[in] g as for nurbs_fit_criteria().
+ * \param[in] penalty_order as for nurbs_fit_criteria().
+ * \param[in] n as for nurbs_fit_criteria().
+ * \param[in] lambdas as for nurbs_fit_criteria().
+ * \param[out] values as for nurbs_fit_criteria().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_fit_criteria(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_criteria_with(const nurbs_statistics *statistics, const nurbs *g,
+                                               int32_t penalty_order, int64_t n, const double *lambdas,
+                                               double *values, const nurbs_call_options *call);
+
+/** \brief A spline with few control points that no datum is farther from than a tolerance. Knots lie where a
+ * first fit over even ones says that they are needed, and as often at one place as a kink or a jump of the data
+ * asks for; as many as the tolerance needs are found with some of the data, and checked with all. With several
+ * axes each has as many as it needs beside the others. Where data leave control points open, the fit with the
  * smallest penalty is taken.
  * \param[in] data the data.
  * \param[in] degrees [axes] degrees.
@@ -2600,9 +2719,9 @@ NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS, _DEGREE,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _RULE,
- *   _ORDER, _FACTOR, _CONTRADICTION, _NOT_REPRESENTABLE; _TOLERANCE for one that is negative or NaN,
- *   _EMPTY_DOMAIN for a domain without length, _COUNT also for no data, _TOO_FEW_POINTS for a max_count below
- *   the product of degree + 1.
+ *   also for a robust fit, _ORDER, _FACTOR, _CONTRADICTION, _NOT_CONVERGED, _NOT_REPRESENTABLE; _TOLERANCE for
+ *   one that is negative or NaN, _EMPTY_DOMAIN for a domain without length, _COUNT also for no data,
+ *   _TOO_FEW_POINTS for a max_count below the product of degree + 1.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees,
                                            const double *domain, double tolerance, int64_t max_count,
@@ -2628,19 +2747,19 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
                                                 nurbs_fit_report *report, const nurbs_call_options *call,
                                                 nurbs **out);
 
-/** \brief A polynomial spline of given degrees with few control points that is proven to be within a tolerance of
- * another spline at all parameters: rational by polynomial, high degree by low, many knots by few. Samples are
- * fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The corners of a
- * fit are those of g bit for bit, jumps and kinks stay where they are if max_count has room for them, periodic axes
- * stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees raised, where nothing
- * simpler is found.
+/** \brief A polynomial spline of given degrees with few control points that is proven to be within a tolerance
+ * of another spline at all parameters: rational by polynomial, high degree by low, many knots by few. Samples
+ * are fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The
+ * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count has room for
+ * them, periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees
+ * raised, where nothing simpler is found.
  * \param[in] g a spline.
  * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
  * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of these degrees
  *   is met.
  * \param[in] max_count most control points; 0: no limit but that of the samples.
- * \param[out] bound or NULL: an upper bound of the distance, above the tolerance if the result is only the closest one
- *   that was met.
+ * \param[out] bound or NULL: an upper bound of the distance, above the tolerance if the result is only the
+ *   closest one that was met.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _TOLERANCE, _COUNT; _TOO_FEW_POINTS for a max_count below the
  *   product of degree + 1, _OVERFLOW, _NOT_REPRESENTABLE.
@@ -4237,17 +4356,16 @@ NURBS_API nurbs_status nurbs_hausdorff_distance_with(const nurbs *a, const nurbs
  * \code
  * double length = 0, error = 0;
  * nurbs_curve_length(curve, NULL, 1e-12, &length, &error);
- * \endcode
- * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between
- * knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not fall fast
- * enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply that a
- * feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of a
- * centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
- * the best that double precision and a limit of work give: rounding, or else about nine, six or three digits, as
- * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
- * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and what
- * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from
- * how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
+ * \endcode Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span
+ * between knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not
+ * fall fast enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply
+ * that a feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of
+ * a centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
+ * the best that double precision and a limit of work give: rounding, or else about nine, six or three digits,
+ * as along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not
+ * reached is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and
+ * what shares its table). `error` receives an estimate of the absolute error, rounding included; it follows
+ * from how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
  * found by the halving; they cost more time, not accuracy. Where the weights vanish an integral may be
  * infinite: NURBS_ERROR_NOT_CONVERGED.
  *

@@ -136,7 +136,7 @@ static void pin_data(void) {
 
 static void pin_fit_options(void) {
     nurbs_fit_options options;
-    PIN(sizeof(nurbs_fit_options), 72);
+    PIN(sizeof(nurbs_fit_options), 112);
     PIN(offsetof(nurbs_fit_options, struct_size), 0);
     PIN(offsetof(nurbs_fit_options, smoothing), 8);
     PIN(offsetof(nurbs_fit_options, penalty_order), 12);
@@ -148,18 +148,24 @@ static void pin_fit_options(void) {
     PIN(offsetof(nurbs_fit_options, condition_params), 48);
     PIN(offsetof(nurbs_fit_options, condition_orders), 56);
     PIN(offsetof(nurbs_fit_options, condition_targets), 64);
+    PIN(offsetof(nurbs_fit_options, robust), 72);
+    PIN(offsetof(nurbs_fit_options, reserved2), 76);
+    PIN(offsetof(nurbs_fit_options, robust_width), 80);
+    PIN(offsetof(nurbs_fit_options, shapes), 88);
+    PIN(offsetof(nurbs_fit_options, lower), 96);
+    PIN(offsetof(nurbs_fit_options, upper), 104);
     if (nurbs_fit_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
         fprintf(stderr, "the library does not know the options of a fit of this size\n");
         ++failures;
         return;
     }
-    PIN((size_t)options.struct_size, 72);
+    PIN((size_t)options.struct_size, 112);
     PIN((size_t)options.penalty_order, 2);
     PIN((size_t)options.conditions, 0);
 }
 
 static void pin_fit_report(void) {
-    PIN(sizeof(nurbs_fit_report), 96);
+    PIN(sizeof(nurbs_fit_report), 104);
     PIN(offsetof(nurbs_fit_report, struct_size), 0);
     PIN(offsetof(nurbs_fit_report, data_count), 8);
     PIN(offsetof(nurbs_fit_report, weight), 16);
@@ -172,7 +178,8 @@ static void pin_fit_report(void) {
     PIN(offsetof(nurbs_fit_report, largest), 72);
     PIN(offsetof(nurbs_fit_report, largest_index), 80);
     PIN(offsetof(nurbs_fit_report, bits), 88);
-    PIN(offsetof(nurbs_fit_report, reserved), 92);
+    PIN(offsetof(nurbs_fit_report, rounds), 92);
+    PIN(offsetof(nurbs_fit_report, outliers), 96);
 }
 
 /* Codes are compiled into callers: one that moves would be taken for another. */

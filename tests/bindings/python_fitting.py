@@ -47,6 +47,67 @@ def penalty(degree, knots, order):
     return derivatives.T @ (weights[:, None] * derivatives)
 
 
+class Shapes(unittest.TestCase):
+    t, y, exact = noisy()
+
+    def test_words_and_constants_say_the_same(self):
+        rising = nurbs.fit_points(self.t, self.y, 3, CUBIC, shape="rising").spline
+        self.assertTrue((np.diff(rising.points.ravel()) >= 0).all())
+        self.assertEqual(rising, nurbs.fit_points(self.t, self.y, 3, CUBIC, shape=nurbs.NURBS_TREND_RISING).spline)
+        both = nurbs.NURBS_TREND_FALLING + nurbs.NURBS_TREND_CONVEX
+        stats = empty().add(self.t, self.y)
+        self.assertEqual(stats.fit(3, CUBIC, shape="convex falling").spline, stats.fit(3, CUBIC, shape=[[both]]).spline)
+        self.assertRaisesRegex(ValueError, "shape = 'steep'", stats.fit, 3, CUBIC, shape="steep")
+        self.assertEqual(status_of(stats.fit, 3, CUBIC, shape="rising falling"), nurbs.NURBS_ERROR_RULE)
+
+    def test_each_coordinate_has_its_own(self):
+        values = np.column_stack([self.y, self.y])
+        spline = nurbs.fit_points(self.t, values, 3, CUBIC, shape=[[0, nurbs.NURBS_TREND_FALLING]]).spline
+        same(spline.points[:, 0], nurbs.fit_points(self.t, self.y, 3, CUBIC).spline.points.ravel())
+        self.assertTrue((np.diff(spline.points[:, 1]) <= 0).all())
+
+    def test_bounds(self):
+        spline = nurbs.fit_tolerance(self.t, self.y, 3, 0.5, lower=-0.5, upper=[0.6]).spline
+        self.assertTrue(spline.points.min() >= -0.5 and spline.points.max() <= 0.6)
+        self.assertRaises(ValueError, nurbs.fit_points, self.t, self.y, 3, CUBIC, lower=[0, 0])
+
+
+class Robust(unittest.TestCase):
+    def test_outliers_do_not_pull(self):
+        t, y, exact = noisy()
+        y[::10] += 20
+        plain = nurbs.fit_points(t, y, 3, CUBIC)
+        for rule in "huber", nurbs.NURBS_ROBUST_TUKEY:
+            spline, report = nurbs.fit_points(t, y, 3, CUBIC, robust=rule)
+            self.assertLess(np.abs(spline(t).ravel() - exact).max(), 0.3)
+            self.assertTrue(report.rounds > 2 and report.outliers >= 40 and report.sigma < 0.15)
+        self.assertGreater(np.abs(plain.spline(t).ravel() - exact).max(), 1)
+        self.assertEqual(nurbs.fit_points(t, y, 3, CUBIC, robust="huber", robust_width=1e9).spline, plain.spline)
+        self.assertRaisesRegex(ValueError, "robust = 'l1'", nurbs.fit_points, t, y, 3, CUBIC, robust="l1")
+
+
+class Errors(unittest.TestCase):
+    def test_they_are_what_dense_algebra_says(self):
+        t, y, _ = noisy()
+        stats, at = empty().add(t, y), np.linspace(0, 1, 17)
+        for wishes in {}, {"smoothing": "gcv"}:
+            fitted = stats.fit(3, CUBIC, **wishes)
+            matrix, there = design(3, CUBIC, t), design(3, CUBIC, at)
+            inverse = np.linalg.inv(matrix.T @ matrix + fitted.report.lam * penalty(3, CUBIC, 2))
+            near(stats.errors(fitted, at), fitted.report.sigma * np.sqrt(np.einsum("ij,jk,ik->i", there, inverse, there)),
+                 by=1e-9)
+
+    def test_criteria_are_smallest_where_the_fit_is(self):
+        t, y, _ = noisy()
+        stats = empty().add(t, y)
+        for column, rule in (2, "gcv"), (3, "reml"):
+            spline, report = stats.fit(3, CUBIC, smoothing=rule)
+            found = stats.criteria(spline, report.lam * np.array([0.5, 1, 2]))
+            self.assertEqual(found.shape, (3, 4))
+            self.assertEqual(found[:, column].argmin(), 1)
+            near(found[1, :2], [report.squares, report.freedom], by=1e-9)
+
+
 class Points(unittest.TestCase):
     def test_a_curve_comes_back(self):
         random = np.random.default_rng(1)
@@ -512,6 +573,7 @@ class LongCalls(unittest.TestCase):
         yield lambda **wishes: empty().add(self.t, self.y, **wishes)
         yield lambda **wishes: added.fit(3, knots, smoothing="gcv", **wishes)
         yield lambda **wishes: nurbs.fit_points(self.t, self.y, 3, CUBIC, **wishes)
+        yield lambda **wishes: nurbs.fit_points(self.t, self.y, 3, CUBIC, robust="tukey", **wishes)
         yield lambda **wishes: nurbs.fit_tolerance(self.t, self.y, 3, 1e-4, **wishes)
 
     def test_progress_rises_and_the_answer_is_the_same(self):

@@ -242,6 +242,23 @@ fn fits() -> Result<()> {
     for fitted in [all.fit(&[2], &[3], &knots, None, 0)?, points] {
         assert!(close(&fitted.spline.points()?, &[1.0, 1.0, 3.0], 8.0 * EPS) && fitted.report.data_count == 21);
     }
+    let rising = nurbs::FitOptions::new()?.shapes(&[nurbs::sys::NURBS_TREND_FALLING]).lower(&[0.0]).upper(&[2.0]);
+    let flat = all.fit(&[2], &[3], &knots, Some(&rising), 0)?.spline.points()?;
+    assert!(flat[0] == flat[1] && flat[1] == flat[2]);
+    for short in [
+        nurbs::FitOptions::new()?.shapes(&[]),
+        nurbs::FitOptions::new()?.lower(&[0.0, 0.0]),
+        nurbs::FitOptions::new()?.conditions(1, &[0.0], &[], &[]),
+        nurbs::FitOptions::new()?.conditions(1, &[0.0], &[0, 0], &[1.0]),
+    ] {
+        assert!(all.fit(&[2], &[3], &knots, Some(&short), 0).is_err());
+    }
+    let huber = nurbs::FitOptions::new()?.robust(nurbs::sys::NURBS_ROBUST_HUBER, 0.0);
+    let data = nurbs::Data::new(1, 1, &t, &y)?;
+    let fitted = nurbs::fit_points(&data, &[2], &[3], &knots, Some(&huber), 0)?;
+    let errors = all.errors(&fitted.spline, 1, 0.0, 1.0, &[0.0, 1.0], 0)?;
+    assert!(fitted.report.outliers == 0 && errors.len() == 2 && errors[0] > 0.0);
+    assert!(all.criteria(&fitted.spline, 1, &[1.0, 2.0])?.len() == 8);
     Ok(())
 }
 

@@ -16,7 +16,8 @@ static void check_line_report(const nurbs_fit_report *r) {
     NEAR(r->sigma, sqrt(1 / 6.0));
     CHECK(r->residual >= 0 && r->residual <= 1e-20);
     CHECK_INT(r->bits, 0);
-    CHECK_INT(r->reserved, 0);
+    CHECK_INT(r->rounds, 1);
+    CHECK_INT(r->outliers, 0);
 }
 
 static void a_line(void) {

@@ -90,7 +90,7 @@ static void refused_knots(const nurbs_statistics *shared) {
 }
 
 static void refused_options(const nurbs_statistics *shared) {
-    BOTH_FAIL(a.options.struct_size = 0, NURBS_ERROR_OPTIONS, "options|struct_size = 0|72");
+    BOTH_FAIL(a.options.struct_size = 0, NURBS_ERROR_OPTIONS, "options|struct_size = 0|112");
     BOTH_FAIL(a.options.struct_size = 4097, NURBS_ERROR_OPTIONS, "options|struct_size = 4097");
     BOTH_FAIL(a.options.smoothing = 5, NURBS_ERROR_RULE, "smoothing = 5");
     BOTH_FAIL(a.options.smoothing = -1, NURBS_ERROR_RULE, "smoothing = -1");
@@ -103,7 +103,7 @@ static void refused_options(const nurbs_statistics *shared) {
     BOTH_FAIL(a.options.regularize = 2, NURBS_ERROR_OPTIONS, "regularize = 2");
     BOTH_FAIL(a.options.regularize = -1, NURBS_ERROR_OPTIONS, "regularize = -1");
     BOTH_FAIL(a.options.reserved = 1, NURBS_ERROR_OPTIONS, "options|reserved = 1");
-    BOTH_FAIL(a.report.struct_size = 8, NURBS_ERROR_OPTIONS, "report|struct_size = 8|96");
+    BOTH_FAIL(a.report.struct_size = 8, NURBS_ERROR_OPTIONS, "report|struct_size = 8|104");
     BOTH_FAIL(a.report.struct_size = 1 << 20, NURBS_ERROR_OPTIONS, "report|struct_size = 1048576");
 }
 
@@ -177,6 +177,8 @@ static void structs(void) {
     CHECK(options.target == 0 && options.regularize == 0 && options.reserved == 0);
     CHECK(options.conditions == 0 && options.condition_params == NULL && options.condition_orders == NULL &&
           options.condition_targets == NULL);
+    CHECK(options.robust == NURBS_ROBUST_NONE && options.reserved2 == 0 && options.robust_width == 0);
+    CHECK(options.shapes == NULL && options.lower == NULL && options.upper == NULL);
 }
 
 /* Arrays that no memory holds are refused before they are looked at. */

@@ -17,6 +17,8 @@ struct Case {
     nurbs_data data{};
     nurbs_fit_options options{};
     nurbs_call_options call{};
+    std::vector<int32_t> shapes;
+    double lower[3] = {}, upper[3] = {};
 
     [[nodiscard]] int32_t axes() const { return static_cast<int32_t>(degrees.size()); }
     [[nodiscard]] int64_t knot_count() const { return std::ssize(knots); }
@@ -72,6 +74,20 @@ void add_options(Input &in, Case &c) {
         c.options.condition_params = c.params.data();
         c.options.condition_targets = c.values.data();
     }
+    if (in.below(3) == 0) {
+        for (int32_t i = 0; i < 3 * c.data.dim; ++i) {
+            c.shapes.push_back(in.rarely() ? in.bad_int() : in.below(3) == 0 ? in.below(16) : 0);
+        }
+        c.options.shapes = c.shapes.data();
+    }
+    if (in.below(4) == 0) {
+        for (int32_t i = 0; i < 3; ++i) {
+            c.lower[i] = in.rarely() ? in.anything() : -in.unit();
+            c.upper[i] = in.rarely() ? in.anything() : in.unit();
+        }
+        c.options.lower = c.lower;
+        c.options.upper = c.upper;
+    }
     FUZZ_REQUIRE(nurbs_call_options_init(&c.call, sizeof c.call) == NURBS_OK);
     c.call.work = 20000000;
 }
@@ -88,7 +104,9 @@ private:
     nurbs_fit_report report_{};
 };
 
-void points(const Case &c) {
+void points(Input &in, Case &c) {
+    c.options.robust = in.rarely() ? in.bad_int() : in.coin() ? in.below(3) : 0;
+    c.options.robust_width = in.rarely() ? in.anything() : 4 * in.unit();
     Report report;
     nurbs *out = fuzz::poison();
     const fuzz::Handle made(
@@ -101,6 +119,7 @@ void points(const Case &c) {
         FUZZ_MADE(nurbs_fit_points_with(&c.data, c.degrees.data(), c.counts.data(), c.knots.data(),
                                         c.knot_count(), c.flags, &c.options, nullptr, &c.call, &same),
                   same));
+    c.options.robust = in.rarely() ? 1 : 0;
 }
 
 void tolerance(Input &in, const Case &c) {
@@ -179,6 +198,21 @@ void send(Input &in, const nurbs_statistics *s) {
     FUZZ_REQUIRE(statistics_by(read) == nullptr);
 }
 
+void how_sure(Input &in, const Case &c, const nurbs_statistics *s, const nurbs *g) {
+    const double lambda = in.rarely() ? in.anything() : in.unit();
+    const int32_t order = in.rarely() ? in.bad_int() : 1 + in.below(3);
+    double errors[4] = {-7, -7, -7, -7}, found[8] = {-7};
+    const int64_t n = std::min<int64_t>(4, c.data.n);
+    if (FUZZ_OK(nurbs_fit_errors(s, g, order, lambda, 1, n, c.params.data(), 0, 0, c.data.flags, errors))) {
+        FUZZ_REQUIRE(n == 0 || !(errors[0] < 0));
+    }
+    (void)FUZZ_OK(nurbs_fit_errors_with(s, g, order, lambda, 1, n, c.params.data(), 0, 0, c.data.flags,
+                                        errors, &c.call));
+    const double lambdas[2] = {lambda, in.rarely() ? in.anything() : 1};
+    (void)FUZZ_OK(nurbs_fit_criteria(s, g, order, 2, lambdas, found));
+    (void)FUZZ_OK(nurbs_fit_criteria_with(s, g, order, 2, lambdas, found, &c.call));
+}
+
 void statistics(Input &in, const Case &c) {
     const double scale = in.rarely() ? in.anything() : std::ldexp(1, in.below(30));
     const Statistics none = statistics_by([&](nurbs_statistics **out) {
@@ -211,6 +245,7 @@ void statistics(Input &in, const Case &c) {
                                              c.knot_count(), c.flags, &c.options, report.get(), &out),
                                    out));
     report.check(g.get());
+    how_sure(in, c, used.get(), g.get());
     out = fuzz::poison();
     const fuzz::Handle same(
         FUZZ_MADE(nurbs_fit_with(used.get(), c.degrees.data(), c.counts.data(), c.knots.data(),
@@ -230,7 +265,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     add_data(in, c);
     add_options(in, c);
     statistics(in, c);
-    points(c);
+    points(in, c);
     tolerance(in, c);
     approximate(in);
     return 0;

@@ -54,6 +54,13 @@ module nurbs_c
         type(c_ptr) :: condition_params  ! [conditions][axes] or NULL: where, packed
         type(c_ptr) :: condition_orders  ! [conditions][axes] or NULL for 0: orders of derivatives
         type(c_ptr) :: condition_targets  ! [conditions][dim] or NULL: points and derivatives, packed
+        ! a NURBS_ROBUST_ constant, for fits of points over given knots; NURBS_ROBUST_NONE
+        integer(c_int32_t) :: robust
+        integer(c_int32_t) :: reserved2  ! 0
+        real(c_double) :: robust_width  ! where outliers begin, in standard deviations, >= 0; 0: the usual one
+        type(c_ptr) :: shapes  ! [axes][dim] or NULL: sums of NURBS_TREND_ constants, or 0
+        type(c_ptr) :: lower  ! [dim] or NULL: lower bounds of coordinates; -INFINITY for none
+        type(c_ptr) :: upper  ! [dim] or NULL: upper bounds of coordinates; INFINITY for none
     end type nurbs_fit_options
 
     !> What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
@@ -66,13 +73,15 @@ module nurbs_c
         real(c_double) :: rms  ! receives the square root of squares / weight
         real(c_double) :: lambda  ! receives the factor of the penalty
         real(c_double) :: freedom  ! receives the trace of the influence matrix: the parameters that count
-        ! receives the standard deviation of a coordinate of weight 1 by the residuals
+        ! receives the standard deviation of a coordinate of weight 1 by the residuals; of robust fits by
+        ! their median
         real(c_double) :: sigma
         real(c_double) :: residual  ! receives |G x + lambda P x - r| / |r| of the normal equations
         real(c_double) :: largest  ! receives the largest |y_i - s(t_i)|; NaN from nurbs_fit()
         integer(c_int64_t) :: largest_index  ! receives where that is; -1 from nurbs_fit()
         integer(c_int32_t) :: bits  ! receives a sum of NURBS_FIT_ bits
-        integer(c_int32_t) :: reserved  ! receives 0
+        integer(c_int32_t) :: rounds  ! receives the number of fits that a robust fit took, else 1
+        integer(c_int64_t) :: outliers  ! receives the number of data with x > 1 of a robust fit, else 0
     end type nurbs_fit_report
 
     !> What the batches of this chapter are asked as long calls. Set struct_size to
@@ -1302,6 +1311,58 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_points_with
+        !> Pointwise standard errors of a fit: sigma sqrt(b(t) (G + lambda P)^-1 b(t)) for the functions b,
+        !> the matrix G of the data and P of the penalty: what each coordinate of the fit may be off, if those
+        !> of data of weight w have the standard deviation sigma / sqrt(w).
+        function nurbs_fit_errors(statistics, g, penalty_order, lambda, sigma, n, params, param_stride, &
+                param_component_stride, flags, errors) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics, g
+            integer(c_int32_t), value :: penalty_order, flags
+            real(c_double), value :: lambda, sigma
+            integer(c_int64_t), value :: n, param_stride, param_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: errors(*)
+            integer(c_int32_t) :: r
+        end function nurbs_fit_errors
+        !> nurbs_fit_errors() as a call that can be watched and ended.
+        function nurbs_fit_errors_with(statistics, g, penalty_order, lambda, sigma, n, params, param_stride, &
+                param_component_stride, flags, errors, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics, g
+            integer(c_int32_t), value :: penalty_order, flags
+            real(c_double), value :: lambda, sigma
+            integer(c_int64_t), value :: n, param_stride, param_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: errors(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_fit_errors_with
+        !> What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and
+        !> _REML: with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i -
+        !> s(t_i)|^2 and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R +
+        !> lambda P) + log det(G + lambda P) - (N - M) log lambda.
+        function nurbs_fit_criteria(statistics, g, penalty_order, n, lambdas, values) bind(c) result(r)
+            import
+            type(c_ptr), value :: statistics, g
+            integer(c_int32_t), value :: penalty_order
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: lambdas(*)
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: r
+        end function nurbs_fit_criteria
+        !> nurbs_fit_criteria() as a call that can be watched and ended.
+        function nurbs_fit_criteria_with(statistics, g, penalty_order, n, lambdas, values, call) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: statistics, g
+            integer(c_int32_t), value :: penalty_order
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: lambdas(*)
+            real(c_double), intent(inout) :: values(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_fit_criteria_with
         !> A spline with few control points that no datum is farther from than a tolerance.
         function nurbs_fit_tolerance(data, degrees, domain, tolerance, max_count, flags, options, report, &
                 out) bind(c) result(r)

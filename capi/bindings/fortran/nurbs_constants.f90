@@ -234,9 +234,27 @@ module nurbs_constants
     ! as smooth as a sum of squares allows (Reinsch 1967)
     integer(c_int32_t), parameter :: NURBS_SMOOTHING_DISCREPANCY = 4
 
+    ! --- What outliers are worth, for nurbs_fit_options
+    integer(c_int32_t), parameter :: NURBS_ROBUST_NONE = 0  ! as much as all data
+    integer(c_int32_t), parameter :: NURBS_ROBUST_HUBER = 1  ! min(1, 1 / x) of their weight (Huber 1964)
+    ! (1 - x^2)^2 of it for x < 1, nothing beyond (Beaton & Tukey 1974)
+    integer(c_int32_t), parameter :: NURBS_ROBUST_TUKEY = 2
+
+    ! --- Shapes along an axis, for nurbs_fit_options; they can be added
+    ! the first derivative is >= 0
+    integer(c_int32_t), parameter :: NURBS_TREND_RISING = int(z'01', c_int32_t)
+    ! the first derivative is <= 0
+    integer(c_int32_t), parameter :: NURBS_TREND_FALLING = int(z'02', c_int32_t)
+    ! the first derivative does not fall
+    integer(c_int32_t), parameter :: NURBS_TREND_CONVEX = int(z'04', c_int32_t)
+    ! the first derivative does not rise
+    integer(c_int32_t), parameter :: NURBS_TREND_CONCAVE = int(z'08', c_int32_t)
+
     ! --- What nurbs_fit_report tells besides
     ! no smoothing leaves as little as the target asks for
     integer(c_int32_t), parameter :: NURBS_FIT_TARGET_MISSED = int(z'01', c_int32_t)
+    ! the rounds of a robust fit still changed it at their end
+    integer(c_int32_t), parameter :: NURBS_FIT_NOT_CONVERGED = int(z'02', c_int32_t)
 
     ! --- Rules for tangents, for nurbs_tangents()
     integer(c_int32_t), parameter :: NURBS_TANGENTS_CATMULL_ROM = 0  ! the slope between the neighbours

@@ -5,8 +5,9 @@ module nurbs_fittings
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_statistics_create, nurbs_statistics_add, nurbs_statistics_merge, nurbs_statistics_size, &
-        nurbs_statistics_from_bytes, nurbs_fit, nurbs_fit_points, nurbs_fit_tolerance, nurbs_statistics_add_with, &
-        nurbs_fit_with, nurbs_fit_points_with, nurbs_fit_tolerance_with, nurbs_data, nurbs_fit_options, nurbs_fit_report
+        nurbs_statistics_from_bytes, nurbs_fit, nurbs_fit_points, nurbs_fit_errors, nurbs_fit_criteria, &
+        nurbs_fit_tolerance, nurbs_statistics_add_with, nurbs_fit_with, nurbs_fit_points_with, nurbs_fit_errors_with, &
+        nurbs_fit_criteria_with, nurbs_fit_tolerance_with, nurbs_data, nurbs_fit_options, nurbs_fit_report
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -18,7 +19,7 @@ module nurbs_fittings
     !> What fits need to know of data; an assignment makes another handle on the same sums.
     type, extends(nurbs_statistics_handle), public :: nurbs_statistics
     contains
-        procedure :: create, add, merge, get_size, from_bytes, fit
+        procedure :: create, add, merge, get_size, from_bytes, fit, fit_errors, fit_criteria
     end type nurbs_statistics
 
 contains
@@ -163,6 +164,61 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine fit_points
+
+    !> Pointwise standard errors of a fit over the knots of g.
+    subroutine fit_errors(this, g, penalty_order, lambda, sigma, params, errors, flags, status, call)
+        class(nurbs_statistics), intent(in) :: this
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: penalty_order
+        real(c_double), intent(in) :: lambda, sigma, params(:, :)
+        real(c_double), intent(inout) :: errors(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = size(params, 1, c_int64_t)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(params, n, statistics_axes_of(this%handle)), fits(errors, n)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fit_errors_with(this%handle, g%handle, penalty_order, lambda, sigma, n, params, &
+                    step(params), column(params), given(flags, 0), errors, watched(call))
+            else
+                code = nurbs_fit_errors(this%handle, g%handle, penalty_order, lambda, sigma, n, params, step(params), &
+                    column(params), given(flags, 0), errors)
+            end if
+        end if
+        call settle(code, status)
+    end subroutine fit_errors
+
+    !> Squares, freedom, GCV and REML, four numbers for each factor of the penalty.
+    subroutine fit_criteria(this, g, penalty_order, lambdas, values, status, call)
+        class(nurbs_statistics), intent(in) :: this
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: penalty_order
+        real(c_double), intent(in) :: lambdas(:)
+        real(c_double), intent(inout) :: values(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: values_c(:, :)
+        n = size(lambdas, kind=c_int64_t)
+        allocate (values_c(4, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(values, n, 4_c_int64_t)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fit_criteria_with(this%handle, g%handle, penalty_order, n, lambdas, values_c, &
+                    watched(call))
+            else
+                code = nurbs_fit_criteria(this%handle, g%handle, penalty_order, n, lambdas, values_c)
+            end if
+        end if
+        if (code == NURBS_OK) values = transpose(values_c)
+        call settle(code, status)
+    end subroutine fit_criteria
 
     !> A spline with few control points that no datum is farther from than the tolerance.
     subroutine fit_tolerance(data, degrees, tolerance, out, domain, max_count, options, report, flags, status, call)

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
@@ -22,8 +23,20 @@ inline constexpr std::int32_t smoothing_gcv = NURBS_SMOOTHING_GCV;
 inline constexpr std::int32_t smoothing_reml = NURBS_SMOOTHING_REML;
 inline constexpr std::int32_t smoothing_discrepancy = NURBS_SMOOTHING_DISCREPANCY;
 
+/// What outliers are worth.
+inline constexpr std::int32_t robust_none = NURBS_ROBUST_NONE;
+inline constexpr std::int32_t robust_huber = NURBS_ROBUST_HUBER;
+inline constexpr std::int32_t robust_tukey = NURBS_ROBUST_TUKEY;
+
+/// Shapes along an axis; they can be added.
+inline constexpr std::int32_t trend_rising = NURBS_TREND_RISING;
+inline constexpr std::int32_t trend_falling = NURBS_TREND_FALLING;
+inline constexpr std::int32_t trend_convex = NURBS_TREND_CONVEX;
+inline constexpr std::int32_t trend_concave = NURBS_TREND_CONCAVE;
+
 /// What the report of a fit tells besides.
 inline constexpr std::int32_t fit_target_missed = NURBS_FIT_TARGET_MISSED;
+inline constexpr std::int32_t fit_not_converged = NURBS_FIT_NOT_CONVERGED;
 
 /// What a fit is to be besides close to the data, initialised to the defaults. Later versions of this header
 /// may know more of them: where libraries that were compiled with two versions meet in one program, each has
@@ -180,6 +193,46 @@ public:
         made.spline = detail::made<Spline>(nurbs_fit_with, get(), degrees.data(), counts.data(), knots.data(),
                                            detail::length(knots), flags, &options, &made.report, watch.get());
         return made;
+    }
+    /// Pointwise standard errors of a fit over the knots of g.
+    [[nodiscard]] Returned<std::vector<double>> errors(const Spline &g, std::int32_t penalty_order,
+                                                       double lambda, double sigma, Input params,
+                                                       std::uint32_t flags = 0) const {
+        const std::int64_t n = detail::records(params, detail::axes(get()), "params");
+        std::vector<double> values = detail::room(n);
+        detail::call(nurbs_fit_errors, get(), g.get(), penalty_order, lambda, sigma, n, params.data(),
+                     params.stride(), params.component_stride(), flags, values.data());
+        return values;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<std::vector<double>> errors(const Spline &g, std::int32_t penalty_order,
+                                                       double lambda, double sigma, Input params,
+                                                       std::uint32_t flags, const CallOptions &call) const {
+        const std::int64_t n = detail::records(params, detail::axes(get()), "params");
+        const detail::Watch watch(call);
+        std::vector<double> values = detail::room(n);
+        detail::call(nurbs_fit_errors_with, get(), g.get(), penalty_order, lambda, sigma, n, params.data(),
+                     params.stride(), params.component_stride(), flags, values.data(), watch.get());
+        return values;
+    }
+    /// Squares, freedom, GCV and REML, four numbers for each factor of the penalty.
+    [[nodiscard]] Returned<std::vector<double>> criteria(const Spline &g, std::int32_t penalty_order,
+                                                         View<double> lambdas) const {
+        const std::int64_t n = detail::length(lambdas);
+        std::vector<double> values = detail::room(n, 4);
+        detail::call(nurbs_fit_criteria, get(), g.get(), penalty_order, n, lambdas.data(), values.data());
+        return values;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<std::vector<double>> criteria(const Spline &g, std::int32_t penalty_order,
+                                                         View<double> lambdas,
+                                                         const CallOptions &call) const {
+        const std::int64_t n = detail::length(lambdas);
+        const detail::Watch watch(call);
+        std::vector<double> values = detail::room(n, 4);
+        detail::call(nurbs_fit_criteria_with, get(), g.get(), penalty_order, n, lambdas.data(), values.data(),
+                     watch.get());
+        return values;
     }
 };
 

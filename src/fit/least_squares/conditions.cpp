@@ -37,7 +37,7 @@ Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector
             first[k] = along[k].first;
             counts[k] = std::ssize(along[k].values);
         }
-        Row row{{}, condition.target};
+        LinearRow row{{}, condition.target};
         double most = 0;
         for_each_index(first, counts, [&](const Index &layer) {
             double value = 1;
@@ -47,7 +47,7 @@ Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector
             row.coefficients.push_back({layer, numbers.unknown(layer), value});
             most = std::max(most, std::abs(value));
         });
-        for (Coefficient &coefficient : row.coefficients) {
+        for (LinearRow::Coefficient &coefficient : row.coefficients) {
             coefficient.value = most > 0 ? coefficient.value / most : 0;
         }
         for (double &target : row.target) {
@@ -57,31 +57,17 @@ Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector
     }
 }
 
-DoubleDouble Conditions::left_side(const Row &row, const std::vector<DoubleDouble> &x, int64_t width,
-                                   int64_t c) const noexcept {
-    DoubleDouble sum;
-    for (const Coefficient &coefficient : row.coefficients) {
-        sum = sum + DoubleDouble(coefficient.value) * x[static_cast<size_t>(coefficient.unknown * width + c)];
-    }
-    return sum;
-}
-
 void Conditions::add_squares(NormalEquations &equations) {
     const DoubleDouble trace = equations.matrix.trace();
     const DoubleDouble factor =
         trace.high > 0 ? trace / DoubleDouble(static_cast<double>(equations.matrix.size())) : DoubleDouble(1);
     factor_ = factor;
-    for (const Row &row : rows_) {
-        for (const Coefficient &a : row.coefficients) {
-            for (const Coefficient &b : row.coefficients) {
-                if (a.layer <= b.layer) {
-                    equations.matrix.add(a.layer, b.layer, factor * DoubleDouble::product(a.value, b.value));
-                }
-            }
-            for (size_t c = 0; c < row.target.size(); ++c) {
-                DoubleDouble &right = equations.right[static_cast<size_t>(a.unknown) * row.target.size() + c];
-                right = right + factor * DoubleDouble::product(a.value, row.target[c]);
-            }
+    for (const LinearRow &row : rows_) {
+        const auto dim = std::ssize(row.target);
+        add_square(row, factor, equations.matrix);
+        for (int64_t c = 0; c < dim; ++c) {
+            add_multiple(row, factor * DoubleDouble(row.target[static_cast<size_t>(c)]), dim, c,
+                         equations.right);
         }
         for (size_t c = 0; c < row.target.size(); ++c) {
             equations.squares[c] =
@@ -191,7 +177,7 @@ double Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDo
     const auto at = [&](int64_t i, int64_t j) { return static_cast<size_t>(i * count + j); };
     std::vector<DoubleDouble> columns(x.size() / static_cast<size_t>(dim) * rows_.size());
     for (int64_t r = 0; r < count; ++r) {
-        for (const Coefficient &coefficient : rows_[static_cast<size_t>(r)].coefficients) {
+        for (const LinearRow::Coefficient &coefficient : rows_[static_cast<size_t>(r)].coefficients) {
             DoubleDouble &value = columns[static_cast<size_t>(coefficient.unknown * count + r)];
             value = value + DoubleDouble(coefficient.value);
         }
@@ -200,7 +186,7 @@ double Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDo
     std::vector<DoubleDouble> matrix(rows_.size() * rows_.size());
     std::vector<DoubleDouble> missing(rows_.size() * static_cast<size_t>(dim));
     for (int64_t r = 0; r < count; ++r) {
-        const Row &row = rows_[static_cast<size_t>(r)];
+        const LinearRow &row = rows_[static_cast<size_t>(r)];
         for (int64_t j = 0; j < count; ++j) {
             matrix[at(r, j)] = left_side(row, columns, count, j);
         }

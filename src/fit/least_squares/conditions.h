@@ -2,6 +2,7 @@
 // Linear equations that a fit has to fulfil.
 #pragma once
 
+#include "fit/least_squares/linear_rows.h"
 #include "fit/least_squares/penalised_system.h"
 
 #include <array>
@@ -22,6 +23,7 @@ public:
     Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector<FitCondition> &conditions);
 
     [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
+    [[nodiscard]] const std::vector<LinearRow> &rows() const noexcept { return rows_; }
     // Adds multiples of the squares of what is missing to the sum that is minimised: they vanish at the solution, and
     // determine what only the conditions determine.
     void add_squares(NormalEquations &equations);
@@ -31,21 +33,10 @@ public:
     double impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const;
 
 private:
-    struct Coefficient {
-        Index layer;
-        int64_t unknown;
-        double value;
-    };
-    struct Row {
-        std::vector<Coefficient> coefficients; // scaled to a largest one of 1
-        std::vector<double> target;
-    };
     [[nodiscard]] double lost_freedom(const PenalisedSystem &system, const std::vector<DoubleDouble> &columns,
                                       const std::vector<DoubleDouble> &matrix) const;
-    [[nodiscard]] DoubleDouble left_side(const Row &row, const std::vector<DoubleDouble> &x, int64_t width,
-                                         int64_t c) const noexcept;
 
-    std::vector<Row> rows_;
+    std::vector<LinearRow> rows_;
     DoubleDouble factor_; // of the squares
 };
 

@@ -5,6 +5,7 @@
 #include "base/representable.h"
 #include "fit/least_squares/clamped_axes.h"
 #include "fit/least_squares/penalty.h"
+#include "fit/least_squares/shaped_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +16,6 @@ namespace nrb::fit {
 namespace {
 
 using Axes = std::vector<KnotVectorPtr>;
-
-// How many unknowns no penalty determines: on each axis those of the polynomials below its order, of a periodic one constants.
-double free_unknowns(const Axes &axes, int order) noexcept {
-    double free = 1;
-    for (const KnotVectorPtr &axis : axes) {
-        free *= order > axis->degree() ? static_cast<double>(axis->distinct_layers())
-                : axis->periodic()     ? 1
-                                       : order;
-    }
-    return free;
-}
 
 int highest_degree(const Axes &axes) noexcept {
     int highest = 0;
@@ -44,7 +34,7 @@ std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wish
         fail(Status::order, "options: penalty_order = %d, expected at most %d, the highest degree",
              wishes.penalty_order, highest);
     }
-    std::optional<StencilMatrix> form = penalty(axes, wishes.penalty_order);
+    std::optional<StencilMatrix> form = penalty(axes, wishes.penalty_order, shape_reach(axes, wishes.shape));
     if (!(form->trace().high > 0)) {
         form.reset();
     }
@@ -119,7 +109,7 @@ Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, con
     if (form == nullptr) {
         system.fail_rank(lacking);
     }
-    LambdaSearch search(equations, *form, system, free_unknowns(equations.axes, wishes.penalty_order));
+    LambdaSearch search(equations, *form, wishes.penalty_order, system);
     Smoothed found = search.choose(wishes.smoothing, wishes.value);
     complete(system, conditions, equations.dim, found);
     return found;
@@ -138,16 +128,24 @@ std::optional<Smoothed> if_determined(Solve &&solve) {
     }
 }
 
-Smoothed least_penalty(const NormalEquations &equations, const Conditions &conditions, int order) {
+// A factor for a penalty that decides what the data leave open; 0 for one that costs nothing.
+double small_factor(const NormalEquations &equations, const StencilMatrix &form) noexcept {
     constexpr double part = 0x1p-20;
-    const StencilMatrix form = penalty(equations.axes, order);
     const double trace = equations.matrix.trace().high, size = form.trace().high;
+    return size > 0 ? part * (trace > 0 ? trace : 1) / size : 0;
+}
+
+Smoothed least_penalty(const NormalEquations &equations, const Conditions &conditions, int order,
+                       const Index &reach) {
+    const StencilMatrix form = penalty(equations.axes, order, reach);
+    const double factor = small_factor(equations, form);
     PenalisedSystem system(equations, &form);
-    const int64_t unsure = size > 0 ? system.try_factorise_surely(part * (trace > 0 ? trace : 1) / size) : 0;
+    const int64_t unsure = factor > 0 ? system.try_factorise_surely(factor) : 0;
     if (unsure >= 0) {
         system.fail_rank(unsure);
     }
     Smoothed found;
+    found.decided_by = order;
     found.x = settled(equations, system);
     found.freedom = std::round(system.freedom()); // of a projection, as it is without the small penalty
     complete(system, conditions, equations.dim, found);
@@ -164,7 +162,9 @@ Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, 
     }
     for (int order = std::min(wishes.penalty_order, highest_degree(equations.axes)); !found && order >= 0;
          --order) {
-        found = if_determined([&] { return least_penalty(equations, conditions, order); });
+        found = if_determined([&] {
+            return least_penalty(equations, conditions, order, shape_reach(equations.axes, wishes.shape));
+        });
     }
     if (found) {
         return std::move(*found);
@@ -214,16 +214,35 @@ Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form,
     }
 }
 
+// With a penalty where the data alone do not decide.
+void shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *form,
+           const FitWishes &wishes, const Conditions &conditions, Smoothed &found) {
+    constexpr double small = 0x1p-20; // beside what factors need: little of the penalty is to be seen
+    if (found.decided_by < 0) {
+        impose_shape(data, equations, form, found.lambda, conditions.rows(), wishes.shape, found);
+        return;
+    }
+    const StencilMatrix deciding =
+        penalty(equations.axes, found.decided_by, shape_reach(equations.axes, wishes.shape));
+    impose_shape(data, equations, &deciding, small * small_factor(equations, deciding), conditions.rows(),
+                 wishes.shape, found);
+}
+
 // In units of the scales, as equations are.
 FitWishes scaled(FitWishes wishes, const StatisticsForm &form) {
     wishes.value = std::ldexp(wishes.value, wishes.smoothing == Smoothing::discrepancy
                                                 ? -form.weight_exponent - 2 * form.value_exponent
                                                 : -form.weight_exponent);
-    for (FitCondition &condition : wishes.conditions) {
-        for (double &target : condition.target) {
-            target = std::ldexp(target, -form.value_exponent);
+    const auto scale = [&form](std::vector<double> &values) {
+        for (double &value : values) {
+            value = std::ldexp(value, -form.value_exponent);
         }
+    };
+    for (FitCondition &condition : wishes.conditions) {
+        scale(condition.target);
     }
+    scale(wishes.shape.lower);
+    scale(wishes.shape.upper);
     return wishes;
 }
 
@@ -232,9 +251,10 @@ FitWishes scaled(FitWishes wishes, const StatisticsForm &form) {
 Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &given) {
     const StatisticsForm &units = statistics.form();
     const Axes axes = clamped_axes(wanted);
+    check_shape(axes, units.dim, given.shape);
     const FitWishes wishes = scaled(given, units);
     const std::optional<StencilMatrix> form = penalty_for(axes, wishes);
-    const NormalEquations data = normal_equations(statistics, axes);
+    const NormalEquations data = normal_equations(statistics, axes, shape_reach(axes, wishes.shape));
     Conditions conditions(axes, wishes.conditions);
     std::optional<NormalEquations> with_conditions;
     if (!conditions.empty()) {
@@ -242,7 +262,10 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     }
     const NormalEquations &equations = with_conditions ? *with_conditions : data;
     const int64_t lacking = conditions.empty() ? first_without_datum(statistics, data) : -1;
-    const Smoothed found = wanted_fit(equations, form ? &*form : nullptr, wishes, conditions, lacking);
+    Smoothed found = wanted_fit(equations, form ? &*form : nullptr, wishes, conditions, lacking);
+    if (!wishes.shape.empty()) {
+        shape(data, equations, form ? &*form : nullptr, wishes, conditions, found);
+    }
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
     result.weight = std::ldexp(data.weight.high, units.weight_exponent);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fit/least_squares/conditions.h"
+#include "fit/least_squares/shape.h"
 #include "fit/least_squares/smoothing.h"
 #include "spline/spline.h"
 
@@ -10,12 +11,17 @@
 
 namespace nrb::fit {
 
+enum class Robust : int32_t { none, huber, tukey };
+
 struct FitWishes {
     Smoothing smoothing = Smoothing::none;
     double value = 0;        // lambda or the target of Smoothing
     int penalty_order = 2;   // derivative that is penalised
     bool regularise = false; // of all minima take the one of the smallest penalty
     std::vector<FitCondition> conditions;
+    ShapeWishes shape;
+    Robust robust = Robust::none; // of fits of points
+    double width = 0;             // of its function, 0: the usual one
 };
 
 struct Fitted {
@@ -28,7 +34,8 @@ struct Fitted {
     bool reached;    // the target
 };
 
-// The spline over the axes. Throws what normal_equations(), PenalisedSystem and Conditions do, and Status::order if there is
+// The spline over the axes. Throws what normal_equations(), PenalisedSystem, Conditions, check_shape()
+// and impose_shape() do, and Status::order if there is
 // a penalty and no axis has the degree for it.
 Fitted fit(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes);
 

@@ -2,8 +2,7 @@
 #include "fit/least_squares/fit_points.h"
 
 #include "base/watch.h"
-#include "eval/evaluate.h"
-#include "numeric/norm.h"
+#include "fit/least_squares/data_distances.h"
 
 #include <algorithm>
 #include <array>
@@ -35,45 +34,6 @@ double largest_value(const Data &data, const CountedData &counts) noexcept {
     return largest;
 }
 
-// The squares that are left, of the spline as it is stored, and the largest one. The sums of the statistics tell the former
-// to 2^-60 of what there was.
-void compare(const Data &data, const eval::AxisRules &rules, int weight_exponent, FittedPoints &found) {
-    constexpr int64_t block = 256;
-    const Spline &spline = *found.fit.spline;
-    const int64_t dim = spline.dim(), n = data.params.count;
-    std::vector<double> points(static_cast<size_t>(block * dim)), difference(static_cast<size_t>(dim));
-    const CountedData counts(data, rules, domains_of(spline.knot_vectors()), weight_exponent);
-    DoubleDouble squares;
-    bool overflows = false;
-    Steps steps(n / block + 1);
-    for (int64_t first = 0; first < n; first += block) {
-        const int64_t count = std::min(block, n - first);
-        ConstRecords params = data.params;
-        params.data += first * params.stride;
-        params.count = count;
-        eval::evaluate_points(spline, rules, 0, params, {points.data(), count, dim, dim});
-        for (int64_t i = 0; i < count; ++i) {
-            for (int64_t c = 0; c < dim; ++c) {
-                difference[static_cast<size_t>(c)] =
-                    points[static_cast<size_t>(i * dim + c)] - data.values(first + i, c);
-            }
-            const double distance = norm(difference.data(), static_cast<int>(dim));
-            const double weight = data.weights.data == nullptr ? 1 : data.weights(first + i, 0);
-            if (!counts(first + i)) {
-                continue;
-            }
-            overflows = overflows || !std::isfinite(weight * distance * distance);
-            squares = squares + DoubleDouble(overflows ? 0 : weight * distance * distance);
-            if (distance > found.largest) {
-                found.largest = distance;
-                found.largest_index = first + i;
-            }
-        }
-        steps.next(8 * count * dim);
-    }
-    found.fit.squares = overflows ? INFINITY : squares.high;
-}
-
 } // namespace
 
 std::shared_ptr<const StatisticsForm> form_for(const Data &data, const eval::AxisRules &rules,
@@ -97,25 +57,46 @@ int exponent_above(double value) noexcept {
     return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
+// The sums of the statistics tell the squares to 2^-60 of what there was.
+void compare(const Data &data, const eval::AxisRules &rules, int weight_exponent, FittedPoints &found) {
+    DoubleDouble squares;
+    double largest = -1;
+    bool overflows = false;
+    for_each_distance(data, rules, weight_exponent, *found.fit.spline,
+                      [&](int64_t first, std::span<const double> distances) {
+                          for (size_t i = 0; i < distances.size(); ++i) {
+                              const int64_t at = first + static_cast<int64_t>(i);
+                              const double distance = distances[i],
+                                           square = weight_of(data, at) * distance * distance;
+                              if (std::isnan(distance)) {
+                                  continue;
+                              }
+                              overflows = overflows || !std::isfinite(square);
+                              squares = squares + DoubleDouble(overflows ? 0 : square);
+                              if (distance > largest) {
+                                  largest = distance;
+                                  found.largest_index = at;
+                              }
+                          }
+                      });
+    found.largest = std::max(largest, 0.0);
+    found.fit.squares = overflows ? INFINITY : squares.high;
+}
+
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
                         const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes, bool compared) {
     const Statistics statistics = [&] {
         const Phase phase(0.5);
         return gather(form_for(data, rules, axes), data, rules);
     }();
-    FittedPoints found{{}, statistics.data_count(), -1, -1};
+    FittedPoints found{{}, statistics.data_count(), 0, -1};
     {
         const Phase phase(0.7);
         found.fit = fit(statistics, axes, wishes);
     }
     if (compared) {
-        eval::AxisRules missing = rules; // what was left out has no distance
-        for (eval::AxisRule &rule : missing) {
-            rule.nan = true;
-        }
-        compare(data, missing, statistics.form().weight_exponent, found);
+        compare(data, rules, statistics.form().weight_exponent, found);
     }
-    found.largest = std::max(found.largest, 0.0);
     return found;
 }
 

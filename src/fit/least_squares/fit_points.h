@@ -13,11 +13,20 @@ struct FittedPoints {
     // Of |y - s(t)|, and where; -1 without data.
     double largest;
     int64_t largest_index;
+    // Of robust fits: the standard deviation of a coordinate of weight 1, how many data are far off beside it, how many fits
+    // were made, and whether the last one changed little.
+    double scale = 0;
+    int64_t outliers = 0;
+    int rounds = 1;
+    bool converged = true;
 };
 
 // fit() of the statistics of the data over the knots as breaks; `compared` with the data afterwards. Throws what gather() and fit() do.
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
                         const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes, bool compared);
+
+// The squares that are left of the spline as it is stored, and the largest distance, into `found`.
+void compare(const Data &data, const eval::AxisRules &rules, int weight_exponent, FittedPoints &found);
 
 // What statistics of the data over the knots as breaks are about.
 std::shared_ptr<const StatisticsForm> form_for(const Data &data, const eval::AxisRules &rules,

@@ -37,10 +37,11 @@ std::vector<DoubleDouble> contracted(const std::vector<DoubleDouble> &sums,
 
 class EquationAssembly {
 public:
-    EquationAssembly(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes)
+    EquationAssembly(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes,
+                     const Index &least_reach)
         : statistics_(statistics), form_(statistics.form()),
-          layout_(form_), made_{axes, StencilMatrix(axes),     {},       {}, {},
-                                {},   statistics.data_count(), form_.dim} {
+          layout_(form_), made_{axes, StencilMatrix(axes, least_reach), {},       {}, {},
+                                {},   statistics.data_count(),          form_.dim} {
         for (size_t k = 0; k < axes.size(); ++k) {
             axes_.emplace_back(axes[k], form_.breaks[k], form_.degrees[k], static_cast<int>(k));
         }
@@ -227,8 +228,9 @@ private:
 
 } // namespace
 
-NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes) {
-    return EquationAssembly(statistics, axes).equations();
+NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes,
+                                 const Index &least_reach) {
+    return EquationAssembly(statistics, axes, least_reach).equations();
 }
 
 } // namespace nrb::fit

@@ -24,6 +24,7 @@ struct NormalEquations {
 
 // Throws what FitAxis does. The matrix is off by `support` times 2^-61 for each axis and degree, at most, and the rest by as
 // much.
-NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes);
+NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes,
+                                 const Index &least_reach = {});
 
 } // namespace nrb::fit

@@ -91,6 +91,11 @@ PenalisedSystem::PenalisedSystem(const NormalEquations &equations, const Stencil
     }
 }
 
+void PenalisedSystem::set_matrix(const StencilMatrix &matrix) {
+    data_ = matrix.columns(order_);
+    sum_ = data_;
+}
+
 void PenalisedSystem::factorise(double lambda) {
     if (const int64_t unknown = try_factorise(lambda); unknown >= 0) {
         fail_rank(unknown);
@@ -314,6 +319,10 @@ SelectedInverse PenalisedSystem::inverse() const {
 
 double PenalisedSystem::freedom() const {
     return inverse().trace_of_product(rounded(data_));
+}
+
+double PenalisedSystem::trace_with(const StencilMatrix &matrix) const {
+    return inverse().trace_of_product(rounded(matrix.columns(order_)));
 }
 
 double PenalisedSystem::log_determinant() const {

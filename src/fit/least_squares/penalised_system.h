@@ -19,6 +19,9 @@ public:
     // Without a penalty P is 0.
     PenalisedSystem(const NormalEquations &equations, const StencilMatrix *penalty);
 
+    // Another matrix G of the same pattern, instead of that of the equations.
+    void set_matrix(const StencilMatrix &matrix);
+
     // Returns -1, or an unknown that is not determined.
     [[nodiscard]] int64_t try_factorise(double lambda);
     // The same, also where rounding of the sums may be all that determines it.
@@ -41,6 +44,8 @@ public:
     // Of the factors: the trace of (G + lambda P)^(-1) G, and log det (G + lambda P).
     [[nodiscard]] double freedom() const;
     [[nodiscard]] double log_determinant() const;
+    // The trace of (G + lambda P)^(-1) times another matrix of the same pattern.
+    [[nodiscard]] double trace_with(const StencilMatrix &matrix) const;
     // The elements of the inverse for overlapping functions, by place_of() their unknowns.
     [[nodiscard]] SelectedInverse inverse() const;
     [[nodiscard]] int64_t place_of(int64_t unknown) const noexcept {

@@ -78,7 +78,8 @@ private:
 
 class PenaltyAssembly {
 public:
-    PenaltyAssembly(const std::vector<KnotVectorPtr> &axes, int order) : axes_(axes), made_(axes) {
+    PenaltyAssembly(const std::vector<KnotVectorPtr> &axes, int order, const Index &least_reach)
+        : axes_(axes), made_(axes, least_reach) {
         for (const KnotVectorPtr &axis : axes) {
             bends_.emplace_back(*axis, order);
             if (axes.size() > 1) {
@@ -139,8 +140,8 @@ private:
 
 } // namespace
 
-StencilMatrix penalty(const std::vector<KnotVectorPtr> &axes, int order) {
-    return PenaltyAssembly(axes, order).form();
+StencilMatrix penalty(const std::vector<KnotVectorPtr> &axes, int order, const Index &least_reach) {
+    return PenaltyAssembly(axes, order, least_reach).form();
 }
 
 } // namespace nrb::fit

@@ -10,6 +10,6 @@ namespace nrb::fit {
 // of its domain, so that it does not depend on how the domain is scaled. An axis of a lower degree contributes nothing. Its
 // elements are within 2^-95 of sums of magnitudes, so that polynomials of degree order - 1 still pay nothing beside data
 // when the form is multiplied by 2^40.
-StencilMatrix penalty(const std::vector<KnotVectorPtr> &axes, int order);
+StencilMatrix penalty(const std::vector<KnotVectorPtr> &axes, int order, const Index &least_reach = {});
 
 } // namespace nrb::fit

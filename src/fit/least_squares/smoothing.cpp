@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace nrb::fit {
 
@@ -14,11 +15,22 @@ namespace {
 
 constexpr double lowest = -10; // exponent of the smallest lambda
 
+// How many unknowns no penalty determines: on each axis those of the polynomials below its order, of a periodic one constants.
+double free_unknowns(const std::vector<KnotVectorPtr> &axes, int order) noexcept {
+    double free = 1;
+    for (const KnotVectorPtr &axis : axes) {
+        free *= order > axis->degree() ? static_cast<double>(axis->distinct_layers())
+                : axis->periodic()     ? 1
+                                       : order;
+    }
+    return free;
+}
+
 } // namespace
 
-LambdaSearch::LambdaSearch(const NormalEquations &equations, const StencilMatrix &penalty,
-                           PenalisedSystem &system, double free_unknowns)
-    : equations_(equations), system_(system), free_unknowns_(free_unknowns),
+LambdaSearch::LambdaSearch(const NormalEquations &equations, const StencilMatrix &penalty, int penalty_order,
+                           PenalisedSystem &system)
+    : equations_(equations), system_(system), free_unknowns_(free_unknowns(equations.axes, penalty_order)),
       scale_(equations.matrix.trace().high / penalty.trace().high), widest_(6) {
     // The smoothest functions that pay anything pay about 1, the others up to the trace.
     const double unknowns = static_cast<double>(equations.matrix.size());
@@ -44,14 +56,13 @@ double LambdaSearch::squares_at(double exponent) {
     return system_.remaining_squares(system_.estimate());
 }
 
-double LambdaSearch::criterion(Smoothing rule, double exponent) {
-    const double n = static_cast<double>(equations_.data_count);
-    if (rule == Smoothing::gcv) {
-        const double squares = squares_at(exponent), left = n - system_.freedom();
-        return left > 0 ? squares / (left * left) : std::numeric_limits<double>::infinity();
-    }
-    system_.factorise(lambda_of(exponent));
-    const PenalisedSystem::Numbers x = system_.estimate();
+double LambdaSearch::gcv(double squares) const {
+    const double n = static_cast<double>(equations_.data_count), left = n - system_.freedom();
+    return left > 0 ? n * squares / (left * left) : std::numeric_limits<double>::infinity();
+}
+
+double LambdaSearch::reml(const PenalisedSystem::Numbers &x, double lambda, double log_squares,
+                          double log_weights) const {
     DoubleDouble paid; // with what is paid for derivatives: s - x r
     for (const DoubleDouble &square : equations_.squares) {
         paid = paid + square;
@@ -60,9 +71,27 @@ double LambdaSearch::criterion(Smoothing rule, double exponent) {
     for (size_t i = 0; i < x.size(); ++i) {
         paid = paid - x[i] * equations_.right[i];
     }
-    const double unknowns = static_cast<double>(equations_.matrix.size());
-    return (n - free_unknowns_) * std::log(std::max(paid.high, all * 0x1p-100)) + system_.log_determinant() -
-           (unknowns - free_unknowns_) * std::log(lambda_of(exponent));
+    const double n = static_cast<double>(equations_.data_count),
+                 unknowns = static_cast<double>(equations_.matrix.size());
+    return (n - free_unknowns_) * (std::log(std::max(paid.high, all * 0x1p-100)) + log_squares) +
+           system_.log_determinant() + unknowns * log_weights -
+           (unknowns - free_unknowns_) * (std::log(lambda) + log_weights);
+}
+
+double LambdaSearch::criterion(Smoothing rule, double exponent) {
+    if (rule == Smoothing::gcv) {
+        return gcv(squares_at(exponent));
+    }
+    system_.factorise(lambda_of(exponent));
+    return reml(system_.estimate(), lambda_of(exponent));
+}
+
+Criteria LambdaSearch::criteria(double lambda, int weight_exponent, int square_exponent) {
+    const Smoothed found = at(lambda);
+    const double factor = std::ldexp(1.0, weight_exponent + square_exponent);
+    return {factor * found.squares, found.freedom, factor * gcv(found.squares),
+            reml(found.x, lambda, (weight_exponent + square_exponent) * std::numbers::ln2,
+                 weight_exponent * std::numbers::ln2)};
 }
 
 // The best of a coarse grid, then golden sections beside it.

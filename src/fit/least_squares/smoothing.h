@@ -18,6 +18,11 @@ struct Smoothed {
     double residual = 0;         // of the equations, relative to their right sides
     double freedom = 0;          // trace of the influence matrix
     bool reached = true;         // the target, of Smoothing::discrepancy
+    int decided_by = -1;         // order of the penalty that decided what the data do not, -1: none had to
+};
+
+struct Criteria {
+    double squares, freedom, gcv, reml;
 };
 
 // With n data of the dimension dim, residual squares R, freedom t, N unknowns and M of them without a penalty, lambda is
@@ -30,16 +35,21 @@ struct Smoothed {
 // bounded number of solutions, and nothing depends on the scale of data, parameters or weights.
 class LambdaSearch {
 public:
-    // `free_unknowns`: M.
-    LambdaSearch(const NormalEquations &equations, const StencilMatrix &penalty, PenalisedSystem &system,
-                 double free_unknowns);
+    LambdaSearch(const NormalEquations &equations, const StencilMatrix &penalty, int penalty_order,
+                 PenalisedSystem &system);
 
     [[nodiscard]] Smoothed choose(Smoothing rule, double value);
     [[nodiscard]] Smoothed at(double lambda);
+    // What is compared, in units in which weights and squares of values are multiplied by powers of two.
+    [[nodiscard]] Criteria criteria(double lambda, int weight_exponent, int square_exponent);
 
 private:
     [[nodiscard]] double squares_at(double exponent);
     [[nodiscard]] double criterion(Smoothing rule, double exponent);
+    [[nodiscard]] double gcv(double squares) const;
+    // With a factor of the squares of values, and one of the weights, as logarithms.
+    [[nodiscard]] double reml(const PenalisedSystem::Numbers &x, double lambda, double log_squares = 0,
+                              double log_weights = 0) const;
     [[nodiscard]] double lambda_of(double exponent) const noexcept;
     [[nodiscard]] Smoothed smallest(Smoothing rule);
     [[nodiscard]] Smoothed within(double target);

@@ -9,11 +9,12 @@
 
 namespace nrb::fit {
 
-StencilMatrix::StencilMatrix(const std::vector<KnotVectorPtr> &axes) : axes_(static_cast<int>(axes.size())) {
+StencilMatrix::StencilMatrix(const std::vector<KnotVectorPtr> &axes, const Index &least_reach)
+    : axes_(static_cast<int>(axes.size())) {
     int64_t all = 1;
     for (size_t k = 0; k < axes.size(); ++k) {
         counts_[k] = axes[k]->distinct_layers();
-        reach_[k] = axes[k]->degree();
+        reach_[k] = std::max<int64_t>(axes[k]->degree(), least_reach[k]);
         periodic_[k] = axes[k]->periodic();
         all *= 2 * reach_[k] + 1;
     }
@@ -36,6 +37,12 @@ void StencilMatrix::add(const Index &first, const Index &second, const DoubleDou
     }
     DoubleDouble &element = values_[static_cast<size_t>(unknown(first) * offsets_ + place)];
     element = element + value;
+}
+
+void StencilMatrix::add_multiple(double factor, const StencilMatrix &other) noexcept {
+    for (size_t i = 0; i < values_.size(); ++i) {
+        values_[i] = values_[i] + DoubleDouble(factor) * other.values_[i];
+    }
 }
 
 DoubleDouble StencilMatrix::trace() const noexcept {

@@ -31,7 +31,8 @@ void for_each_index(const Index &first, const Index &counts, Visit &&visit) {
 // two functions and the offset to the second one, counted in layers before these are wrapped; half of the offsets will do.
 class StencilMatrix {
 public:
-    explicit StencilMatrix(const std::vector<KnotVectorPtr> &axes);
+    // An element for each pair of layers that are not farther apart than the degree, or than `least_reach`.
+    explicit StencilMatrix(const std::vector<KnotVectorPtr> &axes, const Index &least_reach = {});
 
     [[nodiscard]] int axes() const noexcept { return axes_; }
     [[nodiscard]] int64_t size() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] int64_t unknown(const Index &layer) const noexcept;
     // Adds to the element of two control points, and to its mirror image; `second` is not before `first`.
     void add(const Index &first, const Index &second, const DoubleDouble &value) noexcept;
+    // factor times a matrix of the same pattern.
+    void add_multiple(double factor, const StencilMatrix &other) noexcept;
     [[nodiscard]] DoubleDouble trace() const noexcept;
 
     // In which order to eliminate the unknowns.

@@ -403,6 +403,18 @@ void data(const Inputs &in) {
         show("out", found.spline);
     }
     {
+        begin("fit_errors");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = in.statistics.errors(ramp, 1, 0.5, 1.0, {0.0, 0.25, 1.0}, 0u);
+        show("errors", found);
+    }
+    {
+        begin("fit_criteria");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = in.statistics.criteria(ramp, 1, {0.5, 2.0});
+        show("values", found);
+    }
+    {
         begin("fit_points");
         n::Data data;
         data.n = 6;
@@ -487,6 +499,18 @@ void data(const Inputs &in) {
         options.lambda = 0.5;
         const auto found = in.statistics.fit({2}, {4}, {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0}, options, 0u, watched());
         show("out", found.spline);
+    }
+    {
+        begin("fit_errors_with");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = in.statistics.errors(ramp, 1, 0.5, 1.0, {0.0, 0.25, 1.0}, 0u, watched());
+        show("errors", found);
+    }
+    {
+        begin("fit_criteria_with");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = in.statistics.criteria(ramp, 1, {0.5, 2.0}, watched());
+        show("values", found);
     }
     {
         begin("fit_points_with");

@@ -618,6 +618,26 @@ contains
                 out=out_found, options=options_given, report=report_found, flags=0)
             call show('out', out_found)
         end block
+        call begin('fit_errors')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: errors_found(:)
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            allocate (errors_found(3))
+            call statistics%fit_errors(g=ramp, penalty_order=1, lambda=0.5d0, sigma=1.0d0, &
+                params=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]), errors=errors_found, flags=0)
+            call show('errors', errors_found)
+        end block
+        call begin('fit_criteria')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: values_found(:, :)
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            allocate (values_found(2, 4))
+            call statistics%fit_criteria(g=ramp, penalty_order=1, lambdas=[0.5d0, 2.0d0], values=values_found)
+            call show('values', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
+                1])))
+        end block
         call begin('fit_points')
         block
             type(nurbs_data) :: data_given
@@ -728,6 +748,30 @@ contains
             call statistics%fit(degrees=[2], counts=[4], knots=[0.0d0, 0.0d0, 0.0d0, 0.5d0, 1.0d0, 1.0d0, 1.0d0], &
                 out=out_found, options=options_given, report=report_found, flags=0, call=watching)
             call show('out', out_found)
+        end block
+        call begin('fit_errors_with')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: errors_found(:)
+            type(nurbs_call) :: watching
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            allocate (errors_found(3))
+            call statistics%fit_errors(g=ramp, penalty_order=1, lambda=0.5d0, sigma=1.0d0, &
+                params=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]), errors=errors_found, flags=0, &
+                call=watching)
+            call show('errors', errors_found)
+        end block
+        call begin('fit_criteria_with')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: values_found(:, :)
+            type(nurbs_call) :: watching
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            allocate (values_found(2, 4))
+            call statistics%fit_criteria(g=ramp, penalty_order=1, lambdas=[0.5d0, 2.0d0], values=values_found, &
+                call=watching)
+            call show('values', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
+                1])))
         end block
         call begin('fit_points_with')
         block

@@ -705,6 +705,20 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found.spline);
     }
+    begin("fit_errors");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = given
+            .statistics
+            .errors(&ramp, 1, 0.5, 1.0, &[0.0, 0.25, 1.0], 0)?;
+        show("errors", &found);
+    }
+    begin("fit_criteria");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = given.statistics.criteria(&ramp, 1, &[0.5, 2.0])?;
+        show("values", &found);
+    }
     begin("fit_points");
     {
         let found = nurbs::fit_points(
@@ -797,6 +811,31 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found.spline);
+    }
+    begin("fit_errors_with");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = given.statistics.errors_with(
+            &ramp,
+            1,
+            0.5,
+            1.0,
+            &[0.0, 0.25, 1.0],
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("errors", &found);
+    }
+    begin("fit_criteria_with");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = given.statistics.criteria_with(
+            &ramp,
+            1,
+            &[0.5, 2.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("values", &found);
     }
     begin("fit_points_with");
     {

@@ -224,6 +224,8 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_enclosed_volume, lib.nurbs_enclosed_volume_with),
         (lib.nurbs_curve_features, lib.nurbs_curve_features_with),
         (lib.nurbs_fold_test, lib.nurbs_fold_test_with),
+        (lib.nurbs_fit_errors, lib.nurbs_fit_errors_with),
+        (lib.nurbs_fit_criteria, lib.nurbs_fit_criteria_with),
     ]),
     (_before_out, [
         (lib.nurbs_product, lib.nurbs_product_with),

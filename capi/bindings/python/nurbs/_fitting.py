@@ -17,8 +17,8 @@ from ._calls import watched
 from ._library import call, get, int32, lib, uint32
 from ._net import concatenated
 from ._spline import Spline
-from .constants import (NURBS_SMOOTHING_DISCREPANCY, NURBS_SMOOTHING_GCV, NURBS_SMOOTHING_LAMBDA, NURBS_SMOOTHING_NONE,
-                        NURBS_SMOOTHING_REML)
+from .constants import (NURBS_ROBUST_HUBER, NURBS_ROBUST_NONE, NURBS_ROBUST_TUKEY, NURBS_SMOOTHING_DISCREPANCY, NURBS_SMOOTHING_GCV, NURBS_SMOOTHING_LAMBDA, NURBS_SMOOTHING_NONE, NURBS_SMOOTHING_REML,
+                        NURBS_TREND_CONCAVE, NURBS_TREND_CONVEX, NURBS_TREND_FALLING, NURBS_TREND_RISING)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -28,18 +28,23 @@ if TYPE_CHECKING:
 
     #: Parameters, orders of derivatives or None for 0, and targets.
     Conditions = Tuple[ArrayLike, Optional[ArrayLike], ArrayLike]
+    #: Words with spaces between them, or sums of NURBS_TREND_ constants.
+    Shape = Union[str, ArrayLike, None]
 
 __all__ = ["FitReport", "Fitted", "Statistics", "fit_points", "fit_tolerance"]
 
 _SMOOTHINGS = {"none": NURBS_SMOOTHING_NONE, "lambda": NURBS_SMOOTHING_LAMBDA, "gcv": NURBS_SMOOTHING_GCV,
                "reml": NURBS_SMOOTHING_REML, "discrepancy": NURBS_SMOOTHING_DISCREPANCY}
+_ROBUST = {"none": NURBS_ROBUST_NONE, "huber": NURBS_ROBUST_HUBER, "tukey": NURBS_ROBUST_TUKEY}
+_TRENDS = {"rising": NURBS_TREND_RISING, "falling": NURBS_TREND_FALLING, "convex": NURBS_TREND_CONVEX,
+           "concave": NURBS_TREND_CONCAVE}
 
 
 class FitReport(NamedTuple):
     """The number of data that count and the sum of their weights, sum_i w_i |y_i - s(t_i)|^2 and the root of its mean,
     the factor lambda of the penalty, the number of parameters that count, the standard deviation of a coordinate of
     weight 1, the residual of the normal equations, the largest |y_i - s(t_i)| and where it is (NaN and -1 of
-    statistics), and a sum of NURBS_FIT_ bits."""
+    statistics), a sum of NURBS_FIT_ bits, and of a robust fit the number of rounds and of outliers."""
 
     data_count: int
     weight: float
@@ -52,6 +57,8 @@ class FitReport(NamedTuple):
     largest: float
     largest_index: int
     bits: int
+    rounds: int
+    outliers: int
 
 
 class Fitted(NamedTuple):
@@ -76,7 +83,9 @@ class _Options(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_int64), ("smoothing", ctypes.c_int32), ("penalty_order", ctypes.c_int32),
                 ("lam", ctypes.c_double), ("target", ctypes.c_double), ("regularize", ctypes.c_int32),
                 ("reserved", ctypes.c_int32), ("conditions", ctypes.c_int64), ("condition_params", ctypes.c_void_p),
-                ("condition_orders", ctypes.c_void_p), ("condition_targets", ctypes.c_void_p)]
+                ("condition_orders", ctypes.c_void_p), ("condition_targets", ctypes.c_void_p),
+                ("robust", ctypes.c_int32), ("reserved2", ctypes.c_int32), ("robust_width", ctypes.c_double),
+                ("shapes", ctypes.c_void_p), ("lower", ctypes.c_void_p), ("upper", ctypes.c_void_p)]
 
 
 class _Report(ctypes.Structure):
@@ -84,7 +93,7 @@ class _Report(ctypes.Structure):
                 ("squares", ctypes.c_double), ("rms", ctypes.c_double), ("lam", ctypes.c_double),
                 ("freedom", ctypes.c_double), ("sigma", ctypes.c_double), ("residual", ctypes.c_double),
                 ("largest", ctypes.c_double), ("largest_index", ctypes.c_int64), ("bits", ctypes.c_int32),
-                ("reserved", ctypes.c_int32)]
+                ("rounds", ctypes.c_int32), ("outliers", ctypes.c_int64)]
 
 
 def _width(array: NDArray[Any]) -> int:
@@ -114,17 +123,39 @@ def _data(params: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike], fl
     return data
 
 
+def _constant(given: Union[int, str], names: Dict[str, int], what: str) -> int:
+    """A constant that may be named."""
+    if isinstance(given, str):
+        if given not in names:
+            raise ValueError(f"{what} = {given!r}, expected one of {', '.join(names)}")
+        return names[given]
+    return int32(given)
+
+
+def _trends(shape: Shape, axes: int, dim: int) -> Optional[NDArray[Any]]:
+    """Sums of constants for each coordinate along each axis."""
+    if shape is None:
+        return None
+    if isinstance(shape, str):
+        shape = sum({_constant(word, _TRENDS, "shape") for word in shape.split()})
+    return packed(numpy.broadcast_to(numpy.asarray(shape, numpy.int32), (axes, dim)), numpy.int32)
+
+
+def _bounds(bounds: Optional[ArrayLike], dim: int) -> Optional[NDArray[Any]]:
+    """One for each coordinate."""
+    return None if bounds is None else packed(numpy.broadcast_to(numpy.asarray(bounds, numpy.float64), (dim,)))
+
+
 def _options(axes: int, dim: int, smoothing: Union[int, str], penalty_order: int, lam: float, target: float,
-             regularize: bool, conditions: Optional[Conditions]) -> Any:
+             regularize: bool, conditions: Optional[Conditions], shape: Shape, lower: Optional[ArrayLike],
+             upper: Optional[ArrayLike]) -> Any:
     """Options as the library takes them, with the arrays that they are in."""
-    if isinstance(smoothing, str):
-        if smoothing not in _SMOOTHINGS:
-            raise ValueError(f"smoothing = {smoothing!r}, expected one of {', '.join(_SMOOTHINGS)}")
-        smoothing = _SMOOTHINGS[smoothing]
     options = _Options()
     call(lib.nurbs_fit_options_init, ctypes.byref(options), ctypes.sizeof(options))
-    options.smoothing, options.penalty_order = int32(smoothing), int32(penalty_order)
+    options.smoothing, options.penalty_order = _constant(smoothing, _SMOOTHINGS, "smoothing"), int32(penalty_order)
     options.lam, options.target, options.regularize = lam, target, bool(regularize)
+    kept = [_trends(shape, axes, dim), _bounds(lower, dim), _bounds(upper, dim)]
+    options.shapes, options.lower, options.upper = map(address, kept)
     if conditions is not None:
         params, orders, targets = conditions
         at = records(packed(params), axes)
@@ -132,7 +163,8 @@ def _options(axes: int, dim: int, smoothing: Union[int, str], penalty_order: int
         goals = exactly(targets, at.n * dim, "targets of conditions")
         options.conditions, options.condition_params = at.n, at.layout[0]
         options.condition_orders, options.condition_targets = address(given), goals.ctypes.data
-        options.arrays = at, given, goals  # kept alive
+        options.conditions_arrays = at, given, goals  # kept alive
+    options.arrays = kept
     return options
 
 
@@ -332,6 +364,7 @@ class Statistics:
     def fit(self, degrees: Union[int, Sequence[int]], knots: ByAxis, flags: int = 0, *,
             smoothing: Union[int, str] = "none", penalty_order: int = 2, lam: float = 0.0,
             target: float = 0.0, regularize: bool = False, conditions: Optional[Conditions] = None,
+            shape: Shape = None, lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
             progress: Progress = None, work: Optional[int] = None) -> Fitted:
         """The spline over full knot vectors, a vector or one for each axis, that is closest to the data: least
         sum_i w_i |y_i - s(t_i)|^2 + lam sum_k int (d^m s / dx_k^m)^2 dx. Knots in the domain are breaks, its ends the
@@ -341,18 +374,45 @@ class Statistics:
         largest sum of squares, allows), or a NURBS_SMOOTHING_ constant; penalty_order is m, and x_k goes from 0 to 1.
         regularize takes of several fits that of the smallest penalty, instead of refusing them. conditions, which have
         to hold, are parameters (n,) of a curve, else (n, axes), orders of derivatives of their shape, or None for 0,
-        and targets (n, dim); one alone may leave n out. Raises ArgumentError if the data do not determine the result.
+        and targets (n, dim); one alone may leave n out. shape has "rising", "falling", "convex" and "concave", with
+        spaces between them, or sums of NURBS_TREND_ constants (axes, dim), or one for all: what coordinates do along
+        axes; lower and upper, numbers or (dim,), bound them. Raises ArgumentError if the data do not determine the
+        result.
         """
         space = _Space(degrees, knots, self.axes)
-        options = _options(self.axes, self.dim, smoothing, penalty_order, lam, target, regularize, conditions)
+        options = _options(self.axes, self.dim, smoothing, penalty_order, lam, target, regularize, conditions,
+                           shape, lower, upper)
         return _fitted(watched(lib.nurbs_fit, progress, work), self._handle, *space.layout, flags,
                        ctypes.byref(options))
+
+    def errors(self, fitted: Fitted, params: ArrayLike, penalty_order: int = 2, flags: int = 0, *,
+               progress: Progress = None, work: Optional[int] = None) -> NDArray[numpy.float64]:
+        """Pointwise standard errors (n,) of a fit of these data at parameters (n,) of a curve, else (n, axes): 1.96 of
+        them on both sides of each coordinate cover the true function at 95 % of all places. Conditions and shapes are
+        not regarded. `flags` are evaluation flags."""
+        at = records(params, self.axes)
+        errors = numpy.empty(at.n)
+        call(watched(lib.nurbs_fit_errors, progress, work), self._handle, fitted.spline._handle,
+             penalty_order, fitted.report.lam, fitted.report.sigma, at.n, *at.layout, flags, errors.ctypes.data)
+        return errors
+
+    def criteria(self, spline: Spline, lams: ArrayLike, penalty_order: int = 2, *, progress: Progress = None,
+                 work: Optional[int] = None) -> NDArray[numpy.float64]:
+        """What factors (n,) of the penalty lead to, over the knots of a spline: an array (n, 4) of the squares that are
+        left, the number of parameters that count, and what "gcv" and "reml" make as small as they can."""
+        given = vector(lams)
+        values = numpy.empty((given.size, 4))
+        call(watched(lib.nurbs_fit_criteria, progress, work), self._handle, spline._handle, penalty_order, given.size,
+             given.ctypes.data, values.ctypes.data)
+        return values
 
 
 def fit_points(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequence[int]], knots: ByAxis,
                weights: Optional[ArrayLike] = None, flags: int = 0, *, data_flags: int = 0,
                smoothing: Union[int, str] = "none", penalty_order: int = 2, lam: float = 0.0,
                target: float = 0.0, regularize: bool = False, conditions: Optional[Conditions] = None,
+               shape: Shape = None, lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
+               robust: Union[int, str] = "none", robust_width: float = 0.0,
                progress: Progress = None, work: Optional[int] = None) -> Fitted:
     """The spline over full knot vectors that is closest to values (n,) or (n, dim) at parameters (n,) or (n, axes),
     with weights (n,), by default 1.
@@ -360,10 +420,14 @@ def fit_points(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequenc
         spline, report = nurbs.fit_points(t, y, 3, nurbs.knots_open_uniform(3, 20), smoothing="gcv")
 
     `flags` are NURBS_PERIODIC by axis, `data_flags` evaluation flags for the parameters as Statistics.add() takes them;
-    the other arguments are those of Statistics.fit(), but knots need not be breaks of anything."""
+    the other arguments are those of Statistics.fit(), but knots need not be breaks of anything. robust is "none",
+    "huber" or "tukey", or a NURBS_ROBUST_ constant: what outliers are worth, which begin at `robust_width` standard
+    deviations, 0 for the usual ones."""
     data = _data(params, values, weights, data_flags)
     space = _Space(degrees, knots, data.axes)
-    options = _options(data.axes, data.dim, smoothing, penalty_order, lam, target, regularize, conditions)
+    options = _options(data.axes, data.dim, smoothing, penalty_order, lam, target, regularize, conditions,
+                       shape, lower, upper)
+    options.robust, options.robust_width = _constant(robust, _ROBUST, "robust"), robust_width
     return _fitted(watched(lib.nurbs_fit_points, progress, work), ctypes.byref(data), *space.layout, flags,
                    ctypes.byref(options))
 
@@ -372,7 +436,8 @@ def fit_tolerance(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequ
                   domain: Optional[ArrayLike] = None, max_count: int = 0, weights: Optional[ArrayLike] = None,
                   flags: int = 0, *, data_flags: int = 0, smoothing: Union[int, str] = "none",
                   penalty_order: int = 2, lam: float = 0.0, target: float = 0.0,
-                  conditions: Optional[Conditions] = None, progress: Progress = None,
+                  conditions: Optional[Conditions] = None, shape: Shape = None, lower: Optional[ArrayLike] = None,
+                  upper: Optional[ArrayLike] = None, progress: Progress = None,
                   work: Optional[int] = None) -> Fitted:
     """A spline with few control points, over knots where they are needed, that no value (n,) or (n, dim) at parameters
     (n,) or (n, axes) is farther from than a tolerance. If that takes more than max_count control points, 0 for as many
@@ -382,6 +447,7 @@ def fit_tolerance(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequ
     fit_points()."""
     data = _data(params, values, weights, data_flags)
     p, ends = _degrees(degrees, data.axes), if_given(domain, 2 * data.axes, "a domain")
-    options = _options(data.axes, data.dim, smoothing, penalty_order, lam, target, False, conditions)
+    options = _options(data.axes, data.dim, smoothing, penalty_order, lam, target, False, conditions,
+                       shape, lower, upper)
     return _fitted(watched(lib.nurbs_fit_tolerance, progress, work), ctypes.byref(data), p.ctypes.data, address(ends),
                    tolerance, max_count, flags, ctypes.byref(options))

@@ -150,8 +150,20 @@ NURBS_SMOOTHING_GCV = 2  # by generalised cross validation (Craven & Wahba 1979)
 NURBS_SMOOTHING_REML = 3  # by restricted maximum likelihood (Wood 2011)
 NURBS_SMOOTHING_DISCREPANCY = 4  # as smooth as a sum of squares allows (Reinsch 1967)
 
+# --- What outliers are worth, for nurbs_fit_options
+NURBS_ROBUST_NONE = 0  # as much as all data
+NURBS_ROBUST_HUBER = 1  # min(1, 1 / x) of their weight (Huber 1964)
+NURBS_ROBUST_TUKEY = 2  # (1 - x^2)^2 of it for x < 1, nothing beyond (Beaton & Tukey 1974)
+
+# --- Shapes along an axis, for nurbs_fit_options; they can be added
+NURBS_TREND_RISING = 0x01  # the first derivative is >= 0
+NURBS_TREND_FALLING = 0x02  # the first derivative is <= 0
+NURBS_TREND_CONVEX = 0x04  # the first derivative does not fall
+NURBS_TREND_CONCAVE = 0x08  # the first derivative does not rise
+
 # --- What nurbs_fit_report tells besides
 NURBS_FIT_TARGET_MISSED = 0x01  # no smoothing leaves as little as the target asks for
+NURBS_FIT_NOT_CONVERGED = 0x02  # the rounds of a robust fit still changed it at their end
 
 # --- Rules for tangents, for nurbs_tangents()
 NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours

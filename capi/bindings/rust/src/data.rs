@@ -57,14 +57,28 @@ impl<'a> Data<'a> {
     pub(crate) fn axes(&self) -> Result<i32> {
         Ok(self.raw.axes)
     }
+    /// Numbers of axes and of coordinates.
+    pub(crate) fn shape(&self) -> (usize, usize) {
+        (self.raw.axes.max(0) as usize, self.raw.dim.max(0) as usize)
+    }
 }
 
-/// What a fit is to be besides close to the data; `FitOptions::new()` has the defaults.
+/// What a fit is to be besides close to the data; `FitOptions::new()` has the defaults. Arrays that are too short for the
+/// data are refused as -1 conditions.
 #[derive(Clone, Copy, Debug)]
 pub struct FitOptions<'a> {
     raw: sys::nurbs_fit_options,
+    wrong: sys::nurbs_fit_options,
+    lengths: [usize; 6],
     arrays: PhantomData<&'a [f64]>,
 }
+
+const PARAMS: usize = 0;
+const ORDERS: usize = 1;
+const TARGETS: usize = 2;
+const SHAPES: usize = 3;
+const LOWER: usize = 4;
+const UPPER: usize = 5;
 
 impl<'a> FitOptions<'a> {
     /// The defaults.
@@ -72,7 +86,8 @@ impl<'a> FitOptions<'a> {
         let size = std::mem::size_of::<sys::nurbs_fit_options>() as i64;
         let mut raw: sys::nurbs_fit_options = unsafe { std::mem::zeroed() };
         check(unsafe { sys::nurbs_fit_options_init(&mut raw, size) })?;
-        Ok(FitOptions { raw, arrays: PhantomData })
+        let wrong = sys::nurbs_fit_options { conditions: -1, ..raw };
+        Ok(FitOptions { raw, wrong, lengths: [0; 6], arrays: PhantomData })
     }
     /// How smooth, with a NURBS_SMOOTHING_ constant and, for those that need one, lambda or the target.
     pub fn smoothing(mut self, rule: i32, value: f64) -> FitOptions<'a> {
@@ -91,6 +106,30 @@ impl<'a> FitOptions<'a> {
         self.raw.regularize = 1;
         self
     }
+    /// What outliers are worth, with a NURBS_ROBUST_ constant, and where they begin, in standard deviations; 0: as usual.
+    pub fn robust(mut self, rule: i32, width: f64) -> FitOptions<'a> {
+        self.raw.robust = rule;
+        self.raw.robust_width = width;
+        self
+    }
+    /// Sums of NURBS_TREND_ constants, `[axes][dim]`.
+    pub fn shapes(mut self, shapes: &'a [i32]) -> FitOptions<'a> {
+        self.raw.shapes = shapes.as_ptr();
+        self.lengths[SHAPES] = shapes.len();
+        self
+    }
+    /// Lower bounds, `[dim]`.
+    pub fn lower(mut self, bounds: &'a [f64]) -> FitOptions<'a> {
+        self.raw.lower = bounds.as_ptr();
+        self.lengths[LOWER] = bounds.len();
+        self
+    }
+    /// Upper bounds, `[dim]`.
+    pub fn upper(mut self, bounds: &'a [f64]) -> FitOptions<'a> {
+        self.raw.upper = bounds.as_ptr();
+        self.lengths[UPPER] = bounds.len();
+        self
+    }
     /// Equations that have to hold: derivative `orders[i]` (empty: 0) at `params[i]` is `targets[i]`, packed.
     pub fn conditions(
         mut self,
@@ -103,17 +142,30 @@ impl<'a> FitOptions<'a> {
         self.raw.condition_params = params.as_ptr();
         self.raw.condition_orders = if orders.is_empty() { std::ptr::null() } else { orders.as_ptr() };
         self.raw.condition_targets = targets.as_ptr();
-        let right = params.len() % axes.max(1) == 0 && (orders.is_empty() || orders.len() == params.len());
-        if !right || self.raw.conditions as usize > targets.len() {
-            self.raw.conditions = -1; // which the library refuses
-        }
+        self.lengths[PARAMS] = params.len();
+        self.lengths[ORDERS] = orders.len();
+        self.lengths[TARGETS] = targets.len();
         self
+    }
+    /// Whether all arrays are as long as numbers of axes and coordinates ask for.
+    fn suits(&self, axes: usize, dim: usize) -> bool {
+        let count = self.raw.conditions.max(0) as usize;
+        let given = |pointer: bool, array: usize, length: usize| !pointer || self.lengths[array] == length;
+        given(count > 0 || self.lengths[PARAMS] > 0, PARAMS, count * axes)
+            && given(!self.raw.condition_orders.is_null(), ORDERS, count * axes)
+            && given(count > 0, TARGETS, count * dim)
+            && given(!self.raw.shapes.is_null(), SHAPES, axes * dim)
+            && given(!self.raw.lower.is_null(), LOWER, dim)
+            && given(!self.raw.upper.is_null(), UPPER, dim)
     }
 }
 
 /// NULL without settings.
-pub(crate) fn fit_options_pointer(options: Option<&FitOptions>) -> *const sys::nurbs_fit_options {
-    options.map_or(std::ptr::null(), |o| &o.raw)
+pub(crate) fn fit_options_pointer(
+    options: Option<&FitOptions>,
+    shape: (usize, usize),
+) -> *const sys::nurbs_fit_options {
+    options.map_or(std::ptr::null(), |o| if o.suits(shape.0, shape.1) { &o.raw } else { &o.wrong })
 }
 
 /// What a fit tells: the fields of `nurbs_fit_report`.

@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Splines closest to data, and statistics of data.
 
-use crate::arrays::{counts_of, exactly, if_given};
+use crate::arrays::{counts_of, exactly, if_given, Records};
 use crate::call::Call;
 use crate::data::{fit_options_pointer, Data, FitOptions, FitReport};
 use crate::error::{check, Result};
@@ -57,7 +57,7 @@ pub fn fit_points(
             knots.as_ptr(),
             knots.len() as i64,
             flags,
-            fit_options_pointer(options),
+            fit_options_pointer(options, data.shape()),
             report.raw_mut(),
             out,
         )
@@ -86,7 +86,7 @@ pub fn fit_points_with(
             knots.as_ptr(),
             knots.len() as i64,
             flags,
-            fit_options_pointer(options),
+            fit_options_pointer(options, data.shape()),
             report.raw_mut(),
             call.options(),
             out,
@@ -116,7 +116,7 @@ pub fn fit_tolerance(
             tolerance,
             max_count as i64,
             flags,
-            fit_options_pointer(options),
+            fit_options_pointer(options, data.shape()),
             report.raw_mut(),
             out,
         )
@@ -146,7 +146,7 @@ pub fn fit_tolerance_with(
             tolerance,
             max_count as i64,
             flags,
-            fit_options_pointer(options),
+            fit_options_pointer(options, data.shape()),
             report.raw_mut(),
             call.options(),
             out,
@@ -246,7 +246,7 @@ impl Statistics {
                 knots.as_ptr(),
                 knots.len() as i64,
                 flags,
-                fit_options_pointer(options),
+                fit_options_pointer(options, self.shape()),
                 report.raw_mut(),
                 out,
             )
@@ -276,12 +276,117 @@ impl Statistics {
                 knots.as_ptr(),
                 knots.len() as i64,
                 flags,
-                fit_options_pointer(options),
+                fit_options_pointer(options, self.shape()),
                 report.raw_mut(),
                 call.options(),
                 out,
             )
         })?;
         Ok(Fitted { spline, report })
+    }
+
+    /// Pointwise standard errors of a fit over the knots of g.
+    pub fn errors<'a>(
+        &self,
+        g: &Spline,
+        penalty_order: i32,
+        lambda: f64,
+        sigma: f64,
+        params: impl Into<Records<'a>>,
+        flags: u32,
+    ) -> Result<Vec<f64>> {
+        let params = params.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut errors = vec![0.0; n];
+        check(unsafe {
+            sys::nurbs_fit_errors(
+                self.raw(),
+                g.raw(),
+                penalty_order,
+                lambda,
+                sigma,
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                flags,
+                errors.as_mut_ptr(),
+            )
+        })?;
+        Ok(errors)
+    }
+
+    /// The same as `errors`; it can be watched and stopped.
+    pub fn errors_with<'a>(
+        &self,
+        g: &Spline,
+        penalty_order: i32,
+        lambda: f64,
+        sigma: f64,
+        params: impl Into<Records<'a>>,
+        flags: u32,
+        call: &mut Call,
+    ) -> Result<Vec<f64>> {
+        let params = params.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        let mut errors = vec![0.0; n];
+        check(unsafe {
+            sys::nurbs_fit_errors_with(
+                self.raw(),
+                g.raw(),
+                penalty_order,
+                lambda,
+                sigma,
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                flags,
+                errors.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(errors)
+    }
+
+    /// Squares, freedom, GCV and REML, four numbers for each factor of the penalty.
+    pub fn criteria(&self, g: &Spline, penalty_order: i32, lambdas: &[f64]) -> Result<Vec<[f64; 4]>> {
+        let n = lambdas.len();
+        let mut values = vec![[0.0; 4]; n];
+        check(unsafe {
+            sys::nurbs_fit_criteria(
+                self.raw(),
+                g.raw(),
+                penalty_order,
+                n as i64,
+                lambdas.as_ptr(),
+                values.as_mut_ptr().cast(),
+            )
+        })?;
+        Ok(values)
+    }
+
+    /// The same as `criteria`; it can be watched and stopped.
+    pub fn criteria_with(
+        &self,
+        g: &Spline,
+        penalty_order: i32,
+        lambdas: &[f64],
+        call: &mut Call,
+    ) -> Result<Vec<[f64; 4]>> {
+        let n = lambdas.len();
+        let mut values = vec![[0.0; 4]; n];
+        check(unsafe {
+            sys::nurbs_fit_criteria_with(
+                self.raw(),
+                g.raw(),
+                penalty_order,
+                n as i64,
+                lambdas.as_ptr(),
+                values.as_mut_ptr().cast(),
+                call.options(),
+            )
+        })?;
+        Ok(values)
     }
 }

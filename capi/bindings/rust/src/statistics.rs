@@ -52,6 +52,10 @@ impl Statistics {
     pub fn axes(&self) -> Result<i32> {
         Ok(self.size()?.axes)
     }
+    /// Numbers of axes and of coordinates.
+    pub(crate) fn shape(&self) -> (usize, usize) {
+        self.size().map_or((0, 0), |size| (size.axes as usize, size.dim as usize))
+    }
 
     /// To be kept or sent: the same on every machine for the same data, whatever their order.
     pub fn to_bytes(&self) -> Result<Vec<u8>> {

@@ -111,6 +111,18 @@ pub struct nurbs_fit_options {
     pub condition_orders: *const i32,
     /// \[conditions\]\[dim\] or NULL: points and derivatives, packed
     pub condition_targets: *const f64,
+    /// a NURBS_ROBUST_ constant, for fits of points over given knots; NURBS_ROBUST_NONE
+    pub robust: i32,
+    /// 0
+    pub reserved2: i32,
+    /// where outliers begin, in standard deviations, \>= 0; 0: the usual one
+    pub robust_width: f64,
+    /// \[axes\]\[dim\] or NULL: sums of NURBS_TREND_ constants, or 0
+    pub shapes: *const i32,
+    /// \[dim\] or NULL: lower bounds of coordinates; -INFINITY for none
+    pub lower: *const f64,
+    /// \[dim\] or NULL: upper bounds of coordinates; INFINITY for none
+    pub upper: *const f64,
 }
 
 /// What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
@@ -132,7 +144,8 @@ pub struct nurbs_fit_report {
     pub lambda: f64,
     /// receives the trace of the influence matrix: the parameters that count
     pub freedom: f64,
-    /// receives the standard deviation of a coordinate of weight 1 by the residuals
+    /// receives the standard deviation of a coordinate of weight 1 by the residuals; of robust fits by their
+    /// median
     pub sigma: f64,
     /// receives |G x + lambda P x - r| / |r| of the normal equations
     pub residual: f64,
@@ -142,8 +155,10 @@ pub struct nurbs_fit_report {
     pub largest_index: i64,
     /// receives a sum of NURBS_FIT_ bits
     pub bits: i32,
-    /// receives 0
-    pub reserved: i32,
+    /// receives the number of fits that a robust fit took, else 1
+    pub rounds: i32,
+    /// receives the number of data with x \> 1 of a robust fit, else 0
+    pub outliers: i64,
 }
 
 /// What the batches of this chapter are asked as long calls. Set struct_size to sizeof(nurbs_closest_query),
@@ -532,9 +547,29 @@ pub const NURBS_SMOOTHING_REML: i32 = 3;
 /// as smooth as a sum of squares allows (Reinsch 1967)
 pub const NURBS_SMOOTHING_DISCREPANCY: i32 = 4;
 
+// --- What outliers are worth, for nurbs_fit_options
+/// as much as all data
+pub const NURBS_ROBUST_NONE: i32 = 0;
+/// min(1, 1 / x) of their weight (Huber 1964)
+pub const NURBS_ROBUST_HUBER: i32 = 1;
+/// (1 - x^2)^2 of it for x \< 1, nothing beyond (Beaton & Tukey 1974)
+pub const NURBS_ROBUST_TUKEY: i32 = 2;
+
+// --- Shapes along an axis, for nurbs_fit_options; they can be added
+/// the first derivative is \>= 0
+pub const NURBS_TREND_RISING: i32 = 0x01;
+/// the first derivative is \<= 0
+pub const NURBS_TREND_FALLING: i32 = 0x02;
+/// the first derivative does not fall
+pub const NURBS_TREND_CONVEX: i32 = 0x04;
+/// the first derivative does not rise
+pub const NURBS_TREND_CONCAVE: i32 = 0x08;
+
 // --- What nurbs_fit_report tells besides
 /// no smoothing leaves as little as the target asks for
 pub const NURBS_FIT_TARGET_MISSED: i32 = 0x01;
+/// the rounds of a robust fit still changed it at their end
+pub const NURBS_FIT_NOT_CONVERGED: i32 = 0x02;
 
 // --- Rules for tangents, for nurbs_tangents()
 /// the slope between the neighbours
@@ -1711,6 +1746,63 @@ extern "C" {
         report: *mut nurbs_fit_report,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Pointwise standard errors of a fit: sigma sqrt(b(t) (G + lambda P)^-1 b(t)) for the functions b, the
+    /// matrix G of the data and P of the penalty: what each coordinate of the fit may be off, if those of
+    /// data of weight w have the standard deviation sigma / sqrt(w).
+    pub fn nurbs_fit_errors(
+        statistics: *const nurbs_statistics,
+        g: *const nurbs,
+        penalty_order: i32,
+        lambda: f64,
+        sigma: f64,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        flags: u32,
+        errors: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_fit_errors() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_fit_errors_with(
+        statistics: *const nurbs_statistics,
+        g: *const nurbs,
+        penalty_order: i32,
+        lambda: f64,
+        sigma: f64,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        flags: u32,
+        errors: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and _REML:
+    /// with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i - s(t_i)|^2
+    /// and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R + lambda P) +
+    /// log det(G + lambda P) - (N - M) log lambda.
+    pub fn nurbs_fit_criteria(
+        statistics: *const nurbs_statistics,
+        g: *const nurbs,
+        penalty_order: i32,
+        n: i64,
+        lambdas: *const f64,
+        values: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_fit_criteria() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_fit_criteria_with(
+        statistics: *const nurbs_statistics,
+        g: *const nurbs,
+        penalty_order: i32,
+        n: i64,
+        lambdas: *const f64,
+        values: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// A spline with few control points that no datum is farther from than a tolerance.
     ///

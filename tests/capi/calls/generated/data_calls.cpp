@@ -420,6 +420,24 @@ const Call group[] = {
          report.struct_size = sizeof(nurbs_fit_report);
          return nurbs_fit(in.statistics, degrees, counts, knots, 7, 0, &options, &report, &o.out);
      }},
+    {"fit_errors",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         static constexpr double params[] = {0, 0.25, 1};
+         return nurbs_fit_errors(in.statistics, made_ramp, 1, 0.5, 1, 3, params, 0, 0, 0, o.values);
+     }},
+    {"fit_criteria",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         static constexpr double lambdas[] = {0.5, 2};
+         return nurbs_fit_criteria(in.statistics, made_ramp, 1, 2, lambdas, o.values);
+     }},
     {"fit_points",
      [](const Inputs &, Output &o) -> nurbs_status {
          static constexpr double params[] = {0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.5, 0.25, 0.5};
@@ -530,6 +548,29 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fit_with(in.statistics, degrees, counts, knots, 7, 0, &options, &report, &call, &o.out);
+     }},
+    {"fit_errors_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         static constexpr double params[] = {0, 0.25, 1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fit_errors_with(in.statistics, made_ramp, 1, 0.5, 1, 3, params, 0, 0, 0, o.values,
+             &call);
+     }},
+    {"fit_criteria_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         static constexpr double lambdas[] = {0.5, 2};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fit_criteria_with(in.statistics, made_ramp, 1, 2, lambdas, o.values, &call);
      }},
     {"fit_points_with",
      [](const Inputs &, Output &o) -> nurbs_status {

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "fit/least_squares/robust_fit.h"
+
+#include "base/error.h"
+#include "base/watch.h"
+#include "fit/least_squares/data_distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb::fit {
+
+namespace {
+
+constexpr double huber_width = 1.345, tukey_width = 4.685; // 95 % of the efficiency of least squares
+constexpr int most_rounds = 50;
+
+// Of the length of a vector of normal numbers, whose square has the chi-squared distribution (its median from four numbers on:
+// E. Wilson, M. Hilferty, Proc. Nat. Acad. Sci. 17 (1931)).
+double median_length(int64_t dim) noexcept {
+    constexpr double exact[] = {0.67448975019608171, 1.1774100225154747, 1.5381722544550526};
+    if (dim <= 3) {
+        return exact[dim - 1];
+    }
+    const double part = 1 - 2 / (9 * static_cast<double>(dim));
+    return std::sqrt(static_cast<double>(dim) * part * part * part);
+}
+
+double factor(Robust rule, double x) noexcept {
+    if (rule == Robust::huber) {
+        return x <= 1 ? 1 : 1 / x;
+    }
+    return x < 1 ? (1 - x * x) * (1 - x * x) : 0;
+}
+
+class RobustFit {
+public:
+    RobustFit(const Data &data, const eval::AxisRules &rules, const std::vector<KnotVectorPtr> &axes,
+              const FitWishes &wishes)
+        : data_(data), rules_(rules), axes_(axes), wishes_(wishes),
+          weights_(static_cast<size_t>(data.params.count)), factors_(weights_.size(), 1.0),
+          residuals_(weights_.size()) {}
+
+    FittedPoints fit() {
+        found_ = fit_points(data_, rules_, axes_, wishes_, false);
+        const int64_t count = found_.data_count;
+        weight_exponent_ = form_for(data_, rules_, axes_)->weight_exponent;
+        int rounds = 1;
+        bool converged = iterate(Robust::huber, rounds);
+        if (wishes_.robust == Robust::tukey) {
+            wishes_.smoothing = wishes_.smoothing == Smoothing::none ? Smoothing::none : Smoothing::given;
+            wishes_.value = found_.fit.lambda;
+            converged = redescend(rounds);
+        }
+        found_.data_count = count;
+        found_.rounds = rounds;
+        found_.converged = converged;
+        compare(data_, rules_, weight_exponent_, found_);
+        found_.fit.weight = given_weight_;
+        return found_;
+    }
+
+private:
+    // Huber's fit stays where only outliers determine a control point.
+    bool redescend(int &rounds) {
+        const FittedPoints huber = found_;
+        try {
+            return iterate(Robust::tukey, rounds);
+        } catch (const Error &error) {
+            if (error.status() != Status::rank) {
+                throw;
+            }
+            found_ = huber;
+            return false;
+        }
+    }
+    bool iterate(Robust rule, int &rounds) {
+        constexpr double enough = 1e-6;
+        const double width = rule == wishes_.robust && wishes_.width > 0 ? wishes_.width
+                             : rule == Robust::huber                     ? huber_width
+                                                                         : tukey_width;
+        Steps steps(most_rounds);
+        double scale = 0;
+        for (int i = 0; i < most_rounds; ++i, steps.next()) {
+            measure();
+            scale = rule == Robust::tukey && i > 0 ? scale : found_.scale; // one for all, so that it descends
+            if (!(reweigh(rule, width * scale) > enough)) {
+                return true;
+            }
+            refit();
+            ++rounds;
+        }
+        return false;
+    }
+
+    // Residuals sqrt(w) |y - s(t)|, and their scale: at least what rounding of the values leaves.
+    void measure() {
+        constexpr double rounding = 0x1p-46;
+        const int64_t dim = data_.values.width;
+        std::vector<double> counted;
+        double largest = 0;
+        given_weight_ = 0;
+        for_each_distance(data_, rules_, weight_exponent_, *found_.fit.spline,
+                          [&](int64_t first, std::span<const double> distances) {
+                              for (size_t i = 0; i < distances.size(); ++i) {
+                                  const int64_t at = first + static_cast<int64_t>(i);
+                                  const double root = std::sqrt(weight_of(data_, at));
+                                  const double residual = root * distances[i];
+                                  residuals_[static_cast<size_t>(at)] = residual;
+                                  if (std::isnan(residual)) {
+                                      continue;
+                                  }
+                                  counted.push_back(residual);
+                                  given_weight_ += root * root;
+                                  for (int64_t c = 0; c < dim; ++c) {
+                                      largest = std::max(largest, root * std::abs(data_.values(at, c)));
+                                  }
+                              }
+                          });
+        found_.scale = 0;
+        if (!counted.empty()) {
+            const auto middle = counted.begin() + std::ssize(counted) / 2;
+            std::ranges::nth_element(counted, middle);
+            const double n = static_cast<double>(counted.size());
+            const double lost =
+                n / std::max(1.0, n - found_.fit.freedom); // residuals are smaller than errors
+            found_.scale = std::max(*middle / median_length(dim) * std::sqrt(lost), rounding * largest);
+        }
+    }
+
+    // Returns the largest change of a factor, of Huber's beside the factor, which may tend to 0.
+    double reweigh(Robust rule, double width) {
+        const double unit = width * std::sqrt(static_cast<double>(data_.values.width));
+        double change = 0;
+        found_.outliers = 0;
+        for (size_t i = 0; i < factors_.size(); ++i) {
+            const double x = residuals_[i] > 0 ? residuals_[i] / unit : 0;
+            found_.outliers += x > 1 ? 1 : 0;
+            const double next = factor(rule, x);
+            const double moved = std::abs(next - factors_[i]);
+            change = std::max(change, rule == Robust::huber ? moved / next : moved);
+            factors_[i] = next;
+        }
+        return change;
+    }
+
+    void refit() {
+        for (int64_t i = 0; i < std::ssize(weights_); ++i) {
+            weights_[static_cast<size_t>(i)] = weight_of(data_, i) * factors_[static_cast<size_t>(i)];
+        }
+        Data weighted = data_;
+        weighted.weights = {weights_.data(), std::ssize(weights_), 1, 1};
+        found_.fit = fit_points(weighted, rules_, axes_, wishes_, false).fit;
+    }
+
+    const Data &data_;
+    const eval::AxisRules &rules_;
+    const std::vector<KnotVectorPtr> &axes_;
+    FitWishes wishes_;
+    std::vector<double> weights_, factors_, residuals_;
+    FittedPoints found_{};
+    int weight_exponent_ = 0;
+    double given_weight_ = 0;
+};
+
+} // namespace
+
+FittedPoints robust_fit(const Data &data, const eval::AxisRules &rules,
+                        const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes) {
+    return RobustFit(data, rules, axes, wishes).fit();
+}
+
+} // namespace nrb::fit

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Fits of a prescribed shape.
+#pragma once
+
+#include "fit/least_squares/conditions.h"
+#include "fit/least_squares/shape.h"
+#include "fit/least_squares/smoothing.h"
+
+namespace nrb::fit {
+
+// From the minimum without a shape, that with it, for the same factor of the penalty. `data`: equations without conditions;
+// `equations`: the same with the squares of the conditions, which hold for the result.
+// Throws what Inequalities does, and Status::not_converged if rounding does not leave the shape to the control points.
+void impose_shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *penalty,
+                  double lambda, const std::vector<LinearRow> &conditions, const ShapeWishes &wishes,
+                  Smoothed &found);
+
+} // namespace nrb::fit
