@@ -8,7 +8,7 @@ import operator
 import pickle
 from functools import cached_property
 from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Sequence, SupportsIndex, Tuple,
-                    Union)
+                    Type, Union)
 
 import numpy
 
@@ -308,7 +308,8 @@ class Statistics:
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., Statistics], Tuple[Any, ...]]:
         contents = self.to_bytes()
-        return self.from_bytes, (pickle.PickleBuffer(contents) if operator.index(protocol) >= 5 else contents,)
+        kept = pickle.PickleBuffer(contents) if operator.index(protocol) >= 5 else contents
+        return _restored_statistics, (type(self), kept)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Statistics):
@@ -347,6 +348,12 @@ class Statistics:
         options = _options(self.axes, self.dim, smoothing, penalty_order, lam, target, regularize, conditions)
         return _fitted(watched(lib.nurbs_fit, progress, work), self._handle, *space.layout, flags,
                        ctypes.byref(options))
+
+
+# A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.
+def _restored_statistics(made: Type[Statistics], contents: Any) -> Statistics:
+    """Pickled statistics."""
+    return made.from_bytes(contents)
 
 
 def fit_points(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequence[int]], knots: ByAxis,
