@@ -18,9 +18,9 @@ import numpy as np
 import nurbs
 
 matplotlib.use("svg")
-matplotlib.rcParams.update({"svg.hashsalt": "fitting", "svg.fonttype": "none", "font.size": 8, "axes.titlesize": 9, "font.sans-serif": "DejaVu Sans",
-                            "axes.spines.top": False, "axes.spines.right": False, "xtick.labelsize": 7,
-                            "ytick.labelsize": 7})
+matplotlib.rcParams.update({"svg.hashsalt": "fitting", "svg.fonttype": "none", "font.sans-serif": "DejaVu Sans",
+                            "font.size": 8, "axes.titlesize": 9, "xtick.labelsize": 7, "ytick.labelsize": 7,
+                            "axes.spines.top": False, "axes.spines.right": False})
 from matplotlib import pyplot  # noqa: E402 - after the choice of what draws
 
 RED, BLUE, GREY, GREEN, YELLOW = "#d1495b", "#22577a", "#999999", "#3a7d44", "#e0a030"
@@ -180,7 +180,8 @@ def periodic(place, random):
     turn = 2 * np.pi * t
     radius = 1 + 0.25 * np.cos(5 * turn) + random.normal(scale=0.03, size=t.size)
     points = radius[:, None] * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
-    curve, report = nurbs.fit_points(t, points, 3, nurbs.knots_periodic(3, np.linspace(0, 1, 21)), flags=nurbs.NURBS_PERIODIC)
+    knots = nurbs.knots_periodic(3, np.linspace(0, 1, 21))
+    curve, report = nurbs.fit_points(t, points, 3, knots, flags=nurbs.NURBS_PERIODIC)
     draw_curve(*panel(place, f"periodic, least squares: rms {report.rms:.3f}"), t, points, curve)
 
 
