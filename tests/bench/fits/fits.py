@@ -5,7 +5,7 @@
     fits.py PROGRAMS [--passes N] [--only REGEX]
 
 PROGRAMS is the folder of bench_fits_nurbs, and of those for SISL and Open CASCADE that were built; SciPy's jobs are in this
-file. Every job is a process of its own with one thread. What a job does is in JOBS; data are made once, in PROGRAMS/data.
+file. Every job is a process of its own with one thread; times are those of the process, not of the clock. What a job does is in JOBS; data are made once, in PROGRAMS/data.
 """
 
 import argparse
@@ -108,7 +108,7 @@ OF_JOB = {"curve_1e3": "spiral_1000", "curve_1e5": "spiral_100000",
 def make_data(folder, names):
     folder.mkdir(parents=True, exist_ok=True)
     for name in names:
-        if not list(folder.glob(f"{name}*.f64")):
+        if not (folder / f"{name}.f64").exists() and not (folder / f"{name}_values.f64").exists():
             kind, n = name.split("_")
             for file, values in DATA[kind](int(n)).items():
                 np.ascontiguousarray(values).tofile(folder / f"{file}.f64")
@@ -120,9 +120,9 @@ def measured(work):
     """The median of milliseconds, and what the last call gave."""
     times = []
     while sum(times) < 250 and len(times) < 1001:
-        start = time.perf_counter()
+        start = time.process_time()
         result = work()
-        times.append(1e3 * (time.perf_counter() - start))
+        times.append(1e3 * (time.process_time() - start))
     return statistics.median(times), result
 
 
@@ -241,7 +241,8 @@ def wrong(job, runs):
     found, limit = runs.get("libnurbs", []), JOBS[job][2]
     if not found or any("failed" in each for each in found):
         return [f"{job}: no result"]
-    return [f"{job}: {each['error']} off the data" for each in found if limit is not None and not 0 <= each["error"] <= limit]
+    return [f"{job}: {each['error']} off the data" for each in found
+            if limit is not None and not 0 <= each["error"] <= limit]
 
 
 def main():
