@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <map>
-#include <sys/resource.h>
 
 namespace {
 
@@ -141,13 +140,22 @@ void merge(const Data &data, int parts) {
     nurbs_statistics_destroy(empty);
 }
 
+// The most memory that this process has had, in MB. getrusage() would count what its parent had.
+double most_memory() {
+    std::ifstream file("/proc/self/status");
+    std::string word;
+    double kilobytes = 0;
+    while (file >> word && word != "VmHWM:") {
+    }
+    file >> kilobytes;
+    return kilobytes / 1024;
+}
+
 // The memory of one fit beyond that of the data, in MB, in the place of milliseconds.
 void memory(const Data &data, const Space &space) {
-    rusage before{}, after{};
-    getrusage(RUSAGE_SELF, &before);
+    const double before = most_memory();
     (void)fit_once(data, space, nullptr);
-    getrusage(RUSAGE_SELF, &after);
-    tell(static_cast<double>(after.ru_maxrss - before.ru_maxrss) / 1024);
+    tell(most_memory() - before);
 }
 
 } // namespace
