@@ -4,11 +4,12 @@
  * Compile: cc -std=c99 gallery.c $(pkg-config --cflags --libs nurbs) -lm -o gallery */
 #include "gallery/boundaries.h"
 #include "gallery/curves.h"
+#include "gallery/data.h"
 #include "gallery/fits.h"
 #include "gallery/quadrics.h"
 #include "gallery/sweeps.h"
 
-enum { COLUMNS = 7, ROWS = 8 };
+enum { COLUMNS = 7, ROWS = 9 };
 
 int main(int argc, char **argv) {
     static gallery picture;
@@ -22,6 +23,7 @@ int main(int argc, char **argv) {
     show_quadrics(&picture);
     show_boundaries(&picture);
     show_fits(&picture);
+    show_data(&picture);
     close_picture(&picture);
     printf("%d constructions\n", picture.cells);
     return 0;

@@ -429,6 +429,8 @@ class Values(unittest.TestCase):
             self.assertIs(type(again), nurbs.Statistics)
             self.assertEqual(again, self.statistics)
         self.assertNotIn(b"nurbs._", pickle.dumps(self.statistics, 0))
+        # Not a class method, which cloudpickle, and so Dask, does not find again by its name.
+        self.assertIs(getattr(nurbs, self.statistics.__reduce_ex__(5)[0].__name__), self.statistics.__reduce_ex__(5)[0])
         buffers = []
         head = pickle.dumps(self.statistics, 5, buffer_callback=buffers.append)
         self.assertEqual((len(buffers), pickle.loads(head, buffers=buffers)), (1, self.statistics))

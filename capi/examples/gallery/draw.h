@@ -251,6 +251,7 @@ static const char picture_styles[] =
     ".edge { stroke: #102a43; stroke-width: 9 }\n"
     ".net { stroke: #9aa5b1; stroke-width: 4; stroke-dasharray: 15 12 }\n"
     ".point { stroke: #7b8794; stroke-width: 21 } .given { stroke: #c2255c; stroke-width: 30 }\n"
+    ".data { stroke: #c2255c; stroke-width: 15 }\n"
     ".tangent { stroke: #c2255c; stroke-width: 7 }\n";
 
 static inline void write_shades(FILE *file) {

@@ -54,6 +54,7 @@ from ._evaluation import *  # noqa: F403
 from ._files import *  # noqa: F403
 from ._fit import *  # noqa: F403
 from ._fitting import *  # noqa: F403
+from ._fitting import _restored_statistics
 from ._frames import *  # noqa: F403
 from ._knots import *  # noqa: F403
 from ._linear import *  # noqa: F403
@@ -69,7 +70,8 @@ from ._together import *  # noqa: F403
 __version__ = "1.1.0"
 
 # Results, exceptions, pickled splines and statistics are known by the names they have here.
-for _value in (*globals().values(), _restored):
-    if _value is _restored or isinstance(_value, type) and issubclass(_value, (tuple, Exception, Statistics)):  # noqa: F405
+for _value in list(globals().values()):
+    if isinstance(_value, type) and issubclass(_value, (tuple, Exception, Statistics)):  # noqa: F405
         _value.__module__ = __name__
+_restored.__module__ = _restored_statistics.__module__ = __name__
 del _value

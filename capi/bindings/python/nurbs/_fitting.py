@@ -8,7 +8,7 @@ import operator
 import pickle
 from functools import cached_property
 from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Sequence, SupportsIndex, Tuple,
-                    Union)
+                    Type, Union)
 
 import numpy
 
@@ -340,7 +340,8 @@ class Statistics:
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., Statistics], Tuple[Any, ...]]:
         contents = self.to_bytes()
-        return self.from_bytes, (pickle.PickleBuffer(contents) if operator.index(protocol) >= 5 else contents,)
+        kept = pickle.PickleBuffer(contents) if operator.index(protocol) >= 5 else contents
+        return _restored_statistics, (type(self), kept)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Statistics):
@@ -405,6 +406,12 @@ class Statistics:
         call(watched(lib.nurbs_fit_criteria, progress, work), self._handle, spline._handle, penalty_order, given.size,
              given.ctypes.data, values.ctypes.data)
         return values
+
+
+# A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.
+def _restored_statistics(made: Type[Statistics], contents: Any) -> Statistics:
+    """Pickled statistics."""
+    return made.from_bytes(contents)
 
 
 def fit_points(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequence[int]], knots: ByAxis,
