@@ -94,7 +94,7 @@ class Errors(unittest.TestCase):
             fitted = stats.fit(3, CUBIC, **wishes)
             matrix, there = design(3, CUBIC, t), design(3, CUBIC, at)
             inverse = np.linalg.inv(matrix.T @ matrix + fitted.report.lam * penalty(3, CUBIC, 2))
-            near(stats.errors(fitted, at), fitted.report.sigma * np.sqrt(np.einsum("ij,jk,ik->i", there, inverse, there)),
+            near(stats.fit_errors(fitted, at), fitted.report.sigma * np.sqrt(np.einsum("ij,jk,ik->i", there, inverse, there)),
                  by=1e-9)
 
     def test_criteria_are_smallest_where_the_fit_is(self):
@@ -102,7 +102,7 @@ class Errors(unittest.TestCase):
         stats = empty().add(t, y)
         for column, rule in (2, "gcv"), (3, "reml"):
             spline, report = stats.fit(3, CUBIC, smoothing=rule)
-            found = stats.criteria(spline, report.lam * np.array([0.5, 1, 2]))
+            found = stats.fit_criteria(spline, report.lam * np.array([0.5, 1, 2]))
             self.assertEqual(found.shape, (3, 4))
             self.assertEqual(found[:, column].argmin(), 1)
             near(found[1, :2], [report.squares, report.freedom], by=1e-9)

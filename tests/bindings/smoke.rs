@@ -256,9 +256,9 @@ fn fits() -> Result<()> {
     let huber = nurbs::FitOptions::new()?.robust(nurbs::sys::NURBS_ROBUST_HUBER, 0.0);
     let data = nurbs::Data::new(1, 1, &t, &y)?;
     let fitted = nurbs::fit_points(&data, &[2], &[3], &knots, Some(&huber), 0)?;
-    let errors = all.errors(&fitted.spline, 1, 0.0, 1.0, &[0.0, 1.0], 0)?;
+    let errors = all.fit_errors(&fitted.spline, 1, 0.0, 1.0, &[0.0, 1.0], 0)?;
     assert!(fitted.report.outliers == 0 && errors.len() == 2 && errors[0] > 0.0);
-    assert!(all.criteria(&fitted.spline, 1, &[1.0, 2.0])?.len() == 8);
+    assert!(all.fit_criteria(&fitted.spline, 1, &[1.0, 2.0])?.len() == 2);
     Ok(())
 }
 

@@ -195,9 +195,9 @@ public:
         return made;
     }
     /// Pointwise standard errors of a fit over the knots of g.
-    [[nodiscard]] Returned<std::vector<double>> errors(const Spline &g, std::int32_t penalty_order,
-                                                       double lambda, double sigma, Input params,
-                                                       std::uint32_t flags = 0) const {
+    [[nodiscard]] Returned<std::vector<double>> fit_errors(const Spline &g, std::int32_t penalty_order,
+                                                           double lambda, double sigma, Input params,
+                                                           std::uint32_t flags = 0) const {
         const std::int64_t n = detail::records(params, detail::axes(get()), "params");
         std::vector<double> values = detail::room(n);
         detail::call(nurbs_fit_errors, get(), g.get(), penalty_order, lambda, sigma, n, params.data(),
@@ -205,9 +205,10 @@ public:
         return values;
     }
     /// The same; `call` can watch and end it.
-    [[nodiscard]] Returned<std::vector<double>> errors(const Spline &g, std::int32_t penalty_order,
-                                                       double lambda, double sigma, Input params,
-                                                       std::uint32_t flags, const CallOptions &call) const {
+    [[nodiscard]] Returned<std::vector<double>> fit_errors(const Spline &g, std::int32_t penalty_order,
+                                                           double lambda, double sigma, Input params,
+                                                           std::uint32_t flags,
+                                                           const CallOptions &call) const {
         const std::int64_t n = detail::records(params, detail::axes(get()), "params");
         const detail::Watch watch(call);
         std::vector<double> values = detail::room(n);
@@ -216,17 +217,17 @@ public:
         return values;
     }
     /// Squares, freedom, GCV and REML, four numbers for each factor of the penalty.
-    [[nodiscard]] Returned<std::vector<double>> criteria(const Spline &g, std::int32_t penalty_order,
-                                                         View<double> lambdas) const {
+    [[nodiscard]] Returned<std::vector<double>> fit_criteria(const Spline &g, std::int32_t penalty_order,
+                                                             View<double> lambdas) const {
         const std::int64_t n = detail::length(lambdas);
         std::vector<double> values = detail::room(n, 4);
         detail::call(nurbs_fit_criteria, get(), g.get(), penalty_order, n, lambdas.data(), values.data());
         return values;
     }
     /// The same; `call` can watch and end it.
-    [[nodiscard]] Returned<std::vector<double>> criteria(const Spline &g, std::int32_t penalty_order,
-                                                         View<double> lambdas,
-                                                         const CallOptions &call) const {
+    [[nodiscard]] Returned<std::vector<double>> fit_criteria(const Spline &g, std::int32_t penalty_order,
+                                                             View<double> lambdas,
+                                                             const CallOptions &call) const {
         const std::int64_t n = detail::length(lambdas);
         const detail::Watch watch(call);
         std::vector<double> values = detail::room(n, 4);

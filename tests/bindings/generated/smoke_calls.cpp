@@ -405,13 +405,13 @@ void data(const Inputs &in) {
     {
         begin("fit_errors");
         const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
-        const auto found = in.statistics.errors(ramp, 1, 0.5, 1.0, {0.0, 0.25, 1.0}, 0u);
+        const auto found = in.statistics.fit_errors(ramp, 1, 0.5, 1.0, {0.0, 0.25, 1.0}, 0u);
         show("errors", found);
     }
     {
         begin("fit_criteria");
         const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
-        const auto found = in.statistics.criteria(ramp, 1, {0.5, 2.0});
+        const auto found = in.statistics.fit_criteria(ramp, 1, {0.5, 2.0});
         show("values", found);
     }
     {
@@ -503,13 +503,13 @@ void data(const Inputs &in) {
     {
         begin("fit_errors_with");
         const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
-        const auto found = in.statistics.errors(ramp, 1, 0.5, 1.0, {0.0, 0.25, 1.0}, 0u, watched());
+        const auto found = in.statistics.fit_errors(ramp, 1, 0.5, 1.0, {0.0, 0.25, 1.0}, 0u, watched());
         show("errors", found);
     }
     {
         begin("fit_criteria_with");
         const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
-        const auto found = in.statistics.criteria(ramp, 1, {0.5, 2.0}, watched());
+        const auto found = in.statistics.fit_criteria(ramp, 1, {0.5, 2.0}, watched());
         show("values", found);
     }
     {

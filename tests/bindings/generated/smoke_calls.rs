@@ -710,13 +710,13 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
         let found = given
             .statistics
-            .errors(&ramp, 1, 0.5, 1.0, &[0.0, 0.25, 1.0], 0)?;
+            .fit_errors(&ramp, 1, 0.5, 1.0, &[0.0, 0.25, 1.0], 0)?;
         show("errors", &found);
     }
     begin("fit_criteria");
     {
         let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
-        let found = given.statistics.criteria(&ramp, 1, &[0.5, 2.0])?;
+        let found = given.statistics.fit_criteria(&ramp, 1, &[0.5, 2.0])?;
         show("values", &found);
     }
     begin("fit_points");
@@ -815,7 +815,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("fit_errors_with");
     {
         let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
-        let found = given.statistics.errors_with(
+        let found = given.statistics.fit_errors_with(
             &ramp,
             1,
             0.5,
@@ -829,7 +829,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("fit_criteria_with");
     {
         let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
-        let found = given.statistics.criteria_with(
+        let found = given.statistics.fit_criteria_with(
             &ramp,
             1,
             &[0.5, 2.0],

@@ -386,8 +386,8 @@ class Statistics:
         return _fitted(watched(lib.nurbs_fit, progress, work), self._handle, *space.layout, flags,
                        ctypes.byref(options))
 
-    def errors(self, fitted: Fitted, params: ArrayLike, penalty_order: int = 2, flags: int = 0, *,
-               progress: Progress = None, work: Optional[int] = None) -> NDArray[numpy.float64]:
+    def fit_errors(self, fitted: Fitted, params: ArrayLike, penalty_order: int = 2, flags: int = 0, *,
+                   progress: Progress = None, work: Optional[int] = None) -> NDArray[numpy.float64]:
         """Pointwise standard errors (n,) of a fit of these data at parameters (n,) of a curve, else (n, axes): 1.96 of
         them on both sides of each coordinate cover the true function at 95 % of all places. Conditions and shapes are
         not regarded. `flags` are evaluation flags."""
@@ -397,8 +397,8 @@ class Statistics:
              penalty_order, fitted.report.lam, fitted.report.sigma, at.n, *at.layout, flags, errors.ctypes.data)
         return errors
 
-    def criteria(self, spline: Spline, lams: ArrayLike, penalty_order: int = 2, *, progress: Progress = None,
-                 work: Optional[int] = None) -> NDArray[numpy.float64]:
+    def fit_criteria(self, spline: Spline, lams: ArrayLike, penalty_order: int = 2, *, progress: Progress = None,
+                     work: Optional[int] = None) -> NDArray[numpy.float64]:
         """What factors (n,) of the penalty lead to, over the knots of a spline: an array (n, 4) of the squares that are
         left, the number of parameters that count, and what "gcv" and "reml" make as small as they can."""
         given = vector(lams)

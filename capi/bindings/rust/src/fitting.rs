@@ -286,7 +286,7 @@ impl Statistics {
     }
 
     /// Pointwise standard errors of a fit over the knots of g.
-    pub fn errors<'a>(
+    pub fn fit_errors<'a>(
         &self,
         g: &Spline,
         penalty_order: i32,
@@ -316,8 +316,8 @@ impl Statistics {
         Ok(errors)
     }
 
-    /// The same as `errors`; it can be watched and stopped.
-    pub fn errors_with<'a>(
+    /// The same as `fit_errors`; it can be watched and stopped.
+    pub fn fit_errors_with<'a>(
         &self,
         g: &Spline,
         penalty_order: i32,
@@ -350,7 +350,7 @@ impl Statistics {
     }
 
     /// Squares, freedom, GCV and REML, four numbers for each factor of the penalty.
-    pub fn criteria(&self, g: &Spline, penalty_order: i32, lambdas: &[f64]) -> Result<Vec<[f64; 4]>> {
+    pub fn fit_criteria(&self, g: &Spline, penalty_order: i32, lambdas: &[f64]) -> Result<Vec<[f64; 4]>> {
         let n = lambdas.len();
         let mut values = vec![[0.0; 4]; n];
         check(unsafe {
@@ -366,8 +366,8 @@ impl Statistics {
         Ok(values)
     }
 
-    /// The same as `criteria`; it can be watched and stopped.
-    pub fn criteria_with(
+    /// The same as `fit_criteria`; it can be watched and stopped.
+    pub fn fit_criteria_with(
         &self,
         g: &Spline,
         penalty_order: i32,
