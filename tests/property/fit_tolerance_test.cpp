@@ -98,6 +98,30 @@ TEST(FitTolerance, finds_kinks_and_jumps) {
     });
 }
 
+// A kink and a jump are found at any tolerance at which they are in the way, so that less is not more.
+TEST(FitTolerance, needs_no_more_control_points_for_a_larger_tolerance) {
+    const Sample sample = curve(4000, 1, [](double t) {
+        return std::vector{std::sin(5 * t) + 3 * std::abs(t - 0.37) + (t > 0.7 ? 1 : 0)};
+    });
+    int64_t before = 20;
+    for (const double tolerance : {1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1}) {
+        const Result result = fitted(sample, {3}, tolerance);
+        EXPECT_EQ(result.report.bits, 0) << tolerance;
+        EXPECT_LE(result.count(), before) << tolerance;
+        before = result.count();
+    }
+}
+
+// What does for some of the data only is looked for with all of them: a short feature lies between some.
+TEST(FitTolerance, is_met_by_all_data_whatever_some_show) {
+    const Sample sample = curve(4001, 1, [](double t) {
+        return std::vector{t + 0.01 * std::exp(-std::pow((t - 0.33330) * 4000, 2))};
+    });
+    for (const double tolerance : {5e-3, 1e-3}) {
+        EXPECT_EQ(fitted(sample, {3}, tolerance).report.bits, 0) << tolerance;
+    }
+}
+
 TEST(FitTolerance, is_free_of_scale) {
     const Sample sample = curve(5000, 2, flower);
     const SplineData one = read_back(fitted(sample, {3}, 1e-3).spline.get());

@@ -76,8 +76,10 @@ public:
         }
     }
 
+    // With ever more of the data, until what does for them does for all.
     ToleranceFit fit() {
-        constexpr int64_t for_each_unknown = 12;
+        constexpr int64_t for_each_unknown = 12, more = 8;
+        ToleranceFit best{};
         int64_t size = std::min(all_.params.count, some());
         for (;;) {
             const PackedData subset = some_of(all_, size);
@@ -89,10 +91,18 @@ public:
             }
             const Counts counts = fewest(subset.data());
             const int64_t wanted = for_each_unknown * unknowns_of(axes_with(counts));
-            if (whole || size >= wanted) {
-                return finished(counts);
+            if (!whole && size < wanted) {
+                size = std::min(all_.params.count, 2 * wanted);
+                continue;
             }
-            size = std::min(all_.params.count, 2 * wanted);
+            ToleranceFit one = finished(counts);
+            if (best.rounds == 0 || one.points.largest < best.points.largest) {
+                best = std::move(one);
+            }
+            if (whole || best.reached) {
+                return best;
+            }
+            size = std::min(all_.params.count, more * size);
         }
     }
 
@@ -101,12 +111,12 @@ private:
     [[nodiscard]] int64_t some() const noexcept { return domain_.degrees.size() == 1 ? 2000 : 20000; }
     static constexpr int64_t most_of_grid = 8100; // control points, whose equations take longest
 
-    // From a fit over even spans, with the breaks that it shows; whether that does for some of the data.
+    // From a fit over even spans, with the breaks that it shows; whether that does for some of the data. Where many spans do,
+    // breaks that the last fit showed which did not may make fewer of them do.
     bool find_densities(const Data &data) {
         even_ = even_fit(data);
-        if (even_.largest > tolerance_ && domain_.find_breaks && domain_.degrees.size() == 1 &&
-            add_breaks(data)) {
-            even_ = even_fit(data);
+        while (domain_.find_breaks && domain_.degrees.size() == 1 && even_.missed != nullptr &&
+               improved_by_breaks(data)) {
         }
         densities_.clear();
         for (size_t k = 0; k < domain_.degrees.size(); ++k) {
@@ -114,10 +124,27 @@ private:
         }
         return even_.largest <= tolerance_;
     }
+    bool improved_by_breaks(const Data &data) {
+        const std::vector<Break> before = breaks_[0];
+        if (!add_breaks(data)) {
+            return false;
+        }
+        EvenFit with = even_fit(data);
+        const bool does = with.largest <= tolerance_, did = even_.largest <= tolerance_;
+        const bool better = does != did ? does
+                            : did       ? with.unknowns < even_.unknowns
+                                        : with.largest < even_.largest;
+        if (did && !better) {
+            breaks_[0] = before;
+            return false;
+        }
+        even_ = std::move(with);
+        return better;
+    }
     bool add_breaks(const Data &data) {
         const double span =
-            (domain_.domains[0].upper - domain_.domains[0].lower) / static_cast<double>(even_.spans);
-        const BreakSearch search(data, distances(data, *even_.spline), domain_.degrees[0], span, tolerance_);
+            (domain_.domains[0].upper - domain_.domains[0].lower) / static_cast<double>(even_.missed_spans);
+        const BreakSearch search(data, distances(data, *even_.missed), domain_.degrees[0], span, tolerance_);
         const std::vector<Break> found = search.breaks(all_), known = breaks_[0];
         for (const Break &one : found) {
             std::erase_if(breaks_[0],
@@ -177,9 +204,11 @@ private:
     }
     // The first of 1, 2, 4, ... even spans that do, or the last ones that are allowed.
     struct EvenFit {
-        int64_t spans;
+        int64_t spans, unknowns;
         SplinePtr spline;
         double largest;
+        SplinePtr missed; // the last one that did not do
+        int64_t missed_spans;
     };
     [[nodiscard]] EvenFit even_fit(const Data &data) const {
         EvenFit found{};
@@ -195,10 +224,15 @@ private:
             }
             before = unknowns_of(axes);
             const FittedPoints fine = attempt(data, axes);
-            found = {spans, fine.fit.spline, fine.largest};
+            found.spans = spans;
+            found.unknowns = before;
+            found.spline = fine.fit.spline;
+            found.largest = fine.largest;
             if (fine.largest <= tolerance_) {
                 return found;
             }
+            found.missed = fine.fit.spline;
+            found.missed_spans = spans;
         }
     }
     [[nodiscard]] bool enough(const Counts &counts, const Data &data) const {
