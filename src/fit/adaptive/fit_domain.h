@@ -2,6 +2,7 @@
 // Where a fit is wanted, and knots over it.
 #pragma once
 
+#include "base/limits.h"
 #include "basis/knot_vector.h"
 
 #include <array>
