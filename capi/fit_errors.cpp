@@ -14,14 +14,12 @@ using namespace nrb::capi;
 
 namespace {
 
-// Of a spline over axes as many as those of the statistics.
-const Spline::Axes &axes_of(const fit::Statistics &statistics, const nurbs *g) {
-    const Spline &spline = spline_of(g);
-    if (spline.axes() != statistics.form().axes()) {
-        fail(Status::axes, "g has %d axes, expected %d, those of the statistics", spline.axes(),
-             statistics.form().axes());
+// As many as those of the statistics.
+void check_axes_of(const fit::Statistics &statistics, const Spline::Axes &axes) {
+    if (std::ssize(axes) != statistics.form().axes()) {
+        fail(Status::axes, "g has %d axes, expected %d, those of the statistics",
+             static_cast<int>(axes.size()), statistics.form().axes());
     }
-    return spline.knot_vectors();
 }
 
 void check_not_negative(double value, const char *name) {
@@ -50,16 +48,17 @@ nurbs_status nurbs_fit_errors(const nurbs_statistics *statistics, const nurbs *g
                               double *errors) {
     return guard([&] {
         const fit::Statistics &own = *statistics_of(statistics);
-        const Spline::Axes &axes = axes_of(own, g);
+        const Spline::Axes &axes = spline_of(g).knot_vectors();
+        check_length(n, "n");
+        const ConstRecords places =
+            input("params", params, n, own.form().axes(), param_stride, param_component_stride);
+        const Records results = output("errors", errors, n, 1, 0, 0);
+        check_overlap("errors", results, "params", places);
+        check_axes_of(own, axes);
         check_not_negative(lambda, "lambda");
         check_not_negative(sigma, "sigma");
         const int order = lambda > 0 ? checked_order(penalty_order, axes) : 1;
-        check_length(n, "n");
-        const auto places =
-            input("params", params, n, std::ssize(axes), param_stride, param_component_stride);
         const eval::AxisRules rules = data_rules(flags, own.form().axes(), "");
-        const Records results = output("errors", errors, n, 1, 0, 0);
-        check_overlap("errors", results, "params", places);
         eval::check_parameters(axes, rules, places);
         StagedRecords made(results);
         fit::standard_errors(own, axes, order, lambda, places, rules, made.view());
@@ -84,12 +83,13 @@ nurbs_status nurbs_fit_criteria(const nurbs_statistics *statistics, const nurbs 
                                 int64_t n, const double *lambdas, double *values) {
     return guard([&] {
         const fit::Statistics &own = *statistics_of(statistics);
-        const Spline::Axes &axes = axes_of(own, g);
-        const int order = checked_order(penalty_order, axes);
+        const Spline::Axes &axes = spline_of(g).knot_vectors();
         check_length(n, "n");
         const ConstRecords factors = input("lambdas", lambdas, n, 1, 0, 0);
         const Records results = output("values", values, n, 4, 0, 0);
         check_overlap("values", results, "lambdas", factors);
+        check_axes_of(own, axes);
+        const int order = checked_order(penalty_order, axes);
         std::vector<double> wanted;
         for (int64_t i = 0; i < n; ++i) {
             const double lambda = factors(i, 0);

@@ -2350,8 +2350,8 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)), where sigma is the
  * median of sqrt(w_i) |y_i - s(t_i)| over that of normal errors of deviation 1. Widths of 1.345 for Huber's
  * function and 4.685 for Tukey's, which starts from Huber's fit and keeps its sigma, cost 5 % of efficiency if
- * there are no outliers. Where only outliers
- * determine a control point Tukey's is Huber's fit, and NURBS_FIT_NOT_CONVERGED.
+ * there are no outliers. Where only outliers determine a control point Tukey's is Huber's fit, and
+ * NURBS_FIT_NOT_CONVERGED is told.
  *
  * Shapes and bounds are asked of the control points, and slopes between these, which is enough for the spline,
  * and for degrees from 2 on a little more than needed. Of all such splines the fit is the closest one to the
@@ -4356,16 +4356,17 @@ NURBS_API nurbs_status nurbs_hausdorff_distance_with(const nurbs *a, const nurbs
  * \code
  * double length = 0, error = 0;
  * nurbs_curve_length(curve, NULL, 1e-12, &length, &error);
- * \endcode Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span
- * between knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not
- * fall fast enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply
- * that a feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of
- * a centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
- * the best that double precision and a limit of work give: rounding, or else about nine, six or three digits,
- * as along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not
- * reached is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and
- * what shares its table). `error` receives an estimate of the absolute error, rounding included; it follows
- * from how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
+ * \endcode
+ * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between
+ * knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not fall fast
+ * enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply that a
+ * feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of a
+ * centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
+ * the best that double precision and a limit of work give: rounding, or else about nine, six or three digits, as
+ * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
+ * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and what
+ * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from
+ * how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
  * found by the halving; they cost more time, not accuracy. Where the weights vanish an integral may be
  * infinite: NURBS_ERROR_NOT_CONVERGED.
  *

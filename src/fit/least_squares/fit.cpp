@@ -3,9 +3,9 @@
 
 #include "base/error.h"
 #include "base/representable.h"
+#include "fit/constraints/shaped_fit.h"
 #include "fit/least_squares/clamped_axes.h"
 #include "fit/least_squares/penalty.h"
-#include "fit/least_squares/shaped_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Splines that are closest to data, in the mean of squares.
 #pragma once
 
-#include "fit/least_squares/conditions.h"
-#include "fit/least_squares/shape.h"
+#include "fit/constraints/conditions.h"
+#include "fit/constraints/shape.h"
 #include "fit/least_squares/smoothing.h"
 #include "spline/spline.h"
 

@@ -2,7 +2,7 @@
 // Splines that rise or fall, are convex or concave along their axes, or stay between bounds.
 #pragma once
 
-#include "fit/least_squares/linear_rows.h"
+#include "fit/constraints/linear_rows.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // A start for least squares under linear inequalities.
 #pragma once
 
-#include "fit/least_squares/linear_rows.h"
+#include "fit/constraints/linear_rows.h"
 #include "fit/least_squares/penalised_system.h"
 
 #include <optional>

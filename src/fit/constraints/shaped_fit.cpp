@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "fit/least_squares/shaped_fit.h"
+#include "fit/constraints/shaped_fit.h"
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "fit/least_squares/inequalities.h"
+#include "fit/constraints/inequalities.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Fits of a prescribed shape.
 #pragma once
 
-#include "fit/least_squares/conditions.h"
-#include "fit/least_squares/shape.h"
+#include "fit/constraints/conditions.h"
+#include "fit/constraints/shape.h"
 #include "fit/least_squares/smoothing.h"
 
 namespace nrb::fit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/least_squares/linear_rows.h"
+#include "fit/constraints/linear_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "fit/least_squares/inequalities.h"
+#include "fit/constraints/inequalities.h"
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "fit/least_squares/interior_point.h"
+#include "fit/constraints/interior_point.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/least_squares/interior_point.h"
+#include "fit/constraints/interior_point.h"
 
 #include "base/watch.h"
 

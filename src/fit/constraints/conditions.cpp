@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/least_squares/conditions.h"
+#include "fit/constraints/conditions.h"
 
 #include "base/error.h"
 #include "base/watch.h"

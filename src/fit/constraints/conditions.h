@@ -2,7 +2,7 @@
 // Linear equations that a fit has to fulfil.
 #pragma once
 
-#include "fit/least_squares/linear_rows.h"
+#include "fit/constraints/linear_rows.h"
 #include "fit/least_squares/penalised_system.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/least_squares/shape.h"
+#include "fit/constraints/shape.h"
 
 #include "base/error.h"
 
