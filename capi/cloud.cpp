@@ -10,8 +10,6 @@
 
 #include "base/tolerance.h"
 
-#include <cmath>
-
 using namespace nrb;
 using namespace nrb::capi;
 
@@ -33,9 +31,7 @@ fit::CloudWishes checked_cloud_wishes(const nurbs_cloud_options *options) {
         fail(Status::order, "options: penalty_order = %d, expected at least 1", given.penalty_order);
     }
     check_at_least(given.rounds, 1, "options: rounds");
-    if (!(given.lambda >= 0 && std::isfinite(given.lambda))) {
-        fail(Status::factor, "options: lambda = %s, expected a finite value >= 0", Number(given.lambda).text);
-    }
+    check_factor(given.lambda, "options: lambda");
     check_factor(given.first_lambda, "options: first_lambda");
     check_tolerance(given.tolerance, "options: tolerance");
     return {given.penalty_order, given.lambda, given.first_lambda, given.tolerance, given.rounds};
@@ -51,6 +47,7 @@ void tell(const fit::CloudFit &made, nurbs_cloud_report *report) {
     report->rms = made.rms;
     report->largest = made.largest;
     report->largest_index = made.largest_index;
+    report->lambda = made.lambda;
     report->noise = made.noise;
     report->boundary = made.on_boundary;
     report->uncertified = made.uncertified;

@@ -2702,9 +2702,9 @@ typedef struct nurbs_cloud_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
     int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; at most the highest degree counts; 2 */
     int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; 100 */
-    double lambda;         /**< the factor of the penalty, >= 0; 0 */
+    double lambda;         /**< the factor of the penalty; below 0: found; -1 */
     double first_lambda;   /**< the factor to begin with, which falls to lambda; below 0: found; -1 */
-    double tolerance;      /**< the smallest part of the sum whose loss is worth a step, >= 0; 1e-6 */
+    double tolerance;      /**< the smallest part of the sum whose loss is worth a step, >= 0; 1e-3 */
 } nurbs_cloud_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -2724,6 +2724,7 @@ typedef struct nurbs_cloud_report {
     double rms;            /**< receives the square root of squares / weight */
     double largest;        /**< receives the largest d_i */
     int64_t largest_index; /**< receives where that is */
+    double lambda;         /**< receives the last factor of the penalty */
     double noise;          /**< receives a bound of how far a d_i is from the true distance, if it is certified */
     int64_t boundary;      /**< receives the number of points whose nearest point is on an end or an edge */
     int64_t uncertified;   /**< receives the number of points whose nearest point is not proven to be that */
@@ -2731,28 +2732,32 @@ typedef struct nurbs_cloud_report {
     int32_t bits;          /**< receives a sum of NURBS_CLOUD_ bits */
 } nurbs_cloud_report;
 
-/** \brief The spline, over the knots of a start, that is closest to points without parameters: a minimum, that is
- * reached from the start, of
+/** \brief The spline, over the knots of a start, that is closest to points without parameters: a minimum, which
+ * is reached from the start, of
  *
  *     sum_i w_i min_t |x_i - s(t)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
  *
- * with x_k the parameter of axis k as a part of its domain. Each round finds the nearest point of s for each x_i, with
- * a proof, as nurbs_closest_points() does. The squared distance to a spline that moves is then replaced by a
- * quadratic one, (r - m)^T W (r - m) for the step r to the point and the movement m of the foot: in directions
- * normal to s, W is 1; in those of principal curvatures it is K / (1 + K) for a curvature that makes K = |r| /
- * radius on the outer side, and 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That is the
- * squared distance to first order in the curvature, between the distances to the tangent and to the foot (Wang,
- * Pottmann & Liu 2006). The step that makes the sum least is taken if the true sum falls, else a shorter one
- * (Levenberg 1944, Marquardt 1963): it never rises. Before, lambda falls, by a factor of 8 each round, from
- * first_lambda, or from where the penalty of the start is as large as the sum of squares, to the smallest that
- * still smooths or to the one that is wanted.
+ * with x_k the parameter of axis k as a part of its domain. Each round finds the nearest point of s for each
+ * x_i, with a proof, as nurbs_closest_points() does. Then the squared distance to a spline that moves is taken
+ * as (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to
+ * s, W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side,
+ * and 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to
+ * the tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the
+ * true sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
  *
- * The result is the same bit for bit in whatever order the points are given, and is scaled as the points and the
- * start are, to rounding (for powers of two bit for bit). Ends are free: those of a curve come to the outermost
- * points, but nothing draws back what reaches beyond them. Periodic axes stay periodic. Control points that no
- * point is near, as with fewer points than control points, go where the smoothing and the damping of steps
- * leave them. The
- * minimum is a local one: feet do not jump from one part of s to another that lies behind.
+ * lambda falls between rounds, at most by a factor of 8, from first_lambda to lambda. If these are to be found,
+ * it begins, for a start without a shape of its own, as a line or a plane, where it allows next to none, and
+ * goes on to the quotient of two variances, of the distances and of what is penalised: sum_i w_i d_i^2 N / n
+ * over the penalty, N control points times the dimensions that a spline leaves, n points (Wood & Fasiolo 2017).
+ * So it vanishes with the distances, and points on a spline over these knots are met to rounding from a start
+ * that is near it. From one that is not, parameters may have to slide far along a shape that is almost right,
+ * which takes more rounds than there are.
+ *
+ * The result is the same bit for bit in whatever order the points are given, and is scaled as the points and
+ * the start are, to rounding (by powers of two bit for bit). Ends are free: those of a curve come to the
+ * outermost points, but nothing draws back what reaches beyond them. Periodic axes stay periodic. Control
+ * points that no point is near, as with fewer points than control points, go where smoothing and damping leave
+ * them. The minimum is a local one: feet do not jump from one part of s to another that lies behind it.
  *
  * Distances are those of the stored result, as it is evaluated. None is below the true one by more than noise; where
  * uncertified is 0 none is above it by more either, so that largest and rms are proven to within noise.

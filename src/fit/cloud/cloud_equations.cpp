@@ -31,7 +31,8 @@ std::vector<int64_t> natural_order(int64_t size) {
 // --- The penalty ---
 
 CloudPenalty::CloudPenalty(const Spline::Axes &axes, int order)
-    : form_(penalty(axes, possible_order(axes, order))), columns_(form_.columns(natural_order(form_.size()))) {}
+    : form_(penalty(axes, possible_order(axes, order))),
+      columns_(form_.columns(natural_order(form_.size()))) {}
 
 std::vector<double> CloudPenalty::times(const std::vector<double> &x) const {
     std::vector<double> result(x.size(), 0.0);
@@ -195,11 +196,13 @@ void CloudEquations::finish(double lambda, const std::vector<double> &x) {
                                              penalty_.elimination_order(static_cast<int>(dim_)));
 }
 
-CloudEquations::Step CloudEquations::step(double mu) {
-    Step step{{}, 0};
-    if (!(unit_ > 0) || !system_->solve(mu, right_, 1, step.change)) {
-        step.change.assign(right_.size(), 0.0);
+std::optional<CloudEquations::Step> CloudEquations::step(double mu) {
+    Step step{std::vector<double>(right_.size()), 0};
+    if (!(unit_ > 0)) { // nothing moves a foot
         return step;
+    }
+    if (!system_->solve(mu, right_, 1, step.change)) {
+        return std::nullopt;
     }
     const std::span<const double> d = step.change;
     step.promise = dot(d, right_) + mu * unit_ * dot(d, d); // 2 d.g - d.A d, where A d = g - mu u d

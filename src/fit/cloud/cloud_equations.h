@@ -7,6 +7,7 @@
 #include "numeric/solvers/sparse/sparse_system.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,8 +51,8 @@ public:
     CloudEquations(const Spline::Axes &axes, int dim, const CloudPenalty &penalty);
 
     // The functions b of each axis that do not vanish at the foot, the first of which is that of layer `first`.
-    void add(const Index &first, const std::array<std::span<const double>, max_axes> &functions, double weight,
-             const SquaredDistance &model);
+    void add(const Index &first, const std::array<std::span<const double>, max_axes> &functions,
+             double weight, const SquaredDistance &model);
     // With the penalty at x.
     void finish(double lambda, const std::vector<double> &x);
 
@@ -59,8 +60,8 @@ public:
         std::vector<double> change; // [unknowns][dim]
         double promise;             // by how much the sum gets less
     };
-    // No change where the equations are not solved.
-    [[nodiscard]] Step step(double mu);
+    // None where rounding leaves the equations without a solution.
+    [[nodiscard]] std::optional<Step> step(double mu);
 
 private:
     struct Pair {

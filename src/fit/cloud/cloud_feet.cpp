@@ -93,8 +93,8 @@ private:
 } // namespace
 
 CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud)
-    : params(static_cast<size_t>(cloud.size() * spline.axes())),
-      distances(static_cast<size_t>(cloud.size())), status(static_cast<size_t>(cloud.size())) {
+    : params(static_cast<size_t>(cloud.size() * spline.axes())), distances(static_cast<size_t>(cloud.size())),
+      status(static_cast<size_t>(cloud.size())) {
     const int64_t n = cloud.size(), axes = spline.axes(), dim = cloud.dim;
     const closest::Query query{nullptr, nullptr, 0, closest::usual_budget(spline)};
     closest::closest_points(

@@ -36,8 +36,7 @@ std::vector<double> mean_of(const Cloud &cloud) {
 
 // Eigenvectors have no sign of their own: the largest component is made positive.
 void orient(std::vector<double> &unit) noexcept {
-    const double largest =
-        *std::ranges::max_element(unit, {}, [](double x) { return std::abs(x); });
+    const double largest = *std::ranges::max_element(unit, {}, [](double x) { return std::abs(x); });
     for (double &x : unit) {
         x = largest < 0 ? -x : x;
     }
@@ -48,7 +47,8 @@ public:
     explicit Spread(const Cloud &cloud) : cloud_(cloud), mean_(mean_of(cloud)) {
         const std::vector<double> rows = principal_axes(cloud.points, cloud.dim);
         for (int k = 0; k < std::min(cloud.dim, 3); ++k) {
-            directions_.push_back({{rows.begin() + k * cloud.dim, rows.begin() + (k + 1) * cloud.dim}, {}, 0});
+            directions_.push_back(
+                {{rows.begin() + k * cloud.dim, rows.begin() + (k + 1) * cloud.dim}, {}, 0});
             orient(directions_.back().unit);
             measure(directions_.back());
         }
@@ -121,9 +121,11 @@ private:
 };
 
 std::vector<Part> parts_for(const Spread &spread, const Spline::Axes &axes) {
-    const auto closed = std::ranges::count_if(axes, [](const KnotVectorPtr &axis) { return axis->periodic(); });
+    const auto closed =
+        std::ranges::count_if(axes, [](const KnotVectorPtr &axis) { return axis->periodic(); });
     if (closed > 1 || (closed == 1 && axes.size() > 2)) {
-        fail(Status::flags, "flags: no start is found for %lld periodic axes of %lld, expected one of at most 2",
+        fail(Status::flags,
+             "flags: no start is found for %lld periodic axes of %lld, expected one of at most 2",
              static_cast<long long>(closed), static_cast<long long>(axes.size()));
     }
     size_t straight = 0; // the direction of a cylinder

@@ -31,33 +31,33 @@ class CloudDescent {
 public:
     CloudDescent(const Spline &start, const Cloud &cloud, const CloudWishes &wishes)
         : axes_(start.knot_vectors()), cloud_(cloud), wishes_(wishes), penalty_(axes_, wishes.penalty_order),
-          weight_(cloud.weight()), lambda_(std::ldexp(wishes.lambda, -cloud.weight_exponent)),
-          now_(candidate(unknowns_of(start))) {}
+          weight_(cloud.weight()), now_(candidate(unknowns_of(start))) {}
 
     void run() {
-        double lambda = first_lambda();
-        bool settled = false;
-        while (rounds_ < wishes_.rounds) {
-            settled = take_step(lambda);
-            if (lambda > lambda_) {
-                lambda = next(lambda);
-            } else if (settled || is_exact()) {
-                converged_ = true;
-                return;
-            }
+        lambda_ = first_lambda();
+        converged_ = is_exact();
+        while (rounds_ < wishes_.rounds && !converged_) {
+            const bool settled = take_step();
+            const double before = lambda_;
+            lambda_ = next_lambda();
+            converged_ = is_exact() || (settled && lambda_ >= before / 2);
         }
     }
 
     [[nodiscard]] const Candidate &found() const noexcept { return now_; }
+    [[nodiscard]] double lambda() const noexcept { return std::ldexp(lambda_, cloud_.weight_exponent); }
     [[nodiscard]] double noise() const noexcept { return distance_noise(*now_.spline, cloud_); }
     [[nodiscard]] int rounds() const noexcept { return rounds_; }
     [[nodiscard]] bool converged() const noexcept { return converged_; }
 
 private:
-    // What lambda is divided by in a round; the smallest one that smooths anything, relative to the weight of all points,
-    // and the largest one from which the path may begin: bends of the whole domain cost some 500 times their square.
-    static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4;
-    static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, mu_ratio = 8;
+    // What lambda is divided by in a round at most. Relative to the weight of all points, the smallest one that smooths
+    // anything, the largest one (a bend of the whole domain pays some 500 times its square), and the quotient of squares and
+    // penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
+    static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4, shapeless = 0x1p-10;
+    static constexpr double most_freedom = 0.25; // of the points
+    static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, most_mu = 0x1p60,
+                            mu_ratio = 8;
 
     [[nodiscard]] std::vector<double> unknowns_of(const Spline &start) const {
         std::vector<double> x(static_cast<size_t>(penalty_.size() * cloud_.dim));
@@ -95,21 +95,37 @@ private:
         return {std::move(x), std::move(spline), std::move(feet), bend};
     }
 
-    // For which the penalty is as large as what it is to smooth.
-    [[nodiscard]] double first_lambda() const noexcept {
-        if (wishes_.first_lambda >= 0) {
-            return std::max(lambda_, std::ldexp(wishes_.first_lambda, -cloud_.weight_exponent));
-        }
-        if (is_exact()) {
-            return lambda_;
-        }
-        const double limit = largest * weight_;
-        const bool bent = now_.feet.squares < limit * now_.bend;
-        return next(ratio * (bent ? now_.feet.squares / now_.bend : limit));
+    // What pays next to nothing beside its distances, as a line or a plane does, tells nothing of the shape that is wanted:
+    // lambda falls from its largest value on, until it shows. Any other start is meant as it is.
+    [[nodiscard]] bool is_shapeless() const noexcept {
+        return now_.feet.squares >= shapeless * weight_ * now_.bend && !is_exact();
     }
-    [[nodiscard]] double next(double lambda) const noexcept {
-        const double smaller = lambda / ratio;
-        return smaller > std::max(lambda_, smallest * weight_) ? smaller : lambda_;
+    [[nodiscard]] double first_lambda() const noexcept {
+        const double first = wishes_.first_lambda >= 0 ? in_units(wishes_.first_lambda)
+                             : is_shapeless()          ? largest * weight_
+                                                       : 0;
+        return std::max(first, wanted_lambda());
+    }
+    [[nodiscard]] double next_lambda() const noexcept {
+        const double smaller = lambda_ / ratio;
+        const bool small = smaller <= smallest * weight_;
+        const double wanted = wishes_.lambda < 0 && is_shapeless() && !small ? 0 : wanted_lambda();
+        return std::min(lambda_, small ? wanted : std::max(smaller, wanted));
+    }
+    // If it is not given: the quotient of the variances of distances and of what is penalised, the latter with as many
+    // freedoms as control points have across the spline. That is the fixed point of S. Wood and M. Fasiolo, "A generalized
+    // Fellner-Schall method for smoothing parameter optimization", Biometrics 73 (2017), which maximises the likelihood.
+    [[nodiscard]] double wanted_lambda() const noexcept {
+        if (wishes_.lambda >= 0) {
+            return in_units(wishes_.lambda);
+        }
+        const auto across = static_cast<double>(penalty_.size() * (cloud_.dim - std::ssize(axes_)));
+        const double part = std::min(across / static_cast<double>(cloud_.size()), most_freedom);
+        const double limit = largest * weight_, squares = part * now_.feet.squares;
+        return squares < limit * now_.bend ? squares / now_.bend : limit;
+    }
+    [[nodiscard]] double in_units(double lambda) const noexcept {
+        return std::ldexp(lambda, -cloud_.weight_exponent);
     }
     // Whether the distances are those of rounding.
     [[nodiscard]] bool is_exact() const noexcept {
@@ -117,28 +133,27 @@ private:
     }
 
     // Goes on until a step lowers the sum, or none does; whether that is all that can be had.
-    bool take_step(double lambda) {
+    bool take_step() {
         CloudEquations equations(axes_, cloud_.dim, penalty_);
         add_models(*now_.spline, cloud_, now_.feet, equations);
-        equations.finish(lambda, now_.x);
-        const double before = now_.sum(lambda);
-        while (rounds_ < wishes_.rounds) {
-            const CloudEquations::Step step = equations.step(mu_);
-            if (!(step.promise > 0)) {
-                return true;
+        equations.finish(lambda_, now_.x);
+        const double before = now_.sum(lambda_);
+        for (; rounds_ < wishes_.rounds && mu_ <= most_mu; mu_ *= mu_ratio) {
+            const std::optional<CloudEquations::Step> step = equations.step(mu_);
+            if (!step) {
+                continue;
             }
-            std::optional<Candidate> other = moved(step.change);
-            const double gain = other ? before - other->sum(lambda) : -1;
+            std::optional<Candidate> other = step->promise > 0 ? moved(step->change) : std::nullopt;
+            const double gain = other ? before - other->sum(lambda_) : 0;
             if (gain > 0) {
-                now_ = std::move(*other);
                 const bool settled = gain <= wishes_.tolerance * before && mu_ <= small_mu;
-                trust(gain / step.promise);
+                now_ = std::move(*other);
+                trust(gain / step->promise);
                 return settled;
             }
-            if (step.promise <= wishes_.tolerance * before) {
+            if (step->promise <= wishes_.tolerance * before) {
                 return true;
             }
-            mu_ *= mu_ratio;
         }
         return false;
     }
@@ -168,10 +183,10 @@ private:
     const Cloud &cloud_;
     CloudWishes wishes_;
     CloudPenalty penalty_;
-    double weight_, lambda_;
+    double weight_;
     int rounds_ = 0;
     Candidate now_;
-    double mu_ = first_mu;
+    double lambda_ = 0, mu_ = first_mu;
     bool converged_ = false;
 };
 
@@ -207,6 +222,7 @@ CloudFit fit_cloud(const SplinePtr &start, const ConstRecords &points, const Con
         feet.status, [](int32_t status) { return (status & closest::closest_boundary) != 0; });
     fit.uncertified = std::ranges::count_if(
         feet.status, [](int32_t status) { return (status & closest::closest_certified) == 0; });
+    fit.lambda = descent.lambda();
     fit.rounds = descent.rounds();
     fit.converged = descent.converged();
     return fit;
