@@ -312,7 +312,7 @@ class Inputs:
         """A pointer to it, or to nothing where it may be left out."""
         if not self.arguments[value.name].optional:
             return f"{self.reach[value.name]}.raw()"
-        name = {"ReadOptions": "options", "FitOptions": "fit_options"}[types.struct_type(value, self.binding)]
+        name = {"ReadOptions": "options", "FitOptions": "fit_options", "CloudOptions": "cloud_options"}[types.struct_type(value, self.binding)]
         return f"{name}_pointer({self.reach[value.name]})"
 
     def number(self, value):

@@ -2696,11 +2696,11 @@ NURBS_API nurbs_status nurbs_cloud_start(int32_t axes, const int32_t *degrees, c
                                          const double *points, int64_t point_stride,
                                          int64_t point_component_stride, uint32_t flags, nurbs **out);
 
-/** \brief How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands for
- * as well. Fields are only ever appended. \since 1.1 */
+/** \brief How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands
+ * for as well. Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_cloud_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
-    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; at most the highest degree counts; 2 */
+    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1, at most the highest degree; 2 */
     int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; 100 */
     double lambda;         /**< the factor of the penalty; below 0: found; -1 */
     double first_lambda;   /**< the factor to begin with, which falls to lambda; below 0: found; -1 */
@@ -2725,11 +2725,11 @@ typedef struct nurbs_cloud_report {
     double largest;        /**< receives the largest d_i */
     int64_t largest_index; /**< receives where that is */
     double lambda;         /**< receives the last factor of the penalty */
-    double noise;          /**< receives a bound of how far a d_i is from the true distance, if it is certified */
-    int64_t boundary;      /**< receives the number of points whose nearest point is on an end or an edge */
-    int64_t uncertified;   /**< receives the number of points whose nearest point is not proven to be that */
-    int32_t rounds;        /**< receives the number of searches for the nearest points */
-    int32_t bits;          /**< receives a sum of NURBS_CLOUD_ bits */
+    double noise;     /**< receives a bound of how far a d_i is from the true distance, if it is certified */
+    int64_t boundary; /**< receives the number of points whose nearest point is on an end or an edge */
+    int64_t uncertified; /**< receives the number of points whose nearest point is not proven to be that */
+    int32_t rounds;      /**< receives the number of searches for the nearest points */
+    int32_t bits;        /**< receives a sum of NURBS_CLOUD_ bits */
 } nurbs_cloud_report;
 
 /** \brief The spline, over the knots of a start, that is closest to points without parameters: a minimum, which
@@ -2759,8 +2759,9 @@ typedef struct nurbs_cloud_report {
  * points that no point is near, as with fewer points than control points, go where smoothing and damping leave
  * them. The minimum is a local one: feet do not jump from one part of s to another that lies behind it.
  *
- * Distances are those of the stored result, as it is evaluated. None is below the true one by more than noise; where
- * uncertified is 0 none is above it by more either, so that largest and rms are proven to within noise.
+ * Distances are those of the stored result, as it is evaluated. None is below the true one by more than
+ * noise; where uncertified is 0 none is above it by more either, so that largest and rms are proven to within
+ * noise.
  * \param[in] g where to begin, polynomial, of a dimension above its number of axes; for example from
  *   nurbs_cloud_start().
  * \param[in] n number of points, at least 1 of a weight above 0.

@@ -238,6 +238,10 @@ module nurbs_constants
     ! no smoothing leaves as little as the target asks for
     integer(c_int32_t), parameter :: NURBS_FIT_TARGET_MISSED = int(z'01', c_int32_t)
 
+    ! --- What nurbs_cloud_report tells besides
+    ! the rounds ended while the sum still fell
+    integer(c_int32_t), parameter :: NURBS_CLOUD_NOT_CONVERGED = int(z'01', c_int32_t)
+
     ! --- Rules for tangents, for nurbs_tangents()
     integer(c_int32_t), parameter :: NURBS_TANGENTS_CATMULL_ROM = 0  ! the slope between the neighbours
     ! of the parabola through a point and its neighbours

@@ -153,6 +153,9 @@ NURBS_SMOOTHING_DISCREPANCY = 4  # as smooth as a sum of squares allows (Reinsch
 # --- What nurbs_fit_report tells besides
 NURBS_FIT_TARGET_MISSED = 0x01  # no smoothing leaves as little as the target asks for
 
+# --- What nurbs_cloud_report tells besides
+NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds ended while the sum still fell
+
 # --- Rules for tangents, for nurbs_tangents()
 NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours
 NURBS_TANGENTS_BESSEL = 1  # of the parabola through a point and its neighbours
