@@ -31,7 +31,7 @@ module nurbs
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
     use nurbs_lists, only: nurbs_list
-    use nurbs_fittings, only: fit_points, fit_tolerance, cloud_start, nurbs_statistics
+    use nurbs_fittings, only: fit_points, fit_tolerance, cloud_start, fit_cloud, nurbs_statistics
     use nurbs_fits
     use nurbs_knot_vectors
     use nurbs_frames

@@ -14,12 +14,12 @@ module nurbs_fittings
     use nurbs_splines
     implicit none
     private
-    public :: fit_points, fit_tolerance, cloud_start
+    public :: fit_points, fit_tolerance, cloud_start, fit_cloud
 
     !> What fits need to know of data; an assignment makes another handle on the same sums.
     type, extends(nurbs_statistics_handle), public :: nurbs_statistics
     contains
-        procedure :: create, add, merge, get_size, from_bytes, fit, fit_cloud
+        procedure :: create, add, merge, get_size, from_bytes, fit
     end type nurbs_statistics
 
 contains
@@ -220,8 +220,8 @@ contains
     end subroutine cloud_start
 
     !> The spline over the same knots that is closest to points without parameters, found from this one.
-    subroutine fit_cloud(this, points, out, weights, options, report, status, call)
-        class(nurbs_statistics), intent(in) :: this
+    subroutine fit_cloud(g, points, out, weights, options, report, status, call)
+        class(nurbs_spline), intent(in) :: g
         real(c_double), intent(in) :: points(:, :)
         type(nurbs_spline), intent(inout) :: out
         real(c_double), intent(in), optional :: weights(:)
@@ -234,15 +234,14 @@ contains
         type(c_ptr) :: made
         n = size(points, 1, c_int64_t)
         made = c_null_ptr
-        code = held(this%handle)
-        if (code == NURBS_OK) code = fitting([fits(points, n, dim_of(this%handle)), fits(weights, n)])
+        code = fitting([fits(points, n, dim_of(g%handle)), fits(weights, n)])
         if (present(report)) report%struct_size = c_sizeof(report)
         if (code == NURBS_OK) then
             if (present(call)) then
-                code = nurbs_fit_cloud_with(this%handle, n, points, step(points), column(points), weights, &
-                    0_c_int64_t, options, report, watched(call), made)
+                code = nurbs_fit_cloud_with(g%handle, n, points, step(points), column(points), weights, 0_c_int64_t, &
+                    options, report, watched(call), made)
             else
-                code = nurbs_fit_cloud(this%handle, n, points, step(points), column(points), weights, 0_c_int64_t, &
+                code = nurbs_fit_cloud(g%handle, n, points, step(points), column(points), weights, 0_c_int64_t, &
                     options, report, made)
             end if
         end if

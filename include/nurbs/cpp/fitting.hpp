@@ -145,37 +145,29 @@ struct FittedCloud {
     CloudReport report; ///< What the fit tells.
 };
 
-/// A curve, surface or volume: a handle that is copied in constant time and freed by its destructor.
-class Spline : public detail::SplineHandle {
-public:
-    using SplineHandle::SplineHandle;
-
-    // Splines closest to data, and statistics of data
-
-    /// The spline over the same knots that is closest to points without parameters, found from this one.
-    [[nodiscard]] Returned<FittedCloud> fit_cloud(Input points, Input weights = {},
-                                                  const CloudOptions &options = {}) const {
-        const std::int64_t n = detail::records(points, detail::dimension(get()), "points");
-        detail::require_wanted(weights, n, 1, "weights");
-        FittedCloud made{};
-        made.spline = detail::made<Spline>(nurbs_fit_cloud, get(), n, points.data(), points.stride(),
-                                           points.component_stride(), detail::pointer(weights),
-                                           weights.step(), &options, &made.report);
-        return made;
-    }
-    /// The same; `call` can watch and end it.
-    [[nodiscard]] Returned<FittedCloud> fit_cloud(Input points, Input weights, const CloudOptions &options,
-                                                  const CallOptions &call) const {
-        const std::int64_t n = detail::records(points, detail::dimension(get()), "points");
-        detail::require_wanted(weights, n, 1, "weights");
-        FittedCloud made{};
-        const detail::Watch watch(call);
-        made.spline = detail::made<Spline>(nurbs_fit_cloud_with, get(), n, points.data(), points.stride(),
-                                           points.component_stride(), detail::pointer(weights),
-                                           weights.step(), &options, &made.report, watch.get());
-        return made;
-    }
-};
+/// The spline over the same knots that is closest to points without parameters, found from this one.
+inline Returned<FittedCloud> fit_cloud(const Spline &g, Input points, Input weights = {},
+                                       const CloudOptions &options = {}) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    detail::require_wanted(weights, n, 1, "weights");
+    FittedCloud made{};
+    made.spline = detail::made<Spline>(nurbs_fit_cloud, g.get(), n, points.data(), points.stride(),
+                                       points.component_stride(), detail::pointer(weights), weights.step(),
+                                       &options, &made.report);
+    return made;
+}
+/// The same; `call` can watch and end it.
+inline Returned<FittedCloud> fit_cloud(const Spline &g, Input points, Input weights,
+                                       const CloudOptions &options, const CallOptions &call) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    detail::require_wanted(weights, n, 1, "weights");
+    FittedCloud made{};
+    const detail::Watch watch(call);
+    made.spline = detail::made<Spline>(nurbs_fit_cloud_with, g.get(), n, points.data(), points.stride(),
+                                       points.component_stride(), detail::pointer(weights), weights.step(),
+                                       &options, &made.report, watch.get());
+    return made;
+}
 
 /// What fits need to know of data: a handle that is copied in constant time and freed by its destructor.
 class Statistics : public detail::StatisticsHandle {

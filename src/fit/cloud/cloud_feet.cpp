@@ -100,12 +100,13 @@ CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud)
     closest::closest_points(
         spline, {cloud.points.data(), n, dim, dim, 1}, query,
         {{params.data(), n, axes, axes, 1}, {}, {distances.data(), n, 1, 1, 1}, status.data()});
+    require_work();
     DoubleDouble sum;
     for (size_t i = 0; i < distances.size(); ++i) {
         sum = sum + DoubleDouble(cloud.weights[i] * distances[i] * distances[i]);
     }
     squares = sum.high;
-    count_work(8 * n); // ends a call whose work has come to its limit
+    count_work(8 * n);
 }
 
 double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {

@@ -448,7 +448,7 @@ void data(const Inputs &in) {
         options.lambda = 0.5;
         options.first_lambda = 1.0;
         options.tolerance = 0.001;
-        const auto found = in.twist.fit_cloud({0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0}, {1.0, 2.0, 1.0}, options);
+        const auto found = n::fit_cloud(in.twist, {0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0}, {1.0, 2.0, 1.0}, options);
         show("out", found.spline);
     }
     {
@@ -545,7 +545,7 @@ void data(const Inputs &in) {
         options.lambda = 0.5;
         options.first_lambda = 1.0;
         options.tolerance = 0.001;
-        const auto found = in.twist.fit_cloud({0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0}, {1.0, 2.0, 1.0}, options, watched());
+        const auto found = n::fit_cloud(in.twist, {0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0}, {1.0, 2.0, 1.0}, options, watched());
         show("out", found.spline);
     }
     {

@@ -677,8 +677,8 @@ contains
             options_given%lambda = 0.5d0
             options_given%first_lambda = 1.0d0
             options_given%tolerance = 0.001d0
-            call twist%fit_cloud(points=reshape([0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 2.0d0], [3, &
-                3], order=[2, 1]), out=out_found, weights=[1.0d0, 2.0d0, 1.0d0], options=options_given, &
+            call fit_cloud(g=twist, points=reshape([0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 2.0d0], &
+                [3, 3], order=[2, 1]), out=out_found, weights=[1.0d0, 2.0d0, 1.0d0], options=options_given, &
                 report=report_found)
             call show('out', out_found)
         end block
@@ -807,8 +807,8 @@ contains
             options_given%lambda = 0.5d0
             options_given%first_lambda = 1.0d0
             options_given%tolerance = 0.001d0
-            call twist%fit_cloud(points=reshape([0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 2.0d0], [3, &
-                3], order=[2, 1]), out=out_found, weights=[1.0d0, 2.0d0, 1.0d0], options=options_given, &
+            call fit_cloud(g=twist, points=reshape([0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 2.0d0], &
+                [3, 3], order=[2, 1]), out=out_found, weights=[1.0d0, 2.0d0, 1.0d0], options=options_given, &
                 report=report_found, call=watching)
             call show('out', out_found)
         end block
