@@ -36,7 +36,7 @@ public:
     void run() {
         lambda_ = first_lambda();
         converged_ = is_exact();
-        while (rounds_ < wishes_.rounds && !converged_) {
+        while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // beyond it equations overflow
             const bool settled = take_step();
             const double before = lambda_;
             lambda_ = next_lambda();

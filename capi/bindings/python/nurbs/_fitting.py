@@ -29,8 +29,7 @@ if TYPE_CHECKING:
     #: Parameters, orders of derivatives or None for 0, and targets.
     Conditions = Tuple[ArrayLike, Optional[ArrayLike], ArrayLike]
 
-__all__ = ["CloudReport", "FitReport", "Fitted", "FittedCloud", "Statistics", "cloud_start", "fit_cloud", "fit_points",
-           "fit_tolerance"]
+__all__ = ["FitReport", "Fitted", "Statistics", "cloud_start", "fit_points", "fit_tolerance"]
 
 _SMOOTHINGS = {"none": NURBS_SMOOTHING_NONE, "lambda": NURBS_SMOOTHING_LAMBDA, "gcv": NURBS_SMOOTHING_GCV,
                "reml": NURBS_SMOOTHING_REML, "discrepancy": NURBS_SMOOTHING_DISCREPANCY}
@@ -62,33 +61,6 @@ class Fitted(NamedTuple):
     report: FitReport
 
 
-class CloudReport(NamedTuple):
-    """The number of points that count and the sum of their weights, sum_i w_i d_i^2 and the root of its mean, with d_i the
-    distance of point i from the result, the largest d_i and where it is, the last factor lambda of the penalty, a bound of
-    how far a d_i is from the true distance if it is certified, how many of the nearest points are on an end or an edge, and
-    how many are not proven to be nearest, the number of rounds, and a sum of NURBS_CLOUD_ bits."""
-
-    data_count: int
-    weight: float
-    squares: float
-    rms: float
-    largest: float
-    largest_index: int
-    lam: float
-    noise: float
-    boundary: int
-    uncertified: int
-    rounds: int
-    bits: int
-
-
-class FittedCloud(NamedTuple):
-    """The spline, and how close to the points it is."""
-
-    spline: Spline
-    report: CloudReport
-
-
 # --- The structs ---
 
 class _Data(ctypes.Structure):
@@ -113,19 +85,6 @@ class _Report(ctypes.Structure):
                 ("freedom", ctypes.c_double), ("sigma", ctypes.c_double), ("residual", ctypes.c_double),
                 ("largest", ctypes.c_double), ("largest_index", ctypes.c_int64), ("bits", ctypes.c_int32),
                 ("reserved", ctypes.c_int32)]
-
-
-class _CloudOptions(ctypes.Structure):
-    _fields_ = [("struct_size", ctypes.c_int64), ("penalty_order", ctypes.c_int32), ("rounds", ctypes.c_int32),
-                ("lam", ctypes.c_double), ("first_lambda", ctypes.c_double), ("tolerance", ctypes.c_double)]
-
-
-class _CloudReport(ctypes.Structure):
-    _fields_ = [("struct_size", ctypes.c_int64), ("data_count", ctypes.c_int64), ("weight", ctypes.c_double),
-                ("squares", ctypes.c_double), ("rms", ctypes.c_double), ("largest", ctypes.c_double),
-                ("largest_index", ctypes.c_int64), ("lam", ctypes.c_double), ("noise", ctypes.c_double),
-                ("boundary", ctypes.c_int64), ("uncertified", ctypes.c_int64), ("rounds", ctypes.c_int32),
-                ("bits", ctypes.c_int32)]
 
 
 def _width(array: NDArray[Any]) -> int:
@@ -431,40 +390,12 @@ def fit_tolerance(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequ
 # --- Points without parameters ---
 
 def cloud_start(points: ArrayLike, degrees: Union[int, Sequence[int]], knots: ByAxis, flags: int = 0) -> Spline:
-    """A spline over full knot vectors, a vector or one for each axis, from which fit_cloud() can begin: along the principal
-    directions of points (n, dim), as far as these reach. `flags` are NURBS_PERIODIC for one axis of a curve or surface,
-    for an ellipse or an elliptic cylinder."""
-    p = vector(degrees, numpy.int32)
-    space = _Space(p, knots, p.size)
+    """A spline over full knot vectors, a vector or one for each axis, from which Spline.fit_cloud() can begin: along the
+    principal directions of points (n, dim), as far as these reach. `flags` are NURBS_PERIODIC for one axis of a curve or
+    surface, for an ellipse or an elliptic cylinder."""
+    axes = vector(degrees, numpy.int32).size
+    space = _Space(degrees, knots, axes)
     given = packed(points)
     if given.ndim != 2:
         raise ValueError(f"points of shape {given.shape}, expected (n, dim)")
-    return Spline._made(lib.nurbs_cloud_start, p.size, *space.layout, *given.shape, given.ctypes.data, 0, 0, flags)
-
-
-def fit_cloud(start: Spline, points: ArrayLike, weights: Optional[ArrayLike] = None, *, penalty_order: int = 2,
-              rounds: int = 100, lam: float = -1.0, first_lambda: float = -1.0, tolerance: float = 1e-3,
-              progress: Progress = None, work: Optional[int] = None) -> FittedCloud:
-    """The spline over the knots of a polynomial one that is closest to points (n, dim) without parameters, with weights
-    (n,), by default 1: a minimum of sum_i w_i d_i^2 + lam sum_k int (d^m s / dx_k^m)^2 dx that is reached from the start,
-    with d_i the distance of point i from the spline, and m the penalty_order.
-
-        start = nurbs.cloud_start(points, 3, nurbs.knots_open_uniform(3, 12))
-        spline, report = nurbs.fit_cloud(start, points)
-
-    A lam below 0 is found from the distances; lam falls to its value from first_lambda, which is also found if it is below
-    0. The fit ends when steps lower the sum by less than the part `tolerance`, or after so many rounds, each of which finds
-    the nearest points of all points: then the report has the bit NURBS_CLOUD_NOT_CONVERGED."""
-    if not isinstance(start, Spline):
-        raise TypeError(f"a Spline is expected, not {type(start).__name__}")
-    given = records(packed(points), start.dim)
-    each = None if weights is None else one_each(weights, (given.n,), "weights")
-    options: Any = _CloudOptions()
-    call(lib.nurbs_cloud_options_init, ctypes.byref(options), ctypes.sizeof(options))
-    options.penalty_order, options.rounds = int32(penalty_order), int32(rounds)
-    options.lam, options.first_lambda, options.tolerance = lam, first_lambda, tolerance
-    report: Any = _CloudReport(ctypes.sizeof(_CloudReport))
-    made = Spline._made(watched(lib.nurbs_fit_cloud, progress, work), start._handle, given.n, *given.layout,
-                        *(each.layout[:2] if each is not None else (None, 0)), ctypes.byref(options),
-                        ctypes.byref(report))
-    return FittedCloud(made, CloudReport(*(getattr(report, name) for name in CloudReport._fields)))
+    return Spline._made(lib.nurbs_cloud_start, axes, *space.layout, *given.shape, given.ctypes.data, 0, 0, flags)
