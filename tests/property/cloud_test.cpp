@@ -202,6 +202,22 @@ TEST(Clouds, NoiseStaysOutsideAHalfSphere) {
     }
 }
 
+// Without a penalty the surface folds, to come nearer to the points.
+TEST(Clouds, NoiseFoldsNoSurface) {
+    constexpr double sigma = 0.01;
+    Random random(12);
+    Cloud cloud{3, {}, {}};
+    for (int i = 0; i < 2500; ++i) {
+        const double u = random.unit(), v = random.unit(), z = 0.3 * std::sin(4 * u) * std::cos(3 * v);
+        cloud.add({u + sigma * gauss(random), v + sigma * gauss(random), z + sigma * gauss(random)});
+    }
+    CloudFit fit;
+    const Handle g = fit(start_for(cloud, even_axes({3, 3}, {8, 8}, 3)), cloud);
+    EXPECT_NEAR(fit.report.rms, sigma, 0.07 * sigma);
+    EXPECT_LT(extent(read_back(g.get())), 2);
+    EXPECT_GT(fit.report.lambda, 0);
+}
+
 Cloud noisy_arc(uint64_t seed, int n) {
     Random random(seed);
     Cloud cloud;
@@ -259,8 +275,10 @@ TEST(Clouds, UnitsDoNotMatter) {
 }
 
 TEST(Clouds, TheSumNeverRises) {
-    const Cloud cloud = noisy_arc(9, 300);
-    const Handle start = start_for(cloud, even_axes({3}, {12}, 2));
+    Random random(9);
+    const SplineData data = bent(random, even_axes({3}, {12}, 2), 2);
+    const Cloud cloud = on(random, create(data), 1, 2, 300);
+    const Handle start = create(shaken(random, data, 2)); // so far away that steps are too long
     double before = HUGE_VAL;
     for (int rounds = 1; rounds < 25; ++rounds) {
         CloudFit fit;
@@ -271,7 +289,7 @@ TEST(Clouds, TheSumNeverRises) {
         EXPECT_LE(fit.report.squares, before) << rounds;
         before = fit.report.squares;
     }
-    EXPECT_LT(before, 1);
+    EXPECT_LT(before, 10);
 }
 
 // Kinks, jumps and ends that are not clamped; a volume in four dimensions.
