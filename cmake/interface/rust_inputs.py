@@ -312,10 +312,10 @@ class Inputs:
         """A pointer to it, or to nothing where it may be left out."""
         if not self.arguments[value.name].optional:
             return f"{self.reach[value.name]}.raw()"
-        given = self.reach[value.name]
-        if types.struct_type(value, self.binding) == "FitOptions":  # it has arrays as long as the data say
+        given, kind = self.reach[value.name], types.struct_type(value, self.binding)
+        if kind == "FitOptions":  # it has arrays as long as the data say
             return f"fit_options_pointer({given}, {'self' if self.method.receiver else 'data'}.shape())"
-        return f"options_pointer({given})"
+        return {"ReadOptions": "options", "CloudOptions": "cloud_options"}[kind] + f"_pointer({given})"
 
     def number(self, value):
         text, kind = self.numbers[value.name]

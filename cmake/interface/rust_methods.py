@@ -17,7 +17,7 @@ CRATE = {
     "arrays": ["by_axis", "counts_of", "exactly", "exactly_mut", "flat", "if_given", "knots_by_axis", "layout", "optional",
                "pairs_by_axis", "pointer_mut", "rows", "truths", "Records", "RecordsMut"],
     "call": ["Call"],
-    "data": ["fit_options_pointer", "Data", "FitOptions", "FitReport"],
+    "data": ["cloud_options_pointer", "fit_options_pointer", "CloudOptions", "CloudReport", "Data", "FitOptions", "FitReport"],
     "error": ["check", "value", "Result"],
     "list": ["options_pointer", "path_text", "written", "List", "ReadOptions"],
     "moments": ["moments_of"],

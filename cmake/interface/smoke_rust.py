@@ -159,6 +159,10 @@ class Writer:
         order = f".penalty_order({fields['penalty_order'][1].value})" if "penalty_order" in fields else ""
         return f"&nurbs::FitOptions::new()?.smoothing({rule}, {number(factor, 'double')}){order}"
 
+    def nurbs_cloud_options(self, fields):
+        return "&nurbs::CloudOptions::new()?" + "".join(f".{name}({number(of, field.base)})"
+                                                        for name, (field, of) in fields.items())
+
     def nurbs_data(self, fields):
         arrays = {name: f"&{listed(of.values, field.base)}" for name, (field, of) in fields.items() if isinstance(of, Numbers)}
         weights = f".weights({arrays['weights']})?" if "weights" in arrays else ""

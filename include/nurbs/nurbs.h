@@ -482,6 +482,11 @@ enum {
 #define NURBS_FIT_NOT_CONVERGED 0x02 /**< the rounds of a robust fit still changed it at their end */
 /** @} */
 
+/** \name What nurbs_cloud_report tells besides
+ * @{ */
+#define NURBS_CLOUD_NOT_CONVERGED 0x01 /**< the rounds ended while the sum still fell */
+/** @} */
+
 /** \name Rules for tangents, for nurbs_tangents()
  * @{ */
 #define NURBS_TANGENTS_CATMULL_ROM 0 /**< the slope between the neighbours */
@@ -2780,6 +2785,141 @@ NURBS_API nurbs_status nurbs_approximate(const nurbs *g, const int32_t *degrees,
 NURBS_API nurbs_status nurbs_approximate_with(const nurbs *g, const int32_t *degrees, double tolerance,
                                               int64_t max_count, double *bound,
                                               const nurbs_call_options *call, nurbs **out);
+
+/** \brief A spline from which nurbs_fit_cloud() can begin, found from points without parameters: linear along
+ * each axis in one of the principal directions of the points, from their mean as far as they reach, axis 0 in
+ * the first one. A periodic curve is the ellipse in the plane of the first two directions whose variances are
+ * those of the points, as far as the knots allow; a surface that is periodic along one axis is an elliptic
+ * cylinder, around that of the first three directions from which the points are most evenly far. Nothing is
+ * found for surfaces closed along both axes, nor for clouds that a plane or a cylinder is far from, as a spiral
+ * is from a line: then the caller has to know where to begin. Points that span less than the axes do make a
+ * start that is collapsed. The order of the points does not matter.
+ * \param[in] axes 1 to 3, less than dim.
+ * \param[in] degrees [axes] degrees.
+ * \param[in] counts [axes] number of control points of each axis, on periodic ones with the copies.
+ * \param[in] knots [knot_count] full knot vectors of all axes, one after the other.
+ * \param[in] knot_count sum of (count + degree + 1).
+ * \param[in] n number of points, at least 1.
+ * \param[in] dim dimension of the points.
+ * \param[in] points [n][dim] the points.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] flags NURBS_PERIODIC for one axis of a curve or surface, or 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE,
+ *   _OVERFLOW, _FLAGS, _POINT_NOT_FINITE, _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY,
+ *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS; _DIMENSION also for a dim that is not above axes, _FLAGS
+ *   also for periodic axes for which no start is found, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_cloud_start(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                                         const double *knots, int64_t knot_count, int64_t n, int32_t dim,
+                                         const double *points, int64_t point_stride,
+                                         int64_t point_component_stride, uint32_t flags, nurbs **out);
+
+/** \brief How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands
+ * for as well. Fields are only ever appended. \since 1.1 */
+typedef struct nurbs_cloud_options {
+    int64_t struct_size;   /**< size of this struct as the caller knows it */
+    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1, at most the highest degree; 2 */
+    int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; 100 */
+    double lambda;         /**< the factor of the penalty; below 0: found; -1 */
+    double first_lambda;   /**< the factor to begin with, which falls to lambda; below 0: found; -1 */
+    double tolerance;      /**< the smallest part of the sum whose loss is worth a step, >= 0; 1e-3 */
+} nurbs_cloud_options;
+
+/** \brief Fills an options struct with the defaults.
+ * \param[out] options the struct.
+ * \param[in] struct_size sizeof(nurbs_cloud_options).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_cloud_options_init(nurbs_cloud_options *options, int64_t struct_size);
+
+/** \brief What nurbs_fit_cloud() tells. Set struct_size to sizeof(nurbs_cloud_report); all other fields are
+ * answers. Fields are only ever appended. \since 1.1 */
+typedef struct nurbs_cloud_report {
+    int64_t struct_size;   /**< size of this struct as the caller knows it */
+    int64_t data_count;    /**< receives the number of points that count: those of a weight above 0 */
+    double weight;         /**< receives the sum of their weights */
+    double squares;        /**< receives sum_i w_i d_i^2, d_i the distance of point i from the result */
+    double rms;            /**< receives the square root of squares / weight */
+    double largest;        /**< receives the largest d_i */
+    int64_t largest_index; /**< receives where that is */
+    double lambda;         /**< receives the last factor of the penalty */
+    double noise;     /**< receives a bound of how far a d_i is from the true distance, if it is certified */
+    int64_t boundary; /**< receives the number of points whose nearest point is on an end or an edge */
+    int64_t uncertified; /**< receives the number of points whose nearest point is not proven to be that */
+    int32_t rounds;      /**< receives the number of searches for the nearest points */
+    int32_t bits;        /**< receives a sum of NURBS_CLOUD_ bits */
+} nurbs_cloud_report;
+
+/** \brief The spline, over the knots of a start, that is closest to points without parameters: a minimum, which
+ * is reached from the start, of
+ *
+ *     sum_i w_i min_t |x_i - s(t)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
+ *
+ * with x_k the parameter of axis k as a part of its domain. Each round finds the nearest point of s for each
+ * x_i, with a proof, as nurbs_closest_points() does. Then the squared distance to a spline that moves is taken
+ * as (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to
+ * s, W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side,
+ * and 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to
+ * the tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the
+ * true sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
+ *
+ * lambda falls between rounds, at most by a factor of 8, from first_lambda to lambda. If these are to be found,
+ * it begins, for a start without a shape of its own, as a line or a plane, where it allows next to none, and
+ * goes on to the quotient of two variances, of the distances and of what is penalised: sum_i w_i d_i^2 N / n
+ * over the penalty, N control points times the dimensions that a spline leaves, n points (Wood & Fasiolo 2017).
+ * So it vanishes with the distances, and points on a spline over these knots are met to rounding from a start
+ * that is near it. From one that is not, parameters may have to slide far along a shape that is almost right,
+ * which takes more rounds than there are.
+ *
+ * The result is the same bit for bit in whatever order the points are given, and is scaled as the points and
+ * the start are, to rounding (by powers of two bit for bit). Ends are free: those of a curve come to the
+ * outermost points, but nothing draws back what reaches beyond them. Periodic axes stay periodic. Control
+ * points that no point is near, as with fewer points than control points, go where smoothing and damping leave
+ * them. The minimum is a local one: feet do not jump from one part of s to another that lies behind it.
+ *
+ * Distances are those of the stored result, as it is evaluated. None is below the true one by more than
+ * noise; where uncertified is 0 none is above it by more either, so that largest and rms are proven to within
+ * noise.
+ * \param[in] g where to begin, polynomial, of a dimension above its number of axes; for example from
+ *   nurbs_cloud_start().
+ * \param[in] n number of points, at least 1 of a weight above 0.
+ * \param[in] points [n][dim] the points.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] weights [n] or NULL for 1: weights >= 0; those of 0 leave a point out, whatever it is.
+ * \param[in] weight_stride distance between weights, 0 = 1.
+ * \param[in] options or NULL: how to go on.
+ * \param[in,out] report or NULL: where answers go; its bits have NURBS_CLOUD_NOT_CONVERGED if steps were still
+ *   lowering the sum by more than the tolerance when the rounds ended.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _STRIDE, _OVERFLOW, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE,
+ *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of axes,
+ *   _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda that is
+ *   negative or not finite, or a first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_cloud(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                       int64_t point_component_stride, const double *weights,
+                                       int64_t weight_stride, const nurbs_cloud_options *options,
+                                       nurbs_cloud_report *report, nurbs **out);
+
+/** \brief nurbs_fit_cloud() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_fit_cloud().
+ * \param[in] n as for nurbs_fit_cloud().
+ * \param[in] points as for nurbs_fit_cloud().
+ * \param[in] point_stride,point_component_stride as for nurbs_fit_cloud().
+ * \param[in] weights as for nurbs_fit_cloud().
+ * \param[in] weight_stride as for nurbs_fit_cloud().
+ * \param[in] options as for nurbs_fit_cloud().
+ * \param[in,out] report as for nurbs_fit_cloud().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_fit_cloud(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fit_cloud_with(const nurbs *g, int64_t n, const double *points,
+                                            int64_t point_stride, int64_t point_component_stride,
+                                            const double *weights, int64_t weight_stride,
+                                            const nurbs_cloud_options *options, nurbs_cloud_report *report,
+                                            const nurbs_call_options *call, nurbs **out);
 /** @} */
 
 /** \defgroup continuity Continuity

@@ -176,6 +176,12 @@ bool work_ended() noexcept {
     return watch_of_thread != nullptr && watch_of_thread->ended();
 }
 
+void require_work() {
+    if (work_ended()) {
+        watch_of_thread->end();
+    }
+}
+
 UsualLimit::UsualLimit(int64_t work) noexcept : watch_(Watch::current()) {
     if (watch_ == nullptr) {
         watch_ = &own_.emplace(Watch::Wishes{});

@@ -52,6 +52,7 @@ private:
     friend class LimitedSearch;
     friend class NotCounted;
     friend class UsualLimit;
+    friend void require_work();
     using Clock = std::chrono::steady_clock;
     // Multiply-adds between two looks at the clock, which takes as long as about 100 of them.
     static constexpr int64_t often = 1 << 14;
@@ -188,6 +189,8 @@ private:
 
 // Whether the limit of work is reached.
 [[nodiscard]] bool work_ended() noexcept;
+// Throws as Watch::count() does if a limited search has come to the limit of work: for those to whom half an answer is none.
+void require_work();
 
 // While this exists, and the caller has set no limit of work, there is one of so many multiply-adds: a limited search ends
 // with what it has, any other loop with Status::not_converged.

@@ -182,6 +182,42 @@ static void pin_fit_report(void) {
     PIN(offsetof(nurbs_fit_report, outliers), 96);
 }
 
+static void pin_cloud_options(void) {
+    nurbs_cloud_options options;
+    PIN(sizeof(nurbs_cloud_options), 40);
+    PIN(offsetof(nurbs_cloud_options, struct_size), 0);
+    PIN(offsetof(nurbs_cloud_options, penalty_order), 8);
+    PIN(offsetof(nurbs_cloud_options, rounds), 12);
+    PIN(offsetof(nurbs_cloud_options, lambda), 16);
+    PIN(offsetof(nurbs_cloud_options, first_lambda), 24);
+    PIN(offsetof(nurbs_cloud_options, tolerance), 32);
+    if (nurbs_cloud_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
+        fprintf(stderr, "the library does not know the options of a fit of a cloud of this size\n");
+        ++failures;
+        return;
+    }
+    PIN((size_t)options.struct_size, 40);
+    PIN((size_t)options.penalty_order, 2);
+    PIN((size_t)options.rounds, 100);
+}
+
+static void pin_cloud_report(void) {
+    PIN(sizeof(nurbs_cloud_report), 96);
+    PIN(offsetof(nurbs_cloud_report, struct_size), 0);
+    PIN(offsetof(nurbs_cloud_report, data_count), 8);
+    PIN(offsetof(nurbs_cloud_report, weight), 16);
+    PIN(offsetof(nurbs_cloud_report, squares), 24);
+    PIN(offsetof(nurbs_cloud_report, rms), 32);
+    PIN(offsetof(nurbs_cloud_report, largest), 40);
+    PIN(offsetof(nurbs_cloud_report, largest_index), 48);
+    PIN(offsetof(nurbs_cloud_report, lambda), 56);
+    PIN(offsetof(nurbs_cloud_report, noise), 64);
+    PIN(offsetof(nurbs_cloud_report, boundary), 72);
+    PIN(offsetof(nurbs_cloud_report, uncertified), 80);
+    PIN(offsetof(nurbs_cloud_report, rounds), 88);
+    PIN(offsetof(nurbs_cloud_report, bits), 92);
+}
+
 /* Codes are compiled into callers: one that moves would be taken for another. */
 static void pin_codes(void) {
     PIN(sizeof(nurbs_status), 4);
@@ -331,6 +367,7 @@ static void pin_kinds(void) {
     PIN(NURBS_SMOOTHING_REML, 3);
     PIN(NURBS_SMOOTHING_DISCREPANCY, 4);
     PIN(NURBS_FIT_TARGET_MISSED, 1);
+    PIN(NURBS_CLOUD_NOT_CONVERGED, 1);
     PIN(NURBS_TANGENTS_CATMULL_ROM, 0);
     PIN(NURBS_TANGENTS_BESSEL, 1);
     PIN(NURBS_TANGENTS_AKIMA, 2);
@@ -400,6 +437,8 @@ int main(void) {
         pin_fit_options();
     }
     pin_fit_report();
+    pin_cloud_options();
+    pin_cloud_report();
     pin_codes();
     pin_flags();
     pin_kinds();

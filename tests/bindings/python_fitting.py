@@ -340,6 +340,77 @@ class Tolerance(unittest.TestCase):
             self.assertEqual(status_of(nurbs.fit_tolerance, *arguments), status)
 
 
+class Clouds(unittest.TestCase):
+    RING = nurbs.knots_periodic(3, np.linspace(0, 1, 13))
+
+    def ring(self, n=500):
+        angle = 2 * np.pi * np.random.default_rng(12).random(n)
+        return np.stack([2 + 3 * np.cos(angle), np.sin(angle)], axis=1)
+
+    def test_an_ellipse(self):
+        points = self.ring()
+        start = nurbs.cloud_start(points, 3, self.RING, nurbs.NURBS_PERIODIC)
+        spline, report = start.fit_cloud(points)
+        self.assertEqual((spline.periodic, report.data_count, report.bits, report.uncertified), ((True,), 500, 0, 0))
+        same(spline.knots[0], self.RING)
+        distances = spline.closest_points(points).distances
+        near([report.largest, report.rms], [distances.max(), np.sqrt((distances**2).mean())], by=1e-12)
+        self.assertLess(report.largest, 2e-3)
+        self.assertEqual(report.largest_index, distances.argmax())
+        self.assertLess(report.noise, 1e-11)
+
+    def test_a_surface_with_weights(self):
+        params = np.random.default_rng(13).random((800, 2))
+        points = np.column_stack([params, np.sin(3 * params[:, 0]) * params[:, 1]])
+        weights = np.ones(801)
+        weights[-1] = 0
+        knots = [nurbs.knots_open_uniform(3, 6)] * 2
+        start = nurbs.cloud_start(points, [3, 3], knots)
+        self.assertEqual((start.degrees, start.counts, start.dimension), ((3, 3), (6, 6), 3))
+        spline, report = start.fit_cloud(np.append(points, [[np.nan] * 3], axis=0), weights)
+        self.assertEqual((report.data_count, report.weight), (800, 800))
+        self.assertLess(report.largest, 1e-2)
+        self.assertEqual(start.fit_cloud(points[::-1]).spline, spline)
+
+    def test_settings(self):
+        points = self.ring()
+        start = nurbs.cloud_start(points, 3, self.RING, nurbs.NURBS_PERIODIC)
+        report = start.fit_cloud(points, rounds=1).report
+        self.assertEqual((report.rounds, report.bits), (1, nurbs.NURBS_CLOUD_NOT_CONVERGED))
+        for lam in (0, 1e-3, 1.0):
+            self.assertEqual(start.fit_cloud(points, lam=lam, first_lambda=2.0).report.lam, lam)
+        stiff, soft = (start.fit_cloud(points, lam=10.0, penalty_order=order).report.rms for order in (3, 1))
+        self.assertGreater(stiff, soft)
+        self.assertLess(start.fit_cloud(points, tolerance=1e-9).report.rms,
+                        start.fit_cloud(points, tolerance=0.5).report.rms)
+
+    def test_strided_points(self):
+        points = self.ring()
+        start = nurbs.cloud_start(points, 3, self.RING, nurbs.NURBS_PERIODIC)
+        wide = np.zeros((500, 5))
+        wide[:, 1::2] = points
+        with spied("nurbs_fit_cloud") as calls:
+            self.assertEqual(start.fit_cloud(wide[:, 1::2]), start.fit_cloud(points))
+        self.assertEqual(len(calls), 2)
+
+    def test_statuses(self):
+        points = self.ring()
+        start = nurbs.cloud_start(points, 3, self.RING, nurbs.NURBS_PERIODIC)
+        for status, arguments, rest in ((nurbs.NURBS_ERROR_COUNT, [np.empty((0, 2))], {}),
+                                        (nurbs.NURBS_ERROR_POINT_NOT_FINITE, [points * np.nan], {}),
+                                        (nurbs.NURBS_ERROR_WEIGHT_NEGATIVE, [points, -np.ones(500)], {}),
+                                        (nurbs.NURBS_ERROR_ORDER, [points], {"penalty_order": 0}),
+                                        (nurbs.NURBS_ERROR_FACTOR, [points], {"lam": np.nan}),
+                                        (nurbs.NURBS_ERROR_TOLERANCE, [points], {"tolerance": -1}),
+                                        (nurbs.NURBS_ERROR_COUNT, [points], {"rounds": 0})):
+            self.assertEqual(status_of(start.fit_cloud, *arguments, **rest), status)
+        self.assertEqual(status_of(circle().fit_cloud, points), nurbs.NURBS_ERROR_RATIONAL)
+        self.assertEqual(status_of(nurbs.cloud_start, points[:, :1], 3, CUBIC), nurbs.NURBS_ERROR_DIMENSION)
+        self.assertRaises(ValueError, nurbs.cloud_start, points[0], 3, CUBIC)
+        self.assertRaises(ValueError, start.fit_cloud, points, [1, 2])
+        self.assertRaises(ValueError, start.fit_cloud, points.ravel()[1:])
+
+
 class Sums(unittest.TestCase):
     def test_parts_are_the_whole(self):
         t, y, _ = noisy(1000)

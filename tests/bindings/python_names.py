@@ -16,7 +16,7 @@ INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_cal
           "nurbs_list_get",
           "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy",
           "nurbs_data_init", "nurbs_statistics_create", "nurbs_statistics_destroy", "nurbs_statistics_size",
-          "nurbs_fit_options_init"}
+          "nurbs_fit_options_init", "nurbs_cloud_options_init"}
 
 
 def functions():

@@ -253,6 +253,55 @@ void statistics(Input &in, const Case &c) {
                   out));
 }
 
+// --- Points without parameters: the values as a cloud ---
+
+nurbs_cloud_options cloud_options(Input &in) {
+    nurbs_cloud_options options{};
+    FUZZ_REQUIRE(nurbs_cloud_options_init(&options, sizeof options) == NURBS_OK);
+    options.penalty_order = in.rarely() ? in.bad_int() : 1 + in.below(3);
+    options.rounds = in.rarely() ? in.bad_int() % 30 : 1 + in.below(6);
+    options.lambda = in.rarely() ? in.anything() : in.unit() - 0.5;
+    options.first_lambda = in.rarely() ? in.anything() : in.unit() - 0.5;
+    options.tolerance = in.rarely() ? in.anything() : std::ldexp(in.unit(), -in.below(30));
+    return options;
+}
+
+void fit_cloud(const nurbs *g, const Case &c, const nurbs_cloud_options &options) {
+    nurbs_cloud_report report{};
+    report.struct_size = sizeof report;
+    nurbs *out = fuzz::poison();
+    const fuzz::Handle made(FUZZ_MADE(nurbs_fit_cloud_with(g, c.data.n, c.values.data(), 0, 0, c.data.weights,
+                                                           0, &options, &report, &c.call, &out),
+                                      out));
+    FUZZ_REQUIRE(!made || (report.rms <= report.largest * (1 + 1e-9) && report.rounds <= options.rounds));
+    out = fuzz::poison();
+    if (made) {
+        const fuzz::Handle same(FUZZ_MADE(
+            nurbs_fit_cloud(g, c.data.n, c.values.data(), 0, 0, c.data.weights, 0, &options, nullptr, &out),
+            out));
+        FUZZ_REQUIRE(same.get() != nullptr);
+    }
+}
+
+void cloud(Input &in, const Case &c) {
+    nurbs *out = fuzz::poison();
+    const fuzz::Handle start(FUZZ_MADE(nurbs_cloud_start(c.axes(), c.degrees.data(), c.counts.data(),
+                                                         c.knots.data(), c.knot_count(), c.data.n, c.data.dim,
+                                                         c.values.data(), 0, 0, c.flags, &out),
+                                       out));
+    const nurbs_cloud_options options = cloud_options(in);
+    if (start) {
+        fit_cloud(start.get(), c, options);
+    }
+    const fuzz::Spline s = fuzz::any_spline(in);
+    const fuzz::Handle g(fuzz::create(s));
+    if (g && s.total <= 30 && s.dim <= c.data.dim) { // as many values as points need
+        Case other = c;
+        other.data.n = std::min<int64_t>(c.data.n, 10);
+        fit_cloud(g.get(), other, options);
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -268,5 +317,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     points(in, c);
     tolerance(in, c);
     approximate(in);
+    cloud(in, c);
     return 0;
 }

@@ -84,6 +84,40 @@ module nurbs_c
         integer(c_int64_t) :: outliers  ! receives the number of data with x > 1 of a robust fit, else 0
     end type nurbs_fit_report
 
+    !> How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands for
+    !> as well. Fields are only ever appended. \since 1.1
+    type, bind(c) :: nurbs_cloud_options
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        ! m, the derivative that is penalised, >= 1, at most the highest degree; 2
+        integer(c_int32_t) :: penalty_order
+        integer(c_int32_t) :: rounds  ! most searches for the nearest points of all points, >= 1; 100
+        real(c_double) :: lambda  ! the factor of the penalty; below 0: found; -1
+        real(c_double) :: first_lambda  ! the factor to begin with, which falls to lambda; below 0: found; -1
+        real(c_double) :: tolerance  ! the smallest part of the sum whose loss is worth a step, >= 0; 1e-3
+    end type nurbs_cloud_options
+
+    !> What nurbs_fit_cloud() tells. Set struct_size to sizeof(nurbs_cloud_report); all other fields are
+    !> answers. Fields are only ever appended. \since 1.1
+    type, bind(c) :: nurbs_cloud_report
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        ! receives the number of points that count: those of a weight above 0
+        integer(c_int64_t) :: data_count
+        real(c_double) :: weight  ! receives the sum of their weights
+        real(c_double) :: squares  ! receives sum_i w_i d_i^2, d_i the distance of point i from the result
+        real(c_double) :: rms  ! receives the square root of squares / weight
+        real(c_double) :: largest  ! receives the largest d_i
+        integer(c_int64_t) :: largest_index  ! receives where that is
+        real(c_double) :: lambda  ! receives the last factor of the penalty
+        ! receives a bound of how far a d_i is from the true distance, if it is certified
+        real(c_double) :: noise
+        ! receives the number of points whose nearest point is on an end or an edge
+        integer(c_int64_t) :: boundary
+        ! receives the number of points whose nearest point is not proven to be that
+        integer(c_int64_t) :: uncertified
+        integer(c_int32_t) :: rounds  ! receives the number of searches for the nearest points
+        integer(c_int32_t) :: bits  ! receives a sum of NURBS_CLOUD_ bits
+    end type nurbs_cloud_report
+
     !> What the batches of this chapter are asked as long calls. Set struct_size to
     !> sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their
     !> defaults. Those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are
@@ -1419,6 +1453,55 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_approximate_with
+        !> A spline from which nurbs_fit_cloud() can begin, found from points without parameters: linear along
+        !> each axis in one of the principal directions of the points, from their mean as far as they reach,
+        !> axis 0 in the first one.
+        function nurbs_cloud_start(axes, degrees, counts, knots, knot_count, n, dim, points, point_stride, &
+                point_component_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*), points(*)
+            integer(c_int64_t), value :: knot_count, n, point_stride, point_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_cloud_start
+        !> Fills an options struct with the defaults.
+        function nurbs_cloud_options_init(options, struct_size) bind(c) result(r)
+            import
+            type(nurbs_cloud_options), intent(inout) :: options
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_cloud_options_init
+        !> The spline, over the knots of a start, that is closest to points without parameters: a minimum,
+        !> which is reached from the start, of.
+        function nurbs_fit_cloud(g, n, points, point_stride, point_component_stride, weights, weight_stride, &
+                options, report, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), intent(in), optional :: weights(*)
+            type(nurbs_cloud_options), intent(in), optional :: options
+            type(nurbs_cloud_report), intent(inout), optional :: report
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_cloud
+        !> nurbs_fit_cloud() as a call that can be watched and ended.
+        function nurbs_fit_cloud_with(g, n, points, point_stride, point_component_stride, weights, &
+                weight_stride, options, report, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), intent(in), optional :: weights(*)
+            type(nurbs_cloud_options), intent(in), optional :: options
+            type(nurbs_cloud_report), intent(inout), optional :: report
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fit_cloud_with
         ! --- Continuity
         !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
         !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet

@@ -256,6 +256,10 @@ module nurbs_constants
     ! the rounds of a robust fit still changed it at their end
     integer(c_int32_t), parameter :: NURBS_FIT_NOT_CONVERGED = int(z'02', c_int32_t)
 
+    ! --- What nurbs_cloud_report tells besides
+    ! the rounds ended while the sum still fell
+    integer(c_int32_t), parameter :: NURBS_CLOUD_NOT_CONVERGED = int(z'01', c_int32_t)
+
     ! --- Rules for tangents, for nurbs_tangents()
     integer(c_int32_t), parameter :: NURBS_TANGENTS_CATMULL_ROM = 0  ! the slope between the neighbours
     ! of the parabola through a point and its neighbours

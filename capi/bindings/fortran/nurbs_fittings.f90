@@ -6,15 +6,16 @@ module nurbs_fittings
     use nurbs_constants
     use nurbs_c, only: nurbs_statistics_create, nurbs_statistics_add, nurbs_statistics_merge, nurbs_statistics_size, &
         nurbs_statistics_from_bytes, nurbs_fit, nurbs_fit_points, nurbs_fit_errors, nurbs_fit_criteria, &
-        nurbs_fit_tolerance, nurbs_statistics_add_with, nurbs_fit_with, nurbs_fit_points_with, nurbs_fit_errors_with, &
-        nurbs_fit_criteria_with, nurbs_fit_tolerance_with, nurbs_data, nurbs_fit_options, nurbs_fit_report
+        nurbs_fit_tolerance, nurbs_cloud_start, nurbs_fit_cloud, nurbs_statistics_add_with, nurbs_fit_with, &
+        nurbs_fit_points_with, nurbs_fit_errors_with, nurbs_fit_criteria_with, nurbs_fit_tolerance_with, &
+        nurbs_fit_cloud_with, nurbs_data, nurbs_fit_options, nurbs_fit_report, nurbs_cloud_options, nurbs_cloud_report
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
     use nurbs_splines
     implicit none
     private
-    public :: fit_points, fit_tolerance
+    public :: fit_points, fit_tolerance, cloud_start, fit_cloud
 
     !> What fits need to know of data; an assignment makes another handle on the same sums.
     type, extends(nurbs_statistics_handle), public :: nurbs_statistics
@@ -253,4 +254,54 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine fit_tolerance
+
+    !> A spline over full knot vectors, all axes one after the other, along the principal directions of points.
+    subroutine cloud_start(degrees, counts, knots, points, out, flags, status)
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:), points(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes
+        type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(counts, axes)])
+        if (code == NURBS_OK) code = nurbs_cloud_start(int(axes), degrees, int(counts, c_int64_t), knots, &
+            size(knots, kind=c_int64_t), size(points, 1, c_int64_t), size(points, 2), points, step(points), &
+            column(points), given(flags, 0), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine cloud_start
+
+    !> The spline over the same knots that is closest to points without parameters, found from this one.
+    subroutine fit_cloud(g, points, out, weights, options, report, status, call)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: points(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(in), optional :: weights(:)
+        type(nurbs_cloud_options), intent(in), optional :: options
+        type(nurbs_cloud_report), intent(inout), optional :: report
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        n = size(points, 1, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(points, n, dim_of(g%handle)), fits(weights, n)])
+        if (present(report)) report%struct_size = c_sizeof(report)
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fit_cloud_with(g%handle, n, points, step(points), column(points), weights, 0_c_int64_t, &
+                    options, report, watched(call), made)
+            else
+                code = nurbs_fit_cloud(g%handle, n, points, step(points), column(points), weights, 0_c_int64_t, &
+                    options, report, made)
+            end if
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine fit_cloud
 end module nurbs_fittings

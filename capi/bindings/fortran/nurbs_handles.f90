@@ -3,13 +3,13 @@
 module nurbs_handles
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_clone, nurbs_data, nurbs_data_init, nurbs_destroy, nurbs_fit_options, &
-        nurbs_fit_options_init, nurbs_list_destroy, nurbs_read_options, nurbs_read_options_init, &
-        nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes
+    use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
+        nurbs_destroy, nurbs_fit_options, nurbs_fit_options_init, nurbs_list_destroy, nurbs_read_options, &
+        nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes
     use nurbs_support
     implicit none
     private
-    public :: handles_of, default_read_options, default_fit_options, data_for_fits
+    public :: handles_of, default_read_options, default_fit_options, default_cloud_options, data_for_fits
 
     !> As the library takes an array of handles.
     interface handles_of
@@ -169,6 +169,13 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call settle(nurbs_fit_options_init(options, int(c_sizeof(options), c_int64_t)), status)
     end subroutine default_fit_options
+
+    !> The settings that fits of points without parameters have without options, to change some of them.
+    subroutine default_cloud_options(options, status)
+        type(nurbs_cloud_options), intent(out) :: options
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_cloud_options_init(options, int(c_sizeof(options), c_int64_t)), status)
+    end subroutine default_cloud_options
 
     ! Lists
 

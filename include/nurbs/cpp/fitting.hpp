@@ -38,6 +38,9 @@ inline constexpr std::int32_t trend_concave = NURBS_TREND_CONCAVE;
 inline constexpr std::int32_t fit_target_missed = NURBS_FIT_TARGET_MISSED;
 inline constexpr std::int32_t fit_not_converged = NURBS_FIT_NOT_CONVERGED;
 
+/// What the report of a fit of points without parameters tells besides.
+inline constexpr std::int32_t cloud_not_converged = NURBS_CLOUD_NOT_CONVERGED;
+
 /// What a fit is to be besides close to the data, initialised to the defaults. Later versions of this header
 /// may know more of them: where libraries that were compiled with two versions meet in one program, each has
 /// to say its own size, and none the other's.
@@ -51,6 +54,22 @@ struct FitOptions : nurbs_fit_options {
 struct FitReport : nurbs_fit_report {
     [[gnu::always_inline]] FitReport() noexcept : nurbs_fit_report{} {
         struct_size = static_cast<std::int64_t>(sizeof(nurbs_fit_report));
+    }
+};
+
+/// How a fit of points without parameters goes on, initialised to the defaults. Later versions of this header
+/// may know more of them: where libraries that were compiled with two versions meet in one program, each has
+/// to say its own size, and none the other's.
+struct CloudOptions : nurbs_cloud_options {
+    [[gnu::always_inline]] CloudOptions() : nurbs_cloud_options{} {
+        detail::call(nurbs_cloud_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_cloud_options)));
+    }
+};
+
+/// What a fit of points without parameters tells.
+struct CloudReport : nurbs_cloud_report {
+    [[gnu::always_inline]] CloudReport() noexcept : nurbs_cloud_report{} {
+        struct_size = static_cast<std::int64_t>(sizeof(nurbs_cloud_report));
     }
 };
 
@@ -120,6 +139,46 @@ inline Returned<Fitted> fit_tolerance(const Data &data, View<std::int32_t> degre
     made.spline =
         detail::made<Spline>(nurbs_fit_tolerance_with, &data, degrees.data(), detail::pointer(domain),
                              tolerance, max_count, flags, &options, &made.report, watch.get());
+    return made;
+}
+
+/// A spline over full knot vectors, all axes one after the other, along the principal directions of points.
+inline Returned<Spline> cloud_start(View<std::int32_t> degrees, View<std::int64_t> counts, View<double> knots,
+                                    std::int32_t dim, Input points, std::uint32_t flags = 0) {
+    detail::require(counts, detail::length(degrees), "counts");
+    const std::int64_t n = detail::records(points, dim, "points");
+    return detail::made<Spline>(nurbs_cloud_start, detail::axes_of(degrees), degrees.data(), counts.data(),
+                                knots.data(), detail::length(knots), n, dim, points.data(), points.stride(),
+                                points.component_stride(), flags);
+}
+
+/// The spline, and what the fit of points without parameters tells.
+struct FittedCloud {
+    Spline spline;      ///< The spline.
+    CloudReport report; ///< What the fit tells.
+};
+
+/// The spline over the same knots that is closest to points without parameters, found from this one.
+inline Returned<FittedCloud> fit_cloud(const Spline &g, Input points, Input weights = {},
+                                       const CloudOptions &options = {}) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    detail::require_wanted(weights, n, 1, "weights");
+    FittedCloud made{};
+    made.spline = detail::made<Spline>(nurbs_fit_cloud, g.get(), n, points.data(), points.stride(),
+                                       points.component_stride(), detail::pointer(weights), weights.step(),
+                                       &options, &made.report);
+    return made;
+}
+/// The same; `call` can watch and end it.
+inline Returned<FittedCloud> fit_cloud(const Spline &g, Input points, Input weights,
+                                       const CloudOptions &options, const CallOptions &call) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    detail::require_wanted(weights, n, 1, "weights");
+    FittedCloud made{};
+    const detail::Watch watch(call);
+    made.spline = detail::made<Spline>(nurbs_fit_cloud_with, g.get(), n, points.data(), points.stride(),
+                                       points.component_stride(), detail::pointer(weights), weights.step(),
+                                       &options, &made.report, watch.get());
     return made;
 }
 

@@ -15,6 +15,8 @@ using AxisMatrix = std::array<AxisVector, max_axes>;
 
 // The eigenvalues of a symmetric matrix, rising.
 AxisVector symmetric_eigenvalues(int n, const AxisMatrix &a);
+// (1 + A+)^-1, where A+ is a symmetric matrix A with eigenvalues below 0 replaced by 0.
+AxisMatrix inverse_of_positive_part(int n, const AxisMatrix &a);
 // None where a pivot of Gauss' elimination with full pivoting counts as 0 to rounding.
 std::optional<AxisMatrix> inverse(int n, const AxisMatrix &a);
 // The shortest vector of those for which A x is closest to right, directions that A shrinks to rounding left

@@ -447,6 +447,23 @@ void data(const Inputs &in) {
         show("out", found.spline);
     }
     {
+        begin("cloud_start");
+        const auto found = n::cloud_start({1}, {3}, {0.0, 0.0, 0.5, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 1.0, 2.0, 1.0}, 0u);
+        show("out", found);
+    }
+    by_hand("cloud_options_init");
+    {
+        begin("fit_cloud");
+        n::CloudOptions options;
+        options.penalty_order = 2;
+        options.rounds = 3;
+        options.lambda = 0.5;
+        options.first_lambda = 1.0;
+        options.tolerance = 0.001;
+        const auto found = n::fit_cloud(in.twist, {0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0}, {1.0, 2.0, 1.0}, options);
+        show("out", found.spline);
+    }
+    {
         begin("approximate");
         const auto found = n::approximate(in.curve, 0.001, {3}, 0);
         show("out", found.spline);
@@ -542,6 +559,17 @@ void data(const Inputs &in) {
         options.smoothing = 0;
         options.penalty_order = 2;
         const auto found = n::fit_tolerance(data, {2}, 0.01, {0.0, 1.0}, 0, options, 0u, watched());
+        show("out", found.spline);
+    }
+    {
+        begin("fit_cloud_with");
+        n::CloudOptions options;
+        options.penalty_order = 2;
+        options.rounds = 3;
+        options.lambda = 0.5;
+        options.first_lambda = 1.0;
+        options.tolerance = 0.001;
+        const auto found = n::fit_cloud(in.twist, {0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0}, {1.0, 2.0, 1.0}, options, watched());
         show("out", found.spline);
     }
     {

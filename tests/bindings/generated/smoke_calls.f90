@@ -677,6 +677,31 @@ contains
                 report=report_found, flags=0)
             call show('out', out_found)
         end block
+        call begin('cloud_start')
+        block
+            type(nurbs_spline) :: out_found
+            call cloud_start(degrees=[1], counts=[3], knots=[0.0d0, 0.0d0, 0.5d0, 1.0d0, 1.0d0], &
+                points=reshape([0.0d0, 0.0d0, 1.0d0, 1.0d0, 2.0d0, 1.0d0], [3, 2], order=[2, 1]), out=out_found, &
+                flags=0)
+            call show('out', out_found)
+        end block
+        call by_hand('cloud_options_init')
+        call begin('fit_cloud')
+        block
+            type(nurbs_spline) :: out_found
+            type(nurbs_cloud_options) :: options_given
+            type(nurbs_cloud_report) :: report_found
+            call default_cloud_options(options_given)
+            options_given%penalty_order = 2
+            options_given%rounds = 3
+            options_given%lambda = 0.5d0
+            options_given%first_lambda = 1.0d0
+            options_given%tolerance = 0.001d0
+            call fit_cloud(g=twist, points=reshape([0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 2.0d0], &
+                [3, 3], order=[2, 1]), out=out_found, weights=[1.0d0, 2.0d0, 1.0d0], options=options_given, &
+                report=report_found)
+            call show('out', out_found)
+        end block
         call begin('approximate')
         block
             type(nurbs_spline) :: out_found
@@ -812,6 +837,23 @@ contains
             call fit_tolerance(data=data_given, degrees=[2], tolerance=0.01d0, out=out_found, &
                 domain=reshape([0.0d0, 1.0d0], [1, 2], order=[2, 1]), max_count=0, options=options_given, &
                 report=report_found, flags=0, call=watching)
+            call show('out', out_found)
+        end block
+        call begin('fit_cloud_with')
+        block
+            type(nurbs_spline) :: out_found
+            type(nurbs_cloud_options) :: options_given
+            type(nurbs_cloud_report) :: report_found
+            type(nurbs_call) :: watching
+            call default_cloud_options(options_given)
+            options_given%penalty_order = 2
+            options_given%rounds = 3
+            options_given%lambda = 0.5d0
+            options_given%first_lambda = 1.0d0
+            options_given%tolerance = 0.001d0
+            call fit_cloud(g=twist, points=reshape([0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 2.0d0], &
+                [3, 3], order=[2, 1]), out=out_found, weights=[1.0d0, 2.0d0, 1.0d0], options=options_given, &
+                report=report_found, call=watching)
             call show('out', out_found)
         end block
         call begin('approximate_with')

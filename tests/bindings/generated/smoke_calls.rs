@@ -754,6 +754,35 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found.spline);
     }
+    begin("cloud_start");
+    {
+        let found = Spline::cloud_start(
+            &[1],
+            &[3],
+            &[0.0, 0.0, 0.5, 1.0, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 1.0, 2.0, 1.0],
+            0,
+        )?;
+        show("out", &found);
+    }
+    by_hand("cloud_options_init");
+    begin("fit_cloud");
+    {
+        let found = given.twist.fit_cloud(
+            &[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0],
+            Some(&[1.0, 2.0, 1.0]),
+            Some(
+                &nurbs::CloudOptions::new()?
+                    .penalty_order(2)
+                    .rounds(3)
+                    .lambda(0.5)
+                    .first_lambda(1.0)
+                    .tolerance(0.001),
+            ),
+        )?;
+        show("out", &found.spline);
+    }
     begin("approximate");
     {
         let found = given.curve.approximate(0.001, &[3], 0)?;
@@ -870,6 +899,23 @@ fn data(given: &Given) -> nurbs::Result<()> {
             0,
             Some(&nurbs::FitOptions::new()?.smoothing(0, 0.0).penalty_order(2)),
             0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found.spline);
+    }
+    begin("fit_cloud_with");
+    {
+        let found = given.twist.fit_cloud_with(
+            &[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 1.0, 2.0],
+            Some(&[1.0, 2.0, 1.0]),
+            Some(
+                &nurbs::CloudOptions::new()?
+                    .penalty_order(2)
+                    .rounds(3)
+                    .lambda(0.5)
+                    .first_lambda(1.0)
+                    .tolerance(0.001),
+            ),
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found.spline);

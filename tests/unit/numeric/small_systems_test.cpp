@@ -16,6 +16,16 @@ TEST(SmallSystems, eigenvalues_rise) {
     EXPECT_EQ(values[2], 0);
 }
 
+TEST(SmallSystems, only_positive_eigenvalues_are_added_to_1) {
+    const AxisMatrix one = inverse_of_positive_part(1, {{{3}}}), none = inverse_of_positive_part(1, {{{-3}}});
+    EXPECT_EQ(one[0][0], 0.25);
+    EXPECT_EQ(none[0][0], 1);
+    const AxisMatrix both = inverse_of_positive_part(2, {{{1, 2}, {2, 1}}}); // eigenvalues 3 and -1
+    EXPECT_NEAR(both[0][0], 0.625, 1e-15);
+    EXPECT_NEAR(both[0][1], -0.375, 1e-15);
+    EXPECT_NEAR(both[1][1], 0.625, 1e-15);
+}
+
 TEST(SmallSystems, an_inverse_times_its_matrix_is_the_identity) {
     const AxisMatrix a{{{4, 1, 2}, {0, 3, 1}, {5, 0, 1}}};
     const std::optional<AxisMatrix> b = inverse(3, a);

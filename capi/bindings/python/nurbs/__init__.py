@@ -43,6 +43,7 @@ from ._library import last_error as last_error, lib as lib, status_name as statu
 from ._analysis import *  # noqa: F403
 from ._bounds import *  # noqa: F403
 from ._closest import *  # noqa: F403
+from ._cloud import *  # noqa: F403
 from .constants import *  # noqa: F403 - the names of the header
 from ._constrain import *  # noqa: F403
 from ._continuation import *  # noqa: F403

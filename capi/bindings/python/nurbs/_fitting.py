@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     #: Words with spaces between them, or sums of NURBS_TREND_ constants.
     Shape = Union[str, ArrayLike, None]
 
-__all__ = ["FitReport", "Fitted", "Statistics", "fit_points", "fit_tolerance"]
+__all__ = ["FitReport", "Fitted", "Statistics", "cloud_start", "fit_points", "fit_tolerance"]
 
 _SMOOTHINGS = {"none": NURBS_SMOOTHING_NONE, "lambda": NURBS_SMOOTHING_LAMBDA, "gcv": NURBS_SMOOTHING_GCV,
                "reml": NURBS_SMOOTHING_REML, "discrepancy": NURBS_SMOOTHING_DISCREPANCY}
@@ -458,3 +458,17 @@ def fit_tolerance(params: ArrayLike, values: ArrayLike, degrees: Union[int, Sequ
                        shape, lower, upper)
     return _fitted(watched(lib.nurbs_fit_tolerance, progress, work), ctypes.byref(data), p.ctypes.data, address(ends),
                    tolerance, max_count, flags, ctypes.byref(options))
+
+
+# --- Points without parameters ---
+
+def cloud_start(points: ArrayLike, degrees: Union[int, Sequence[int]], knots: ByAxis, flags: int = 0) -> Spline:
+    """A spline over full knot vectors, a vector or one for each axis, from which Spline.fit_cloud() can begin: along the
+    principal directions of points (n, dim), as far as these reach. `flags` are NURBS_PERIODIC for one axis of a curve or
+    surface, for an ellipse or an elliptic cylinder."""
+    axes = vector(degrees, numpy.int32).size
+    space = _Space(degrees, knots, axes)
+    given = packed(points)
+    if given.ndim != 2:
+        raise ValueError(f"points of shape {given.shape}, expected (n, dim)")
+    return Spline._made(lib.nurbs_cloud_start, axes, *space.layout, *given.shape, given.ctypes.data, 0, 0, flags)

@@ -16,6 +16,7 @@ from ._analysis import Analysis
 from ._bounds import Bounds
 from ._calculus import Calculus
 from ._closest import Distances
+from ._cloud import Clouds
 from ._constrain import Constraints
 from ._continuation import Continuation
 from ._deform import Deformations
@@ -38,7 +39,8 @@ __all__ = ["Spline"]
 
 
 class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Sweeps,
-             Frames, Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Linear, Plots):
+             Frames, Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Clouds, Linear,
+             Plots):
     """A curve, surface or volume: C(t) = sum_i w_i N_i(t) P_i / sum_j w_j N_j(t).
 
         s = nurbs.Spline(2, [0, 0, 0, 1, 1, 1], [[1, 0], [1, 1], [0, 1]], [1, 0.5**0.5, 1])

@@ -197,3 +197,79 @@ impl PartialEq for FitReport {
         format!("{:?}", self.raw) == format!("{:?}", other.raw)
     }
 }
+
+/// How a fit of points without parameters goes on; `CloudOptions::new()` has the defaults.
+#[derive(Clone, Copy, Debug)]
+pub struct CloudOptions {
+    raw: sys::nurbs_cloud_options,
+}
+
+impl CloudOptions {
+    /// The defaults.
+    pub fn new() -> Result<CloudOptions> {
+        let size = std::mem::size_of::<sys::nurbs_cloud_options>() as i64;
+        let mut raw: sys::nurbs_cloud_options = unsafe { std::mem::zeroed() };
+        check(unsafe { sys::nurbs_cloud_options_init(&mut raw, size) })?;
+        Ok(CloudOptions { raw })
+    }
+    /// The derivative that is penalised.
+    pub fn penalty_order(mut self, order: i32) -> CloudOptions {
+        self.raw.penalty_order = order;
+        self
+    }
+    /// Most searches for the nearest points of all points.
+    pub fn rounds(mut self, rounds: i32) -> CloudOptions {
+        self.raw.rounds = rounds;
+        self
+    }
+    /// The factor of the penalty; below 0 it is found.
+    pub fn lambda(mut self, lambda: f64) -> CloudOptions {
+        self.raw.lambda = lambda;
+        self
+    }
+    /// The factor to begin with; below 0 it is found.
+    pub fn first_lambda(mut self, lambda: f64) -> CloudOptions {
+        self.raw.first_lambda = lambda;
+        self
+    }
+    /// The smallest part of the sum whose loss is worth a step.
+    pub fn tolerance(mut self, tolerance: f64) -> CloudOptions {
+        self.raw.tolerance = tolerance;
+        self
+    }
+}
+
+/// NULL without settings.
+pub(crate) fn cloud_options_pointer(options: Option<&CloudOptions>) -> *const sys::nurbs_cloud_options {
+    options.map_or(std::ptr::null(), |o| &o.raw)
+}
+
+/// What a fit of points without parameters tells: the fields of `nurbs_cloud_report`.
+#[derive(Clone, Copy, Debug)]
+pub struct CloudReport {
+    raw: sys::nurbs_cloud_report,
+}
+
+impl CloudReport {
+    pub(crate) fn empty() -> CloudReport {
+        let mut raw: sys::nurbs_cloud_report = unsafe { std::mem::zeroed() };
+        raw.struct_size = std::mem::size_of::<sys::nurbs_cloud_report>() as i64;
+        CloudReport { raw }
+    }
+    pub(crate) fn raw_mut(&mut self) -> *mut sys::nurbs_cloud_report {
+        &mut self.raw
+    }
+}
+
+impl std::ops::Deref for CloudReport {
+    type Target = sys::nurbs_cloud_report;
+    fn deref(&self) -> &sys::nurbs_cloud_report {
+        &self.raw
+    }
+}
+
+impl PartialEq for CloudReport {
+    fn eq(&self, other: &CloudReport) -> bool {
+        format!("{:?}", self.raw) == format!("{:?}", other.raw)
+    }
+}

@@ -2,11 +2,13 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Splines closest to data, and statistics of data.
 
-use crate::arrays::{counts_of, exactly, if_given, Records};
+use crate::arrays::{counts_of, exactly, if_given, optional, Records};
 use crate::call::Call;
-use crate::data::{fit_options_pointer, Data, FitOptions, FitReport};
+use crate::data::{
+    cloud_options_pointer, fit_options_pointer, CloudOptions, CloudReport, Data, FitOptions, FitReport,
+};
 use crate::error::{check, Result};
-use crate::sizes::axes_of;
+use crate::sizes::{axes_of, positive};
 use crate::spline::Spline;
 use crate::statistics::{statistics_handles, Statistics};
 use crate::sys;
@@ -19,6 +21,16 @@ pub struct Fitted {
     pub spline: Spline,
     /// What the fit tells.
     pub report: FitReport,
+}
+
+/// The spline, and what the fit of points without parameters tells.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FittedCloud {
+    /// The spline.
+    pub spline: Spline,
+    /// What the fit tells.
+    pub report: CloudReport,
 }
 
 /// How much data statistics hold.
@@ -153,6 +165,98 @@ pub fn fit_tolerance_with(
         )
     })?;
     Ok(Fitted { spline, report })
+}
+
+/// Splines closest to data, and statistics of data.
+impl Spline {
+    /// A spline over full knot vectors, all axes one after the other, along the principal directions of
+    /// points.
+    pub fn cloud_start<'a>(
+        degrees: &[i32],
+        counts: &[usize],
+        knots: &[f64],
+        dim: i32,
+        points: impl Into<Records<'a>>,
+        flags: u32,
+    ) -> Result<Spline> {
+        let points = points.into();
+        let n = points.count(positive(dim), "points")?;
+        let counts = counts_of(counts, degrees.len(), "counts")?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_cloud_start(
+                axes_of(degrees),
+                degrees.as_ptr(),
+                counts.as_ptr(),
+                knots.as_ptr(),
+                knots.len() as i64,
+                n as i64,
+                dim,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                flags,
+                out,
+            )
+        })
+    }
+
+    /// The spline over the same knots that is closest to points without parameters, found from this one.
+    pub fn fit_cloud<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        weights: Option<&[f64]>,
+        options: Option<&CloudOptions>,
+    ) -> Result<FittedCloud> {
+        let points = points.into();
+        let n = points.count(self.dimension()? as usize, "points")?;
+        let weights = optional(weights, n, "weights")?;
+        let mut report = CloudReport::empty();
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_fit_cloud(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                weights,
+                0,
+                cloud_options_pointer(options),
+                report.raw_mut(),
+                out,
+            )
+        })?;
+        Ok(FittedCloud { spline, report })
+    }
+
+    /// The same as `fit_cloud`; it can be watched and stopped.
+    pub fn fit_cloud_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        weights: Option<&[f64]>,
+        options: Option<&CloudOptions>,
+        call: &mut Call,
+    ) -> Result<FittedCloud> {
+        let points = points.into();
+        let n = points.count(self.dimension()? as usize, "points")?;
+        let weights = optional(weights, n, "weights")?;
+        let mut report = CloudReport::empty();
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_fit_cloud_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                weights,
+                0,
+                cloud_options_pointer(options),
+                report.raw_mut(),
+                call.options(),
+                out,
+            )
+        })?;
+        Ok(FittedCloud { spline, report })
+    }
 }
 
 /// Splines closest to data, and statistics of data.

@@ -68,7 +68,7 @@ mod shapes;
 
 pub use arrays::{Records, RecordsMut};
 pub use call::Call;
-pub use data::{Data, FitOptions, FitReport};
+pub use data::{CloudOptions, CloudReport, Data, FitOptions, FitReport};
 pub use error::{last_error, status_name, version, Error, Result};
 pub use list::{List, ReadOptions};
 pub use placement::{Placement, Turn};

@@ -161,6 +161,58 @@ pub struct nurbs_fit_report {
     pub outliers: i64,
 }
 
+/// How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands for as
+/// well. Fields are only ever appended. \since 1.1
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_cloud_options {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// m, the derivative that is penalised, \>= 1, at most the highest degree; 2
+    pub penalty_order: i32,
+    /// most searches for the nearest points of all points, \>= 1; 100
+    pub rounds: i32,
+    /// the factor of the penalty; below 0: found; -1
+    pub lambda: f64,
+    /// the factor to begin with, which falls to lambda; below 0: found; -1
+    pub first_lambda: f64,
+    /// the smallest part of the sum whose loss is worth a step, \>= 0; 1e-3
+    pub tolerance: f64,
+}
+
+/// What nurbs_fit_cloud() tells. Set struct_size to sizeof(nurbs_cloud_report); all other fields are answers.
+/// Fields are only ever appended. \since 1.1
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_cloud_report {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// receives the number of points that count: those of a weight above 0
+    pub data_count: i64,
+    /// receives the sum of their weights
+    pub weight: f64,
+    /// receives sum_i w_i d_i^2, d_i the distance of point i from the result
+    pub squares: f64,
+    /// receives the square root of squares / weight
+    pub rms: f64,
+    /// receives the largest d_i
+    pub largest: f64,
+    /// receives where that is
+    pub largest_index: i64,
+    /// receives the last factor of the penalty
+    pub lambda: f64,
+    /// receives a bound of how far a d_i is from the true distance, if it is certified
+    pub noise: f64,
+    /// receives the number of points whose nearest point is on an end or an edge
+    pub boundary: i64,
+    /// receives the number of points whose nearest point is not proven to be that
+    pub uncertified: i64,
+    /// receives the number of searches for the nearest points
+    pub rounds: i32,
+    /// receives a sum of NURBS_CLOUD_ bits
+    pub bits: i32,
+}
+
 /// What the batches of this chapter are asked as long calls. Set struct_size to sizeof(nurbs_closest_query),
 /// and what is not wanted to 0: fields that are 0 or NULL have their defaults. Those that a function does not
 /// use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most
@@ -570,6 +622,10 @@ pub const NURBS_TREND_CONCAVE: i32 = 0x08;
 pub const NURBS_FIT_TARGET_MISSED: i32 = 0x01;
 /// the rounds of a robust fit still changed it at their end
 pub const NURBS_FIT_NOT_CONVERGED: i32 = 0x02;
+
+// --- What nurbs_cloud_report tells besides
+/// the rounds ended while the sum still fell
+pub const NURBS_CLOUD_NOT_CONVERGED: i32 = 0x01;
 
 // --- Rules for tangents, for nurbs_tangents()
 /// the slope between the neighbours
@@ -1854,6 +1910,57 @@ extern "C" {
         tolerance: f64,
         max_count: i64,
         bound: *mut f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// A spline from which nurbs_fit_cloud() can begin, found from points without parameters: linear along
+    /// each axis in one of the principal directions of the points, from their mean as far as they reach, axis
+    /// 0 in the first one.
+    pub fn nurbs_cloud_start(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        n: i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Fills an options struct with the defaults.
+    pub fn nurbs_cloud_options_init(options: *mut nurbs_cloud_options, struct_size: i64) -> nurbs_status;
+    /// The spline, over the knots of a start, that is closest to points without parameters: a minimum, which
+    /// is reached from the start, of.
+    ///
+    /// May be null: `weights`, `options`, `report`.
+    pub fn nurbs_fit_cloud(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        options: *const nurbs_cloud_options,
+        report: *mut nurbs_cloud_report,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_fit_cloud() as a call that can be watched and ended.
+    ///
+    /// May be null: `weights`, `options`, `report`, `call`.
+    pub fn nurbs_fit_cloud_with(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        options: *const nurbs_cloud_options,
+        report: *mut nurbs_cloud_report,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;

@@ -481,6 +481,34 @@ const Call group[] = {
          report.struct_size = sizeof(nurbs_fit_report);
          return nurbs_fit_tolerance(&data, degrees, domain, 0.01, 0, 0, &options, &report, &o.out);
      }, true},
+    {"cloud_start",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {1};
+         static constexpr int64_t counts[] = {3};
+         static constexpr double knots[] = {0, 0, 0.5, 1, 1};
+         static constexpr double points[] = {0, 0, 1, 1, 2, 1};
+         return nurbs_cloud_start(1, degrees, counts, knots, 5, 3, 2, points, 0, 0, 0, &o.out);
+     }},
+    {"cloud_options_init",
+     [](const Inputs &, Output &) -> nurbs_status {
+         nurbs_cloud_options options;
+         return nurbs_cloud_options_init(&options, sizeof(nurbs_cloud_options));
+     }},
+    {"fit_cloud",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0, 0, 0, 1, 1, 0, 2, 1, 2};
+         static constexpr double weights[] = {1, 2, 1};
+         nurbs_cloud_options options;
+         (void)nurbs_cloud_options_init(&options, sizeof options);
+         options.penalty_order = 2;
+         options.rounds = 3;
+         options.lambda = 0.5;
+         options.first_lambda = 1;
+         options.tolerance = 0.001;
+         nurbs_cloud_report report = {};
+         report.struct_size = sizeof(nurbs_cloud_report);
+         return nurbs_fit_cloud(in.twist, 3, points, 0, 0, weights, 0, &options, &report, &o.out);
+     }, true},
     {"approximate",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr int32_t degrees[] = {3};
@@ -618,6 +646,23 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fit_tolerance_with(&data, degrees, domain, 0.01, 0, 0, &options, &report, &call, &o.out);
+     }, true},
+    {"fit_cloud_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0, 0, 0, 1, 1, 0, 2, 1, 2};
+         static constexpr double weights[] = {1, 2, 1};
+         nurbs_cloud_options options;
+         (void)nurbs_cloud_options_init(&options, sizeof options);
+         options.penalty_order = 2;
+         options.rounds = 3;
+         options.lambda = 0.5;
+         options.first_lambda = 1;
+         options.tolerance = 0.001;
+         nurbs_cloud_report report = {};
+         report.struct_size = sizeof(nurbs_cloud_report);
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fit_cloud_with(in.twist, 3, points, 0, 0, weights, 0, &options, &report, &call, &o.out);
      }, true},
     {"approximate_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

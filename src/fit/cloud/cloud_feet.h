@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The points of a spline that are nearest to those of a cloud.
+#pragma once
+
+#include "fit/cloud/cloud.h"
+#include "fit/cloud/cloud_equations.h"
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb::fit {
+
+struct CloudFeet {
+    std::vector<double> params;    // [size][axes]
+    std::vector<double> distances; // [size]
+    std::vector<int32_t> status;   // [size], closest_ bits
+    double squares = 0;            // sum w d^2
+
+    // For the spline in the units of the cloud.
+    CloudFeet(const Spline &spline, const Cloud &cloud);
+};
+
+// How far a distance may be from the true one that is proven: twice what rounding adds to a proof of closest/, which holds
+// for the place that was found, once more for its parameter.
+double distance_noise(const Spline &spline, const Cloud &cloud) noexcept;
+
+// Adds the models of all squared distances.
+void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations);
+
+} // namespace nrb::fit

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "fit/cloud/fit_cloud.h"
+
+#include "base/finite.h"
+#include "base/representable.h"
+#include "base/watch.h"
+#include "closest/foot.h"
+#include "fit/cloud/cloud.h"
+#include "fit/cloud/cloud_equations.h"
+#include "fit/cloud/cloud_feet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace nrb::fit {
+
+namespace {
+
+// A spline in the units of the cloud, with what is known of it.
+struct Candidate {
+    std::vector<double> x; // control points that differ, [unknowns][dim]
+    SplinePtr spline;
+    CloudFeet feet;
+    double bend; // what the penalty is without its factor
+
+    [[nodiscard]] double sum(double lambda) const noexcept { return feet.squares + lambda * bend; }
+};
+
+class CloudDescent {
+public:
+    CloudDescent(const Spline &start, const Cloud &cloud, const CloudWishes &wishes)
+        : axes_(start.knot_vectors()), cloud_(cloud), wishes_(wishes), penalty_(axes_, wishes.penalty_order),
+          weight_(cloud.weight()), now_(candidate(unknowns_of(start))) {}
+
+    void run() {
+        lambda_ = first_lambda();
+        converged_ = is_exact();
+        while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // beyond it equations overflow
+            const bool settled = take_step();
+            const double before = lambda_;
+            lambda_ = next_lambda();
+            converged_ = is_exact() || (settled && lambda_ >= before / 2);
+        }
+    }
+
+    [[nodiscard]] const Candidate &found() const noexcept { return now_; }
+    [[nodiscard]] double lambda() const noexcept { return std::ldexp(lambda_, cloud_.weight_exponent); }
+    [[nodiscard]] double noise() const noexcept { return distance_noise(*now_.spline, cloud_); }
+    [[nodiscard]] int rounds() const noexcept { return rounds_; }
+    [[nodiscard]] bool converged() const noexcept { return converged_; }
+
+private:
+    // What lambda is divided by in a round at most. Relative to the weight of all points, the smallest one that smooths
+    // anything, the largest one (a bend of the whole domain pays some 500 times its square), and the quotient of squares and
+    // penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
+    static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4, shapeless = 0x1p-10;
+    static constexpr double most_freedom = 0.25; // of the points
+    static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, most_mu = 0x1p60,
+                            mu_ratio = 8;
+
+    [[nodiscard]] std::vector<double> unknowns_of(const Spline &start) const {
+        std::vector<double> x(static_cast<size_t>(penalty_.size() * cloud_.dim));
+        int64_t point = 0;
+        for_each_point([&](int64_t unknown) {
+            for (int c = 0; c < cloud_.dim; ++c) {
+                x[static_cast<size_t>(unknown * cloud_.dim + c)] =
+                    std::ldexp(start.points()[static_cast<size_t>(point * cloud_.dim + c)], -cloud_.exponent);
+            }
+            ++point;
+        });
+        return x;
+    }
+    // Calls visit(unknown) for all control points, with the copies.
+    template <class Visit>
+    void for_each_point(Visit &&visit) const {
+        Index counts{1, 1, 1};
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            counts[k] = axes_[k]->count();
+        }
+        for_each_index({}, counts, [&](const Index &layer) { visit(penalty_.unknown(layer)); });
+    }
+
+    Candidate candidate(std::vector<double> x) {
+        ++rounds_;
+        const Phase phase(0.1);
+        std::vector<double> points;
+        for_each_point([&](int64_t unknown) {
+            const auto first = x.begin() + unknown * cloud_.dim;
+            points.insert(points.end(), first, first + cloud_.dim);
+        });
+        SplinePtr spline = make_result(axes_, cloud_.dim, Form::polynomial, std::move(points));
+        CloudFeet feet(*spline, cloud_);
+        const double bend = penalty_.of(x);
+        return {std::move(x), std::move(spline), std::move(feet), bend};
+    }
+
+    // What pays next to nothing beside its distances, as a line or a plane does, tells nothing of the shape that is wanted:
+    // lambda falls from its largest value on, until it shows. Any other start is meant as it is.
+    [[nodiscard]] bool is_shapeless() const noexcept {
+        return now_.feet.squares >= shapeless * weight_ * now_.bend && !is_exact();
+    }
+    [[nodiscard]] double first_lambda() const noexcept {
+        const double first = wishes_.first_lambda >= 0 ? in_units(wishes_.first_lambda)
+                             : is_shapeless()          ? largest * weight_
+                                                       : 0;
+        return std::max(first, wanted_lambda());
+    }
+    [[nodiscard]] double next_lambda() const noexcept {
+        const double smaller = lambda_ / ratio;
+        const bool small = smaller <= smallest * weight_;
+        const double wanted = wishes_.lambda < 0 && is_shapeless() && !small ? 0 : wanted_lambda();
+        return std::min(lambda_, small ? wanted : std::max(smaller, wanted));
+    }
+    // If it is not given: the quotient of the variances of distances and of what is penalised, the latter with as many
+    // freedoms as control points have across the spline. That is the fixed point of S. Wood and M. Fasiolo, "A generalized
+    // Fellner-Schall method for smoothing parameter optimization", Biometrics 73 (2017), which maximises the likelihood.
+    [[nodiscard]] double wanted_lambda() const noexcept {
+        if (wishes_.lambda >= 0) {
+            return in_units(wishes_.lambda);
+        }
+        const auto across = static_cast<double>(penalty_.size() * (cloud_.dim - std::ssize(axes_)));
+        const double part = std::min(across / static_cast<double>(cloud_.size()), most_freedom);
+        const double limit = largest * weight_, squares = part * now_.feet.squares;
+        return squares < limit * now_.bend ? squares / now_.bend : limit;
+    }
+    [[nodiscard]] double in_units(double lambda) const noexcept {
+        return std::ldexp(lambda, -cloud_.weight_exponent);
+    }
+    // Whether the distances are those of rounding.
+    [[nodiscard]] bool is_exact() const noexcept {
+        return std::sqrt(now_.feet.squares / weight_) <= distance_noise(*now_.spline, cloud_);
+    }
+
+    // Goes on until a step lowers the sum, or none does; whether that is all that can be had.
+    bool take_step() {
+        CloudEquations equations(axes_, cloud_.dim, penalty_);
+        add_models(*now_.spline, cloud_, now_.feet, equations);
+        equations.finish(lambda_, now_.x);
+        const double before = now_.sum(lambda_);
+        for (; rounds_ < wishes_.rounds && mu_ <= most_mu; mu_ *= mu_ratio) {
+            const std::optional<CloudEquations::Step> step = equations.step(mu_);
+            if (!step) {
+                continue;
+            }
+            std::optional<Candidate> other = step->promise > 0 ? moved(step->change) : std::nullopt;
+            const double gain = other ? before - other->sum(lambda_) : 0;
+            if (gain > 0) {
+                const bool settled = gain <= wishes_.tolerance * before && mu_ <= small_mu;
+                now_ = std::move(*other);
+                trust(gain / step->promise);
+                return settled;
+            }
+            if (step->promise <= wishes_.tolerance * before) {
+                return true;
+            }
+        }
+        return false;
+    }
+    // None where control points overflow.
+    std::optional<Candidate> moved(const std::vector<double> &change) {
+        std::vector<double> x = now_.x;
+        for (size_t i = 0; i < x.size(); ++i) {
+            x[i] += change[i];
+        }
+        if (!all_moderate(x)) {
+            ++rounds_;
+            return std::nullopt;
+        }
+        return candidate(std::move(x));
+    }
+    // How much of what the models promised was had.
+    void trust(double part) noexcept {
+        constexpr double good = 0.75, bad = 0.25;
+        if (part > good) {
+            mu_ = std::max(mu_ / mu_ratio, least_mu);
+        } else if (part < bad) {
+            mu_ *= mu_ratio;
+        }
+    }
+
+    Spline::Axes axes_;
+    const Cloud &cloud_;
+    CloudWishes wishes_;
+    CloudPenalty penalty_;
+    double weight_;
+    int rounds_ = 0;
+    Candidate now_;
+    double lambda_ = 0, mu_ = first_mu;
+    bool converged_ = false;
+};
+
+SplinePtr in_units_of_caller(const Spline &spline, int exponent) {
+    std::vector<double> points;
+    for (const double x : spline.points()) {
+        points.push_back(std::ldexp(x, exponent));
+    }
+    require_representable(points, "control points");
+    return make_result(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points));
+}
+
+} // namespace
+
+CloudFit fit_cloud(const SplinePtr &start, const ConstRecords &points, const ConstRecords &weights,
+                   const CloudWishes &wishes) {
+    const Cloud cloud = cloud_of(points, weights, largest_magnitude(start->points()));
+    CloudDescent descent(*start, cloud, wishes);
+    descent.run();
+    const Candidate &found = descent.found();
+    const CloudFeet &feet = found.feet;
+    CloudFit fit{};
+    fit.spline = in_units_of_caller(*found.spline, cloud.exponent);
+    fit.data_count = cloud.size();
+    fit.weight = std::ldexp(cloud.weight(), cloud.weight_exponent);
+    fit.squares = std::ldexp(feet.squares, cloud.weight_exponent + 2 * cloud.exponent);
+    fit.rms = std::ldexp(std::sqrt(feet.squares / cloud.weight()), cloud.exponent);
+    const auto farthest = std::ranges::max_element(feet.distances);
+    fit.largest = std::ldexp(*farthest, cloud.exponent);
+    fit.largest_index = cloud.indices[static_cast<size_t>(farthest - feet.distances.begin())];
+    fit.noise = std::ldexp(descent.noise(), cloud.exponent);
+    fit.on_boundary = std::ranges::count_if(
+        feet.status, [](int32_t status) { return (status & closest::closest_boundary) != 0; });
+    fit.uncertified = std::ranges::count_if(
+        feet.status, [](int32_t status) { return (status & closest::closest_certified) == 0; });
+    fit.lambda = descent.lambda();
+    fit.rounds = descent.rounds();
+    fit.converged = descent.converged();
+    return fit;
+}
+
+} // namespace nrb::fit
