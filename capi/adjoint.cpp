@@ -4,7 +4,7 @@
 #include "guard.h"
 
 #include "base/checked.h"
-#include "eval/functions/adjoint.h"
+#include "eval/adjoint/adjoint.h"
 #include "eval/kernels/slots.h"
 
 using namespace nrb;

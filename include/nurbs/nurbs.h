@@ -5338,7 +5338,8 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * of the exact sum, where E_s[R_i] is the magnitude of the derivative of R_i in the preamble (tested).
  * grad_weights[i] is within 1 / w_i times twice as much, with n + dim for n, and the magnitudes of the
  * products R_i P_i and R_i C instead of E_s[R_i]. grad_params are products with the results of
- * nurbs_eval_derivs().
+ * nurbs_eval_derivs(); at order 0 they are made from the same sums as the other gradients, and are as
+ * accurate as such products.
  * \param[in] g a spline.
  * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
  * \param[in] n number of parameters.
