@@ -49,12 +49,6 @@ public:
     }
 
 private:
-    static Orders highest_orders(const Spline &spline, int order) noexcept {
-        Orders orders{};
-        std::fill_n(orders.begin(), spline.axes(), order);
-        return orders;
-    }
-
     // Derivatives are those of nurbs_eval_derivs(); the products of weights need points relative to the
     // origin of the moved spline.
     void find_local_points() {

@@ -10,6 +10,13 @@
 
 namespace nrb::eval {
 
+// `order` on every axis of a spline.
+inline Orders highest_orders(const Spline &spline, int order) noexcept {
+    Orders orders{};
+    std::fill_n(orders.begin(), spline.axes(), order);
+    return orders;
+}
+
 // A point and its derivatives at one parameter.
 struct PointDerivs {
     ConstRecords values; // record `row`: [slots][dim]
