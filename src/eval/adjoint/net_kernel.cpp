@@ -32,7 +32,8 @@ HWY_INLINE bool axis_bases(const AxisSource &source, const double *params, int64
                : axis_block<kOrders, -1>(source, kOrders - 1, params, stride, count, points, values);
 }
 
-void find_bases(const NetJob &job, const ConstRecords &params) {
+bool find_bases(const NetJob &job, const ConstRecords &params) {
+    bool special = false;
     for (int k = 0; k < job.axes; ++k) {
         const auto at = static_cast<size_t>(k);
         const AxisSource &source = job.sources[at];
@@ -40,8 +41,10 @@ void find_bases(const NetJob &job, const ConstRecords &params) {
         const auto bases = job.order == 0 ? &axis_bases<1> : &axis_bases<2>;
         if (bases(source, first, params.stride, params.count, job.points[at], job.values[at])) {
             mend_alone(source, job.points[at], params.count, source.values_size(job.order), job.values[at]);
+            special = true;
         }
     }
+    return special;
 }
 
 using Vector = hn::Vec<Vec4>;
@@ -92,18 +95,20 @@ struct RowFactors {
     double slopes[max_axes - 1] = {};
 };
 
-// kDim < 0 stands for any dimension, kFunctions < 0 for any number of functions on the last axis. With
-// kProducts gradients of weights or of parameters are wanted, too.
-template <int kDim, int kFunctions, bool kRational, bool kProducts>
+// kAxes, kDim and kFunctions (on the last axis) below 0 stand for any number. With kProducts gradients of weights
+// or of parameters are wanted, too.
+template <int kAxes, int kDim, int kFunctions, bool kRational, bool kProducts>
 class NetKernel {
 public:
     NetKernel(const NetJob &job, const ConstRecords &cotangents)
-        : job_(job), cotangents_(cotangents), arrays_(job), last_(static_cast<size_t>(job.axes) - 1),
-          lanes_(job.sources[last_].lanes), orders_(job.order + 1) {}
+        : job_(job), cotangents_(cotangents), arrays_(job), lanes_(job.sources[last()].lanes),
+          orders_(job.order + 1) {}
 
     void run(int64_t first, int64_t end) const {
-        if (kDim == 3 && kFunctions == 4 && job_.axes == 1 && job_.whole) {
-            return run_cubic(first, end);
+        if constexpr (kAxes == 1 && kDim == 3 && kFunctions == 4) {
+            if (job_.whole) {
+                return run_cubic(first, end);
+            }
         }
         for (int64_t i = first; i < end; ++i) {
             if (valid(i)) {
@@ -116,20 +121,24 @@ private:
     using Space = Spread<kDim>;
     static constexpr int parts = 4 / vec4_lanes;
 
+    // The last axis.
+    [[nodiscard]] HWY_INLINE size_t last() const {
+        return static_cast<size_t>(kAxes < 0 ? job_.axes : kAxes) - 1;
+    }
     [[nodiscard]] HWY_INLINE int dim() const { return kDim < 0 ? job_.dim : kDim; }
     [[nodiscard]] HWY_INLINE int functions() const {
-        return kFunctions < 0 ? job_.sources[last_].degree + 1 : kFunctions;
+        return kFunctions < 0 ? job_.sources[last()].degree + 1 : kFunctions;
     }
     [[nodiscard]] HWY_INLINE bool valid(int64_t i) const {
         bool all = true;
-        for (size_t k = 0; k <= last_; ++k) {
+        for (size_t k = 0; k <= last(); ++k) {
             all = all && job_.points[k][i].valid();
         }
         return all;
     }
     [[nodiscard]] HWY_INLINE int64_t start_of(int64_t i) const {
         int64_t start = 0;
-        for (size_t k = 0; job_.whole && k <= last_; ++k) {
+        for (size_t k = 0; job_.whole && k <= last(); ++k) {
             start += job_.points[k][i].first * job_.strides[k];
         }
         return start;
@@ -150,7 +159,7 @@ private:
         double mean = 0;    // h, the mean of the products
 
         HWY_INLINE Place(const NetKernel &kernel, int64_t index, int64_t first)
-            : i(index), start(first), values(kernel.values(kernel.last_, index)),
+            : i(index), start(first), values(kernel.values(kernel.last(), index)),
               cotangent(kernel.cotangents_.record(index), kernel.cotangents_.component_stride, kernel.dim(),
                         kernel.job_.work),
               base(kProducts ? kernel.arrays_.coordinates + first : kernel.cotangents_.record(index),
@@ -171,13 +180,13 @@ private:
     template <class Visit>
     HWY_INLINE void for_each_row(const Place &place, Visit &&visit) const {
         int64_t row = place.start;
-        if (last_ == 0) {
+        if (last() == 0) {
             return visit(RowFactors(), row);
         }
         const AxisSource *sources = job_.sources;
         const double *u = values(0, place.i), *du = u + (orders_ - 1) * sources[0].lanes;
         const int64_t stride = job_.strides[0];
-        if (last_ == 1) {
+        if (last() == 1) {
             for (int a = 0; a <= sources[0].degree; ++a, row += stride) {
                 visit(RowFactors{u[a], {du[a], 0}}, row);
             }
@@ -194,31 +203,49 @@ private:
     // Sums of N_i w_i and N_i w_i <P_i - P, g>, and of the same with derivatives along each axis.
     struct Totals {
         Vector weight = hn::Zero(Vec4()), product = hn::Zero(Vec4());
-        Vector weight_slopes[max_axes], product_slopes[max_axes];
+        static constexpr size_t axes = kAxes < 0 ? max_axes : static_cast<size_t>(kAxes);
+        Vector weight_slopes[axes], product_slopes[axes];
 
         HWY_INLINE Totals() {
-            for (size_t k = 0; k < max_axes; ++k) {
+            for (size_t k = 0; k < axes; ++k) {
                 weight_slopes[k] = product_slopes[k] = hn::Zero(Vec4());
             }
         }
     };
 
+    // 1 / w and h, and the slopes: q (sum of N_i' w_i (d_i - h)).
     template <class Sum>
     HWY_INLINE void finish_sums(Place &place, Sum &&sum) const {
         if constexpr (kRational || kProducts) {
             Totals totals;
             sum(totals);
-            place.inverse = kRational ? 1 / total(totals.weight) : 1;
-            place.mean = kProducts ? total(totals.product) * place.inverse : 0;
-            for (size_t k = 0; kProducts && job_.slopes != nullptr && k <= last_; ++k) {
-                const double moved = kRational ? place.mean * total(totals.weight_slopes[k]) : 0;
+            const Pair all = sums_of(totals.weight, totals.product);
+            place.inverse = kRational ? 1 / all.first : 1;
+            place.mean = kProducts ? all.second * place.inverse : 0;
+            for (size_t k = 0; kProducts && job_.slopes != nullptr && k <= last(); ++k) {
+                const Pair slopes = sums_of(totals.weight_slopes[k], totals.product_slopes[k]);
+                const double moved = kRational ? place.mean * slopes.first : 0;
                 job_.slopes[place.i * job_.axes + static_cast<int64_t>(k)] =
-                    (total(totals.product_slopes[k]) - moved) * place.inverse;
+                    (slopes.second - moved) * place.inverse;
             }
         }
     }
-    [[nodiscard]] static HWY_INLINE double total(Vector sums) {
-        return hn::GetLane(hn::SumOfLanes(Vec4(), sums));
+
+    struct Pair {
+        double first;
+        double second;
+    };
+    // The sums of the lanes of two vectors.
+    [[nodiscard]] static HWY_INLINE Pair sums_of(Vector a, Vector b) {
+#if HWY_MAX_BYTES >= 32
+        const Vec4 d;
+        const hn::CappedTag<double, 2> half;
+        const auto both = hn::Add(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
+        const auto sums = hn::Add(hn::LowerHalf(half, both), hn::UpperHalf(half, both));
+        return {hn::GetLane(sums), hn::ExtractLane(sums, 1)};
+#else
+        return {hn::GetLane(hn::SumOfLanes(Vec4(), a)), hn::GetLane(hn::SumOfLanes(Vec4(), b))};
+#endif
     }
 
     HWY_INLINE void sum_row(const Place &place, const RowFactors &factors, int64_t row,
@@ -227,17 +254,17 @@ private:
         for (int l = 0; l < functions(); l += vec4_lanes) {
             const auto function = hn::LoadU(d, place.values + l);
             const auto weight = kRational ? hn::LoadU(d, arrays_.weights + row + l) : hn::Set(d, 1.0);
-            const auto product = kProducts ? product_of(place, row + l, 0) : weight;
+            const auto product = kProducts ? product_of(place, row + l) : weight;
             const auto share = weighted(hn::Mul(hn::Set(d, factors.value), function), weight);
             add<kRational>(l, share, totals.weight);
             add<kProducts>(l, share, product, totals.product);
             if (!kProducts || job_.slopes == nullptr) {
                 continue;
             }
-            for (size_t k = 0; k <= last_; ++k) {
+            for (size_t k = 0; k <= last(); ++k) {
                 const auto derivative =
-                    k < last_ ? hn::Mul(hn::Set(d, factors.slopes[k]), function)
-                              : hn::Mul(hn::Set(d, factors.value), hn::LoadU(d, place.values + lanes_ + l));
+                    k < last() ? hn::Mul(hn::Set(d, factors.slopes[k]), function)
+                               : hn::Mul(hn::Set(d, factors.value), hn::LoadU(d, place.values + lanes_ + l));
                 const auto slope = weighted(derivative, weight);
                 add<kRational>(l, slope, totals.weight_slopes[k]);
                 add<true>(l, slope, product, totals.product_slopes[k]);
@@ -260,10 +287,10 @@ private:
         }
     }
 
-    // <P_i - P, g> - mean
-    [[nodiscard]] HWY_INLINE Vector product_of(const Place &place, int64_t at, double mean) const {
+    // <P_i - P, g>
+    [[nodiscard]] HWY_INLINE Vector product_of(const Place &place, int64_t at) const {
         const Vec4 d;
-        auto sum = hn::Set(d, -mean);
+        auto sum = hn::Zero(d);
         for (int c = 0; c < dim(); ++c) {
             const auto point = hn::LoadU(d, arrays_.coordinates + c * arrays_.size + at);
             sum = hn::MulAdd(hn::Sub(point, place.base[c]), place.cotangent[c], sum);
@@ -302,7 +329,8 @@ private:
             if (kProducts && arrays_.grad_weights != nullptr) {
                 double *target = arrays_.grad_weights + at;
                 const auto old = hn::LoadU(d, target);
-                const auto sum = hn::MulAdd(function, product_of(place, at, place.mean), old);
+                const auto sum =
+                    hn::MulAdd(function, hn::Sub(product_of(place, at), hn::Set(d, place.mean)), old);
                 hn::StoreU(masked(l, sum, old), d, target);
             }
         }
@@ -369,8 +397,8 @@ private:
                 sums.points[c][part] = hn::MulAdd(share, place.cotangent[c], sums.points[c][part]);
             }
             if constexpr (kProducts) {
-                sums.weights[part] =
-                    hn::MulAdd(function, product_of(place, at, place.mean), sums.weights[part]);
+                sums.weights[part] = hn::MulAdd(
+                    function, hn::Sub(product_of(place, at), hn::Set(d, place.mean)), sums.weights[part]);
             }
         }
     }
@@ -378,29 +406,31 @@ private:
     const NetJob &job_;
     const ConstRecords &cotangents_;
     NetArrays arrays_;
-    size_t last_;
     int lanes_;
     int orders_;
 };
 
-template <int kDim, int kFunctions>
+template <int kAxes, int kDim, int kFunctions>
 HWY_INLINE void run_kernel(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t end) {
     const bool products = job.coordinates != nullptr;
     if (job.weights != nullptr) {
-        products ? NetKernel<kDim, kFunctions, true, true>(job, cotangents).run(first, end)
-                 : NetKernel<kDim, kFunctions, true, false>(job, cotangents).run(first, end);
+        products ? NetKernel<kAxes, kDim, kFunctions, true, true>(job, cotangents).run(first, end)
+                 : NetKernel<kAxes, kDim, kFunctions, true, false>(job, cotangents).run(first, end);
     } else {
-        products ? NetKernel<kDim, kFunctions, false, true>(job, cotangents).run(first, end)
-                 : NetKernel<kDim, kFunctions, false, false>(job, cotangents).run(first, end);
+        products ? NetKernel<kAxes, kDim, kFunctions, false, true>(job, cotangents).run(first, end)
+                 : NetKernel<kAxes, kDim, kFunctions, false, false>(job, cotangents).run(first, end);
     }
 }
 
 // The most frequent shapes have loops of their own; what they compute is the same.
 void add_cotangents(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) {
-    if (job.dim == 3 && job.sources[job.axes - 1].degree == 3) {
-        run_kernel<3, 4>(job, cotangents, first, first + count);
+    const bool cubic = job.dim == 3 && job.sources[job.axes - 1].degree == 3;
+    if (cubic && job.axes == 1) {
+        run_kernel<1, 3, 4>(job, cotangents, first, first + count);
+    } else if (cubic && job.axes == 2) {
+        run_kernel<2, 3, 4>(job, cotangents, first, first + count);
     } else {
-        run_kernel<-1, -1>(job, cotangents, first, first + count);
+        run_kernel<-1, -1, -1>(job, cotangents, first, first + count);
     }
 }
 
@@ -414,8 +444,8 @@ namespace nrb::eval {
 NURBS_FORMS(find_bases);
 NURBS_FORMS(add_cotangents);
 
-void find_net_bases(const NetJob &job, const ConstRecords &params) noexcept {
-    NURBS_BEST(find_bases)(job, params);
+bool find_net_bases(const NetJob &job, const ConstRecords &params) noexcept {
+    return NURBS_BEST(find_bases)(job, params);
 }
 
 void add_to_net(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept {

@@ -32,8 +32,9 @@ struct NetJob {
     double *slopes = nullptr;                // [axis_block_size][axes], or null
 };
 
-// The basis functions and first layers of at most axis_block_size parameters.
-void find_net_bases(const NetJob &job, const ConstRecords &params) noexcept;
+// The basis functions and first layers of at most axis_block_size parameters. Returns whether a parameter is
+// special: it gives NaN, or lies where a function is alone.
+bool find_net_bases(const NetJob &job, const ConstRecords &params) noexcept;
 
 // What parameters first, ..., first + count - 1 of those contribute, with cotangents g (record i is that of
 // parameter i), q = 1 / w(t) and the products d_i = <P_i - P, g> with any point P:

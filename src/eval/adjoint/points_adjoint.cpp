@@ -17,6 +17,8 @@ class PointsAdjoint {
 public:
     PointsAdjoint(const Cotangents &from, const Gradients &out)
         : from_(from), out_(out), rational_(from.spline.rational()),
+          clamps_(std::any_of(from.rules.begin(), from.rules.end(),
+                              [](const AxisRule &rule) { return rule.outside == Outside::clamp; })),
           order_(out.params.data != nullptr ? 1 : 0), uses_(std::max<int64_t>(from.params.count, 1)),
           sources_(axis_sources(from.spline, from.rules, order_, {uses_, uses_, uses_})),
           scratch_(scratch_size()) {
@@ -127,7 +129,7 @@ private:
 
     void add_block(int64_t first, int64_t count) noexcept {
         const ConstRecords cotangents = part(from_.values, first, count);
-        find_net_bases(job_, part(from_.params, first, count));
+        const bool special = find_net_bases(job_, part(from_.params, first, count));
         if (job_.whole) {
             add_to_net(job_, cotangents, 0, count);
         }
@@ -137,21 +139,31 @@ private:
             for_each_active(i, [&](int64_t point, int64_t at) { store(point, at); });
         }
         if (order_ > 0) {
-            add_slopes(first, count);
+            special || clamps_ ? add_each_slope(first, count) : add_slopes(first, count);
         }
     }
 
-    // Nothing depends on parameters that were moved to an end; others that give NaN have NaN.
     void add_slopes(int64_t first, int64_t count) const noexcept {
+        const double *slope = slopes_;
+        for (int64_t i = 0; i < count; ++i) {
+            double *out = out_.params.record(first + i);
+            for (int k = 0; k < job_.axes; ++k, out += out_.params.component_stride) {
+                *out = from_.accumulate ? *out + *slope++ : *slope++;
+            }
+        }
+    }
+    // Nothing depends on parameters that were moved to an end; others that give NaN have NaN.
+    void add_each_slope(int64_t first, int64_t count) noexcept {
         for (int64_t i = 0; i < count; ++i) {
             const bool valid = has_value(i);
             for (int k = 0; k < job_.axes; ++k) {
-                double slope = valid ? slopes_[i * job_.axes + k] : std::numeric_limits<double>::quiet_NaN();
-                slope = valid && clamped(from_, first + i, k) ? 0 : slope;
-                double &out = out_.params(first + i, k);
-                out = (from_.accumulate ? out : 0) + slope;
+                double &slope = slopes_[i * job_.axes + k];
+                slope = !valid                         ? std::numeric_limits<double>::quiet_NaN()
+                        : clamped(from_, first + i, k) ? 0
+                                                       : slope;
             }
         }
+        add_slopes(first, count);
     }
     [[nodiscard]] bool has_value(int64_t i) const noexcept {
         bool valid = true;
@@ -182,7 +194,8 @@ private:
     Cotangents from_;
     Gradients out_;
     bool rational_;
-    int order_; // of the functions
+    bool clamps_; // some parameters may be moved to an end
+    int order_;   // of the functions
     int64_t uses_;
     AxisSources sources_;
     Scratch scratch_;

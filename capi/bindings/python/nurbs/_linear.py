@@ -208,4 +208,5 @@ class Linear(SplineBase):
         of_points, of_weights = _layouts(outputs)
         call(lib.nurbs_length_adjoint, self._handle, address(limits), relative_tolerance, cotangent, *of_points,
              *of_weights[:2], ctypes.byref(error), flags)
-        return LengthGradients(*_finished(outputs), error.value)
+        points_made, weights_made = _finished(outputs)
+        return LengthGradients(points_made, weights_made, error.value)
