@@ -151,26 +151,16 @@ inline Returned<void> eval_adjoint(const Spline &g, std::int32_t order, Input pa
 
 /// Gradients with respect to the knots of an axis of a function of points and derivatives, from its
 /// cotangents [n][slots][dim].
-inline Returned<void> eval_adjoint_knots(const Spline &g, std::int32_t axis, std::int32_t order, Input params,
-                                         Input cotangents, Output grad_knots, std::uint32_t flags = 0) {
-    const std::int64_t n = detail::records(params, detail::axes(g.get()), "params");
-    cotangents.require(n, detail::slots(g.get(), order) * detail::dimension(g.get()), "cotangents");
-    detail::require_given(grad_knots, detail::count(g.get(), axis) + detail::degree(g.get(), axis) + 1,
-                          "grad_knots");
-    return detail::call(nurbs_eval_adjoint_knots, g.get(), axis, order, n, params.data(), params.stride(),
-                        params.component_stride(), cotangents.data(), cotangents.stride(),
-                        cotangents.component_stride(), grad_knots.data(), flags);
-}
-/// The same, as a vector.
-[[nodiscard]] inline Returned<std::vector<double>> eval_adjoint_knots(const Spline &g, std::int32_t axis,
-                                                                      std::int32_t order, Input params,
-                                                                      Input cotangents,
-                                                                      std::uint32_t flags = 0) {
+inline Returned<std::vector<double>> eval_adjoint_knots(const Spline &g, std::int32_t axis,
+                                                        std::int32_t order, Input params, Input cotangents,
+                                                        std::uint32_t flags = 0) {
     const std::int64_t n = detail::records(params, detail::axes(g.get()), "params");
     cotangents.require(n, detail::slots(g.get(), order) * detail::dimension(g.get()), "cotangents");
     std::vector<double> values =
         detail::room(detail::count(g.get(), axis) + detail::degree(g.get(), axis) + 1);
-    detail::run([&] { return eval_adjoint_knots(g, axis, order, params, cotangents, values, flags); });
+    detail::call(nurbs_eval_adjoint_knots, g.get(), axis, order, n, params.data(), params.stride(),
+                 params.component_stride(), cotangents.data(), cotangents.stride(),
+                 cotangents.component_stride(), values.data(), flags);
     return values;
 }
 

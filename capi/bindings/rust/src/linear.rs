@@ -334,42 +334,6 @@ impl Spline {
         Ok(grad_knots)
     }
 
-    /// The same, written to an array of the caller.
-    pub fn eval_adjoint_knots_into<'a, 'b, 'c>(
-        &self,
-        axis: i32,
-        order: i32,
-        params: impl Into<Records<'a>>,
-        cotangents: impl Into<Records<'b>>,
-        grad_knots: impl Into<RecordsMut<'c>>,
-        flags: u32,
-    ) -> Result<()> {
-        let params = params.into();
-        let cotangents = cotangents.into();
-        let n = params.count(self.axes()? as usize, "params")?;
-        cotangents.require(n, self.slots(order)? * self.dimension()? as usize, "cotangents")?;
-        let mut grad_knots = grad_knots.into();
-        grad_knots.require(self.count(axis)? + self.degree(axis)? as usize + 1, 1, "grad_knots")?;
-        check(unsafe {
-            sys::nurbs_eval_adjoint_knots(
-                self.raw(),
-                axis,
-                order,
-                n as i64,
-                params.pointer(),
-                params.stride(),
-                params.component_stride(),
-                cotangents.pointer(),
-                cotangents.stride(),
-                cotangents.component_stride(),
-                grad_knots.pointer(),
-                grad_knots.stride(),
-                grad_knots.component_stride(),
-                flags,
-            )
-        })
-    }
-
     /// Gradients through the closest points of query points, whose parameters are given, from cotangents of
     /// parameters, points and distances; empty ones are 0.
     pub fn closest_adjoint(
