@@ -1732,6 +1732,13 @@ void query(const Inputs &in) {
         show("error", found.error);
     }
     {
+        begin("length_adjoint of a part");
+        const auto found = n::length_adjoint(in.curve, 1e-06, 1.0, {0.3, 0.6}, 0u);
+        show("grad_points", found.points);
+        show("grad_weights", found.weights);
+        show("error", found.error);
+    }
+    {
         begin("curve_length");
         const auto found = n::length(in.curve, 1e-09);
         show("length", found.value);

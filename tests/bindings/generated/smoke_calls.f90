@@ -2599,6 +2599,22 @@ contains
             call show('grad_weights', grad_weights_found)
             call show('error', error_found)
         end block
+        call begin('length_adjoint of a part')
+        block
+            real(c_double), allocatable :: grad_points_found(:, :)
+            real(c_double), allocatable :: grad_weights_found(:)
+            real(c_double) :: error_found
+            allocate (grad_points_found(9, 2))
+            grad_points_found = 0
+            allocate (grad_weights_found(9))
+            grad_weights_found = 0
+            call length_adjoint(g=curve, relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
+                grad_weights=grad_weights_found, error=error_found, range=[0.3d0, 0.6d0], flags=0)
+            call show('grad_points', flat(reshape(grad_points_found, [size(grad_points_found, 2), &
+                size(grad_points_found, 1)], order=[2, 1])))
+            call show('grad_weights', grad_weights_found)
+            call show('error', error_found)
+        end block
         call begin('curve_length')
         block
             real(c_double) :: length_found

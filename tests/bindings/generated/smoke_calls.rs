@@ -2295,6 +2295,13 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("grad_weights", &found.weights);
         show("error", &found.error);
     }
+    begin("length_adjoint of a part");
+    {
+        let found = given.curve.length_adjoint(1e-06, 1.0, &[0.3, 0.6], 0)?;
+        show("grad_points", &found.points);
+        show("grad_weights", &found.weights);
+        show("error", &found.error);
+    }
     begin("curve_length");
     {
         let found = given.curve.length(1e-09, &[])?;

@@ -210,6 +210,11 @@ const Call group[] = {
          return nurbs_length_adjoint(in.curve, nullptr, 1e-06, 1, o.values, 0, 0, o.values + 18, 0, o.values +
              27, 0);
      }},
+    {"length_adjoint of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_length_adjoint(in.curve, arrays::new_knots, 1e-06, 1, o.values, 0, 0, o.values + 18, 0,
+             o.values + 27, 0);
+     }},
     {"curve_length",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_curve_length(in.curve, nullptr, 1e-09, o.values, o.values + 1);
