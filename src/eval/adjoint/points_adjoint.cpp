@@ -82,8 +82,10 @@ private:
     }
 
     void make_arrays() {
-        const bool products = out_.weights.data != nullptr || order_ > 0;
-        const int64_t components = 2 + 2 * int64_t{job_.dim};
+        const bool points = out_.points.data != nullptr, weights = out_.weights.data != nullptr;
+        const bool products = weights || order_ > 0;
+        const int64_t components =
+            (points ? job_.dim : 0) + (weights ? 1 : 0) + (rational_ ? 1 : 0) + (products ? job_.dim : 0);
         arrays_.resize(static_cast<size_t>(checked_product(components, job_.size, "gradients")));
         double *next = arrays_.data();
         const auto take = [&](int64_t size, bool wanted) {
@@ -91,8 +93,8 @@ private:
             next += wanted ? size * job_.size : 0;
             return own;
         };
-        job_.grad_points = take(job_.dim, out_.points.data != nullptr);
-        job_.grad_weights = take(1, out_.weights.data != nullptr);
+        job_.grad_points = take(job_.dim, points);
+        job_.grad_weights = take(1, weights);
         job_.weights = weights_ = take(1, rational_);
         job_.coordinates = coordinates_ = take(job_.dim, products);
     }
