@@ -168,7 +168,7 @@ ASK = [
     lambda c: c.g.rational_collocation(c.params(3)),
     lambda c: c.g.eval_adjoint(c.params(2), np.ones((2, 1, c.g.dimension)), 0),
     lambda c: c.g.eval_adjoint_knots(c.params(2), np.ones((2, 1, c.g.dimension)), 0),
-    lambda c: c.g.knot_derivative(1),
+    lambda c: c.g.eval_knot_derivative(1),
     lambda c: c.g.closest_adjoint(np.ones((2, c.g.dimension)), c.params(2)),
     lambda c: c.g.length_adjoint(1e-3),
     lambda c: c.g.surface_frames(c.params(3)),

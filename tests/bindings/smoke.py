@@ -220,7 +220,7 @@ class Data(unittest.TestCase):
 
     def test_gradients_of_knots(self):
         line = nurbs.Spline(1, [0, 0, 1, 2, 2], [[0], [1], [3]])
-        moved = line.knot_derivative(2)
+        moved = line.eval_knot_derivative(2)
         np.testing.assert_allclose(moved.eval([0.25, 1.5]), [[-0.25], [-1]])
         np.testing.assert_allclose(line.eval_adjoint_knots([0.25, 1.5], [[1], [2]])[2], -2.25)
         room = np.ones(10)[::2]

@@ -28,7 +28,7 @@ module nurbs
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_handles, only: data_for_fits, default_fit_options, default_read_options
     use nurbs_calls, only: nurbs_call, nurbs_progress
-    use nurbs_evaluation, only: derivative_slots, closest_adjoint, length_adjoint
+    use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
     use nurbs_lists, only: nurbs_list
     use nurbs_fittings, only: fit_points, fit_tolerance, nurbs_statistics

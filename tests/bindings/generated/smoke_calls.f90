@@ -2236,7 +2236,7 @@ contains
             allocate (grad_weights_found(9))
             allocate (grad_queries_found(1, 2))
             allocate (states_found(1))
-            call closest_adjoint(g=curve, points=reshape([0.1d0, 0.9d0], [1, 2], order=[2, 1]), &
+            call curve%closest_adjoint(points=reshape([0.1d0, 0.9d0], [1, 2], order=[2, 1]), &
                 params=reshape([0.3d0], [1, 1], order=[2, 1]), &
                 param_cotangents=reshape([1.0d0], [1, 1], order=[2, 1]), &
                 foot_cotangents=reshape([1.0d0, 2.0d0], [1, 2], order=[2, 1]), distance_cotangents=[1.0d0], &
@@ -2592,7 +2592,7 @@ contains
             grad_points_found = 0
             allocate (grad_weights_found(9))
             grad_weights_found = 0
-            call length_adjoint(g=curve, relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
+            call curve%length_adjoint(relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
                 grad_weights=grad_weights_found, error=error_found, flags=0)
             call show('grad_points', flat(reshape(grad_points_found, [size(grad_points_found, 2), &
                 size(grad_points_found, 1)], order=[2, 1])))
@@ -2608,7 +2608,7 @@ contains
             grad_points_found = 0
             allocate (grad_weights_found(9))
             grad_weights_found = 0
-            call length_adjoint(g=curve, relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
+            call curve%length_adjoint(relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
                 grad_weights=grad_weights_found, error=error_found, range=[0.3d0, 0.6d0], flags=0)
             call show('grad_points', flat(reshape(grad_points_found, [size(grad_points_found, 2), &
                 size(grad_points_found, 1)], order=[2, 1])))

@@ -36,7 +36,7 @@ class Calculus(SplineBase):
         """The partial derivative along an axis, as a spline (hodograph)."""
         return self._made(lib.nurbs_derivative, self._handle, axis, order)
 
-    def knot_derivative(self, knot: int, *, axis: int = 0) -> Spline:
+    def eval_knot_derivative(self, knot: int, *, axis: int = 0) -> Spline:
         """The derivative with respect to a knot of the full vector of an axis, as a spline of the same parameters. On a
         periodic axis the knot moves with its copies."""
         return self._made(lib.nurbs_eval_knot_derivative, self._handle, axis, knot)

@@ -148,7 +148,7 @@ class Linear(SplineBase):
     def eval_adjoint_knots(self, params: ArrayLike, cotangents: ArrayLike, order: Optional[int] = None, *, axis: int = 0,
                            flags: int = 0, knots: Optional[NDArray[Any]] = None) -> Floats:
         """The gradient of a function L with respect to the knots of an axis, each alone: the transpose of
-        knot_derivative() for all of them. Params and cotangents are those of eval_adjoint(); an array given for the
+        eval_knot_derivative() for all of them. Params and cotangents are those of eval_adjoint(); an array given for the
         gradient is filled, with NURBS_ACCUMULATE added to."""
         (given, shape), dim = self._params(params), self.dimension
         slots, add = derivative_slots(self.axes, order or 0), bool(flags & NURBS_ACCUMULATE)
