@@ -145,11 +145,11 @@ class Linear(SplineBase):
              *of_weights[:2], *of_params, flags)
         return Gradients(*_finished(outputs))
 
-    def eval_adjoint_knots(self, params: ArrayLike, cotangents: ArrayLike, order: Optional[int] = None, *, axis: int = 0,
-                           flags: int = 0, knots: Optional[NDArray[Any]] = None) -> Floats:
+    def eval_adjoint_knots(self, params: ArrayLike, cotangents: ArrayLike, order: Optional[int] = None, *,
+                           axis: int = 0, flags: int = 0, knots: Optional[NDArray[Any]] = None) -> Floats:
         """The gradient of a function L with respect to the knots of an axis, each alone: the transpose of
-        eval_knot_derivative() for all of them. Params and cotangents are those of eval_adjoint(); an array given for the
-        gradient is filled, with NURBS_ACCUMULATE added to."""
+        eval_knot_derivative() for all of them. Params and cotangents are those of eval_adjoint(); an array given for
+        the gradient is filled, with NURBS_ACCUMULATE added to."""
         (given, shape), dim = self._params(params), self.dimension
         slots, add = derivative_slots(self.axes, order or 0), bool(flags & NURBS_ACCUMULATE)
         g = self._cotangents(cotangents, (*shape, dim) if order is None else (*shape, slots, dim), slots * dim)
@@ -190,7 +190,8 @@ class Linear(SplineBase):
         shapes = (*self.counts, dim), self.counts, (*shape, dim), shape
         kinds = numpy.float64, numpy.float64, numpy.float64, numpy.int32
         chosen = _chosen(wanted, ("points", "weights", "queries", "status"))
-        outputs: List[Any] = [numpy.empty(size, kind) if take else None for size, kind, take in zip(shapes, kinds, chosen)]
+        outputs: List[Any] = [numpy.empty(size, kind) if take else None
+                              for size, kind, take in zip(shapes, kinds, chosen)]
         call(lib.nurbs_closest_adjoint, self._handle, n, *addresses(*inputs, *cotangents, *outputs), flags)
         return FootGradients(*outputs)
 
