@@ -8,6 +8,7 @@
 #include "refine/algebra/antiderivative.h"
 #include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
+#include "refine/algebra/knot_derivative.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/quotient_rule.h"
 #include "refine/algebra/sum.h"
@@ -90,6 +91,21 @@ nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t order, nurbs
         check_order(order);
         give(order > 0 && g->spline->rational() ? refine::rational_derivative(*g->spline, axis, order)
                                                 : refine::polynomial_derivative(g->spline, axis, order),
+             out);
+    });
+}
+
+nurbs_status nurbs_eval_knot_derivative(const nurbs *g, int32_t axis, int64_t knot, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        const int64_t last = std::ssize(g->spline->axis(axis).knots()) - 1;
+        if (knot < 0 || knot > last) {
+            fail(Status::index, "knot = %lld, expected 0 to %lld", static_cast<long long>(knot),
+                 static_cast<long long>(last));
+        }
+        give(g->spline->rational() ? refine::rational_knot_derivative(*g->spline, axis, knot)
+                                   : refine::polynomial_knot_derivative(g->spline, axis, knot),
              out);
     });
 }

@@ -103,6 +103,7 @@ static_assert(static_cast<int>(closest::closest_not_unique) == NURBS_CLOSEST_NOT
 static_assert(static_cast<int>(closest::closest_budget) == NURBS_CLOSEST_BUDGET);
 static_assert(static_cast<int>(closest::closest_invalid) == NURBS_CLOSEST_INVALID);
 static_assert(static_cast<int>(closest::closest_coarse) == NURBS_CLOSEST_COARSE);
+static_assert(static_cast<int>(closest::closest_singular) == NURBS_CLOSEST_SINGULAR);
 static_assert(static_cast<int>(closest::closest_left) == NURBS_CLOSEST_LEFT);
 
 static_assert(static_cast<int>(closest::critical_minimum) == NURBS_CRITICAL_MINIMUM);

@@ -398,7 +398,8 @@ enum {
 /** \name Global flags
  * One bit may mean different things to different functions; each accepts only the flags that its entry names.
  * @{ */
-/** \brief nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it. */
+/** \brief nurbs_eval_adjoint() and the other adjoints: add to what the outputs hold instead of overwriting
+ * it. */
 #define NURBS_ACCUMULATE 0x01000000u
 /** \brief nurbs_reverse(): map the domain to itself instead of negating the parameter. */
 #define NURBS_KEEP_DOMAIN 0x02000000u
@@ -1895,6 +1896,41 @@ NURBS_API nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64
  *   _OVERFLOW.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t order, nurbs **out);
+
+/** \brief The derivative of a spline with respect to a knot, as a spline of the same parameters: C changes by
+ * h times the result, to first order, if knot t_k of an axis is moved by h and everything else stays.
+ *
+ * Polynomial splines (Jupp 1978): of the same degree p, over the knots with t_k once more, with the control
+ * points
+ *
+ *     e_i = -(P_i - P_(i-1)) / (t_(i+p) - t_i),   i = k - p, ..., k,   0 < i < count,
+ *
+ * and 0 elsewhere, each within 2 eps of itself. What has no influence on the domain is left out: the first
+ * layer with the first knot if k <= p, the last layer with the last knot if k >= count. Where t_k occurs p + 1
+ * times already, it stays so, and the layer between the two pieces is left out. Rational splines (A, w): (A_k
+ * w - A w_k) / w^2 with those derivatives A_k and w_k, of degree 2 p on every axis; its weights are the
+ * control points of w^2. At degree 0 on the axis it is zeros, as only the places of jumps move. With D the
+ * largest distance of a control point from O (see the preamble) and h the shortest non-empty t_(i+p) - t_i of
+ * the axis the result at t is within 8 (c + 16) eps D / h of the derivative, times the square of the largest
+ * weight over w(t) (tested).
+ *
+ * t_k is one knot: where several are equal, the result for the first of them is the derivative for a move
+ * down, for the last of them for a move up, and the sum over all of them the derivative of moving them
+ * together. The first and the last knot of an axis have no influence. Knots at an end of the domain move the
+ * domain with them; the result is what that does to the polynomial pieces at fixed parameters. At the knot
+ * itself C has a derivative from either side, and so has the result (NURBS_LEFT). On a periodic axis t_k moves
+ * with its copies in all periods; the period stays, and the axis stays periodic. Copies of knots are rounded,
+ * which counts as a move of them.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] knot 0-based index of the knot in the full knot vector of the axis.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _INDEX if there is no such knot, _DEGREE if 2 p exceeds
+ *   NURBS_MAX_DEGREE on an axis of a rational spline; _PERIODIC_KNOTS if the copies of knots on a periodic
+ *   axis are not as often equal as the knots; _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if
+ *   weights underflow, _OVERFLOW.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_eval_knot_derivative(const nurbs *g, int32_t axis, int64_t knot, nurbs **out);
 
 /** \brief The integral of a polynomial spline along an axis from the lower end a of its domain,
  *
@@ -4152,6 +4188,7 @@ NURBS_API nurbs_status nurbs_recognize_with(const nurbs *g, double tolerance, in
 #define NURBS_CLOSEST_BUDGET 0x08     /**< the budget ended before a proof was found */
 #define NURBS_CLOSEST_INVALID 0x10    /**< the query point is not finite; results are NaN */
 #define NURBS_CLOSEST_COARSE 0x20     /**< proven, but rounding the parameters moves the point by more */
+#define NURBS_CLOSEST_SINGULAR 0x40   /**< of nurbs_closest_adjoint(): the gradient is not determined */
 #define NURBS_CLOSEST_LEFT 0x100      /**< NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2 */
 /** @} */
 
@@ -5597,7 +5634,8 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * of the exact sum, where E_s[R_i] is the magnitude of the derivative of R_i in the preamble (tested).
  * grad_weights[i] is within 1 / w_i times twice as much, with n + dim for n, and the magnitudes of the
  * products R_i P_i and R_i C instead of E_s[R_i]. grad_params are products with the results of
- * nurbs_eval_derivs().
+ * nurbs_eval_derivs(); at order 0 they are made from the same sums as the other gradients, and are as
+ * accurate as such products.
  * \param[in] g a spline.
  * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
  * \param[in] n number of parameters.
@@ -5623,6 +5661,112 @@ NURBS_API nurbs_status nurbs_eval_adjoint(const nurbs *g, int32_t order, int64_t
                                           double *grad_weights, int64_t grad_weight_stride,
                                           double *grad_params, int64_t grad_param_stride,
                                           int64_t grad_param_component_stride, uint32_t flags);
+
+/** \brief Gradients of a function L of points and derivatives with respect to the knots of an axis. Given the
+ * cotangents G[k][s] = dL / dC^(s)(t_k) of every slot s,
+ *
+ *     grad_knots[j] = sum_k sum_s < G[k][s], (dC / dtau_j)^(s)(t_k) >
+ *
+ * for every knot tau_j of the full vector, with the derivatives of nurbs_eval_knot_derivative(). Each knot
+ * counts alone. Where knots are equal their gradients are those of moving the first one down and the last one
+ * up; add them up for moving all of them together. On a periodic axis with m = count - degree distinct
+ * layers, add up those of the knots j, j + m, ... that move together. The first and the last knot, and all
+ * knots at degree 0, have gradients 0. The cost grows with the 2 p knots of an axis that matter at a
+ * parameter.
+ *
+ * A parameter at a knot belongs to the span that evaluation takes (NURBS_LEFT), whose polynomial piece is
+ * continued when the knot moves. A parameter moved by NURBS_CLAMP or NURBS_WRAP stays where it was moved to,
+ * whatever happens to the ends of the domain. One that gives NaN (NURBS_NAN) adds nothing. Contributions are
+ * added in the order of the parameters; with NURBS_ACCUMULATE to what grad_knots holds. At order 0 each
+ * contribution is within (16 p + 8) eps |G| D / h, with D and h of nurbs_eval_knot_derivative(), times the
+ * square of the largest weight over w(t_k) (tested).
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] order highest order of derivatives in L.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[in] cotangents [n][S][dim] with S = binomial(order + axes, axes) slots as for nurbs_eval_derivs().
+ * \param[in] cotangent_stride,cotangent_component_stride layout of cotangents, 0 = packed.
+ * \param[in,out] grad_knots [K] with K = count + degree + 1 knots of the axis.
+ * \param[in] flags evaluation flags per axis, and NURBS_ACCUMULATE.
+ * \return as for nurbs_eval_derivs(), and NURBS_ERROR_AXIS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_eval_adjoint_knots(const nurbs *g, int32_t axis, int32_t order, int64_t n,
+                                                const double *params, int64_t param_stride,
+                                                int64_t param_component_stride, const double *cotangents,
+                                                int64_t cotangent_stride, int64_t cotangent_component_stride,
+                                                double *grad_knots, uint32_t flags);
+
+/** \brief Gradients of a function L of closest points, or of any places where the distance to a point is
+ * critical, with respect to control points, weights and the query points, by the implicit function theorem.
+ * The foot u of a point x, with r = C(u) - x, satisfies < r, C_a > = 0 on every axis a where it is free. With
+ * H_ab = < C_a, C_b > + < r, C_ab >, and the cotangents g_u, g_f and g_d of parameters, feet and distances,
+ *
+ *     H lambda = -(g_u + < g_f, C_a >)_a,   v = g_d r / |r| + sum_a lambda_a C_a,
+ *     dL/dx = -v,   dL/dC(u) = g_f + v,   dL/dC_a(u) = lambda_a r,
+ *
+ * and the last two go through nurbs_eval_adjoint(): one small system for each point, and no search. An axis is
+ * not free where the foot lies at an end of the domain and the axis is not periodic: lambda_a is 0 there. At
+ * the edge of a `range` inside the domain the foot counts as free, which it is not; leave such feet out. The
+ * params are taken as they are: those of a foot that was not found exactly give the gradient of Newton's step
+ * from there. Derivatives at a knot are those of the side that NURBS_LEFT chooses.
+ *
+ * Where H is singular to rounding (an eigenvalue below 256 eps after every axis is scaled by the square root
+ * of |C_a|^2 + |r| |C_aa|), as at a centre of curvature, and where a distance of 0 has a cotangent other than
+ * 0, the status has NURBS_CLOSEST_SINGULAR, the foot adds nothing and its grad_queries are 0. With NURBS_NAN_POINTS a query
+ * point or foot that is not finite, as those of nurbs_closest_points() are for such points, has
+ * NURBS_CLOSEST_INVALID and adds nothing, and its grad_queries are NaN.
+ * \param[in] g a spline.
+ * \param[in] n number of points.
+ * \param[in] points [n][dim] the query points, packed.
+ * \param[in] params [n][axes] parameters of their feet, packed.
+ * \param[in] param_cotangents [n][axes] or NULL for 0, packed.
+ * \param[in] foot_cotangents [n][dim] or NULL for 0, packed.
+ * \param[in] distance_cotangents [n] or NULL for 0.
+ * \param[out] grad_points [N][dim] or NULL: packed, last axis fastest.
+ * \param[out] grad_weights [N] or NULL.
+ * \param[out] grad_queries [n][dim] or NULL: packed.
+ * \param[out] status [n] or NULL: 0, or a sum of NURBS_CLOSEST_BOUNDARY (not free on an axis), _SINGULAR,
+ *   _INVALID.
+ * \param[in] flags NURBS_LEFT per axis, and NURBS_NAN_POINTS.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _POINT_NOT_FINITE,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_closest_adjoint(const nurbs *g, int64_t n, const double *points,
+                                             const double *params, const double *param_cotangents,
+                                             const double *foot_cotangents, const double *distance_cotangents,
+                                             double *grad_points, double *grad_weights, double *grad_queries,
+                                             int32_t *status, uint32_t flags);
+
+/** \brief Gradients of the length of a curve, or of a part of it, with respect to control points and weights:
+ * with the unit tangent T and the rational functions R_i,
+ *
+ *     grad_points[i]  = cotangent * integral of R_i'(t) T(t) dt,
+ *     grad_weights[i] = cotangent * integral of < T, (N_i (P_i - C) / w)'(t) > dt,
+ *
+ * by nested rules of 15 and 31 nodes on each span, never across a knot; a span is halved as long as they
+ * differ by more than the tolerance allows. Where the curve stands still T counts as 0. Errors are relative to
+ * the longest gradient of a control point, for weights to length / w_i. 0, and a tolerance below 64 eps, asks
+ * for the best within 1e-3. Points are Cartesian, all N stored ones; the weights of a polynomial curve are 1.
+ * \param[in] g a curve.
+ * \param[in] range [2] or NULL for all of it: the part of the domain.
+ * \param[in] relative_tolerance >= 0.
+ * \param[in] cotangent dL / dlength, 1 for the gradients of the length itself.
+ * \param[in,out] grad_points [N][dim] or NULL.
+ * \param[in] grad_point_stride,grad_point_component_stride layout of grad_points, 0 = packed.
+ * \param[in,out] grad_weights [N] or NULL.
+ * \param[in] grad_weight_stride distance between weight gradients, 0 = 1.
+ * \param[out] error or NULL: estimate of the relative error of the integrals, rounding included.
+ * \param[in] flags NURBS_ACCUMULATE or 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _STRIDE, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain;
+ *   _NOT_CONVERGED naming the error reached, _NOT_REPRESENTABLE if a gradient overflows.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range, double relative_tolerance,
+                                            double cotangent, double *grad_points, int64_t grad_point_stride,
+                                            int64_t grad_point_component_stride, double *grad_weights,
+                                            int64_t grad_weight_stride, double *error, uint32_t flags);
 /** @} */
 
 /** \defgroup read Reading files

@@ -23,6 +23,7 @@ enum ClosestStatus : int32_t {
     closest_budget = 0x08,     // the budget ended before a proof was found
     closest_invalid = 0x10,    // the query point is not finite
     closest_coarse = 0x20,     // proven, but rounding the parameters moves the point by more
+    closest_singular = 0x40,   // of an adjoint: the equations do not determine the foot
     closest_left = 0x100,      // the limit from below is meant on axis 0; on the others the next bits
 };
 

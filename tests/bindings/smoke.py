@@ -206,6 +206,49 @@ class Data(unittest.TestCase):
         with self.assertRaises(ValueError):
             c.eval_adjoint(t, np.ones((9, 3)))
 
+    def test_gradients_that_are_not_wanted_are_none(self):
+        c, t, g = circle(), np.linspace(0, 1, 9), np.ones((9, 2))
+        whole = c.eval_adjoint(t, g)
+        alone = c.eval_adjoint(t, g, wanted="points")
+        np.testing.assert_array_equal(alone.points, whole.points)
+        self.assertEqual((alone.weights, alone.params), (None, None))
+        others = c.eval_adjoint(t, g, wanted=["params", "weights"])
+        np.testing.assert_array_equal(others.params, whole.params)
+        self.assertIsNone(others.points)
+        with self.assertRaisesRegex(ValueError, "knots"):
+            c.eval_adjoint(t, g, wanted="knots")
+
+    def test_gradients_of_knots(self):
+        line = nurbs.Spline(1, [0, 0, 1, 2, 2], [[0], [1], [3]])
+        moved = line.eval_knot_derivative(2)
+        np.testing.assert_allclose(moved.eval([0.25, 1.5]), [[-0.25], [-1]])
+        np.testing.assert_allclose(line.eval_adjoint_knots([0.25, 1.5], [[1], [2]])[2], -2.25)
+        room = np.ones(10)[::2]
+        line.eval_adjoint_knots([0.25, 1.5], [[1], [2]], flags=nurbs.NURBS_ACCUMULATE, knots=room)
+        np.testing.assert_allclose(room[2], -1.25)
+        with self.assertRaises(ValueError):
+            line.eval_adjoint_knots([0.25], [[1, 2]])
+
+    def test_gradients_through_closest_points(self):
+        line = nurbs.Spline(1, [0, 0, 1, 1], [[0, 0], [2, 0]])
+        got = line.closest_adjoint([[0.5, 1]], [0.25], [1], None, [1])
+        np.testing.assert_allclose(got.queries, [[0.5, 1]])
+        np.testing.assert_allclose(got.points, [[-0.375, -1], [-0.125, 0]])
+        self.assertEqual(got.status.tolist(), [0])
+        alone = line.closest_adjoint([[0.5, 1]], [0.25], distance_cotangents=[1], wanted="queries")
+        np.testing.assert_allclose(alone.queries, [[0, 1]])
+        self.assertIsNone(alone.points)
+
+    def test_gradients_of_lengths(self):
+        line = nurbs.Spline(1, [0, 0, 1, 1], [[0, 0], [3, 4]])
+        got = line.length_adjoint(1e-12)
+        np.testing.assert_allclose(got.points, [[-0.6, -0.8], [0.6, 0.8]])
+        np.testing.assert_allclose(got.weights, [0, 0], atol=1e-12)
+        self.assertLess(got.error, 1e-9)
+        half = line.length_adjoint(1e-12, cotangent=2, range=[0, 0.5], wanted="points")
+        np.testing.assert_allclose(half.points, [[-0.6, -0.8], [0.6, 0.8]])
+        self.assertIsNone(half.weights)
+
 
 class Arrays(unittest.TestCase):
     def test_strided_output_is_filled_in_place(self):

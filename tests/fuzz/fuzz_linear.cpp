@@ -185,6 +185,63 @@ void gradients(Input &in, const nurbs *g, const fuzz::Spline &s, const Batch &b)
     }
 }
 
+// Twice into the same output doubles nothing; the derivative by a knot has the domain of the spline, and a point.
+void knot_gradients(Input &in, const nurbs *g, const fuzz::Spline &s, const Batch &b) {
+    const int32_t axis = in.rarely() ? in.bad_int() : in.below(s.axes());
+    const bool sane = axis >= 0 && axis < s.axes();
+    const size_t size = sane ? static_cast<size_t>(s.counts[static_cast<size_t>(axis)] +
+                                                   s.degrees[static_cast<size_t>(axis)] + 1)
+                             : 1;
+    const std::vector<double> cotangents(static_cast<size_t>(b.n * s.dim), 1.0);
+    std::vector<double> once(size, -7), twice(size, 0);
+    const auto adjoint_of = [&](std::vector<double> &out, uint32_t flags) {
+        return nurbs_eval_adjoint_knots(g, axis, 0, b.n, b.params.data(), 0, 0, cotangents.data(), 0, 0,
+                                        out.data(), flags);
+    };
+    const uint32_t flags = b.flags & ~NURBS_ACCUMULATE;
+    if (!FUZZ_OK(adjoint_of(once, flags))) {
+        FUZZ_REQUIRE((!sane || !b.inside) && untouched(once));
+    } else {
+        FUZZ_REQUIRE(adjoint_of(twice, flags | NURBS_ACCUMULATE) == NURBS_OK);
+        FUZZ_REQUIRE(fuzz::same_bits(once.data(), twice.data(), size));
+    }
+    const int64_t knot = in.rarely() ? in.bad_size() : in.below(static_cast<int32_t>(size));
+    nurbs *made = nullptr;
+    if (FUZZ_OK(nurbs_eval_knot_derivative(g, axis, knot, &made))) {
+        double domain[2];
+        std::vector<double> first(static_cast<size_t>(s.axes()));
+        for (int k = 0; k < s.axes(); ++k) {
+            FUZZ_REQUIRE(nurbs_domain(made, k, domain) == NURBS_OK);
+            first[static_cast<size_t>(k)] = domain[0];
+        }
+        std::vector<double> point(static_cast<size_t>(s.dim));
+        FUZZ_REQUIRE(nurbs_eval(made, 1, first.data(), 0, 0, point.data(), 0, 0, 0) == NURBS_OK);
+    }
+    FUZZ_REQUIRE(sane || made == nullptr);
+    nurbs_destroy(made);
+}
+
+// Through feet that are none, and of lengths: all is finite or refused, and nothing is written then.
+void query_gradients(Input &in, const nurbs *g, const fuzz::Spline &s, const Batch &b) {
+    Gradients out(s, b.n);
+    std::vector<double> points(static_cast<size_t>(b.n * s.dim)), queries(points.size(), -7);
+    std::generate(points.begin(), points.end(), [&] { return 2 * in.unit() - 1; });
+    std::vector<int32_t> status(static_cast<size_t>(b.n), -7);
+    if (!FUZZ_OK(nurbs_closest_adjoint(g, b.n, points.data(), b.params.data(), b.params.data(), points.data(),
+                                       nullptr, out.points.data(), out.weights.data(), queries.data(),
+                                       status.data(), in.coin() ? NURBS_NAN_POINTS : 0))) {
+        FUZZ_REQUIRE(!b.inside && untouched(out.points) && untouched(out.weights) && untouched(queries) &&
+                     untouched(status));
+    }
+    Gradients lengths(s, 0);
+    if (!FUZZ_OK(nurbs_length_adjoint(g, nullptr, in.coin() ? 1e-3 : 1e-6, 1, lengths.points.data(), 0, 0,
+                                      lengths.weights.data(), 0, nullptr, 0))) {
+        FUZZ_REQUIRE(untouched(lengths.points) && untouched(lengths.weights));
+    } else {
+        FUZZ_REQUIRE(s.axes() == 1);
+    }
+}
+
 // Sizes that cannot be served leave the outputs alone.
 void bad_sizes(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const std::vector<double> params = fuzz::any_params(in, g, s.axes(), 2, true);
@@ -217,6 +274,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     matrices(in, g.get(), s, b);
     extraction(in, g.get(), s);
     gradients(in, g.get(), s, b);
+    knot_gradients(in, g.get(), s, b);
+    query_gradients(in, g.get(), s, b);
     bad_sizes(in, g.get(), s);
     return 0;
 }

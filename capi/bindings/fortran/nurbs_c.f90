@@ -1007,6 +1007,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_derivative
+        !> The derivative of a spline with respect to a knot, as a spline of the same parameters: C changes by
+        !> h times the result, to first order, if knot t_k of an axis is moved by h and everything else stays.
+        function nurbs_eval_knot_derivative(g, axis, knot, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: knot
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_eval_knot_derivative
         !> The integral of a polynomial spline along an axis from the lower end a of its domain.
         function nurbs_antiderivative(g, axis, out) bind(c) result(r)
             import
@@ -2996,6 +3006,48 @@ module nurbs_c
             real(c_double), intent(inout), optional :: grad_points(*), grad_weights(*), grad_params(*)
             integer(c_int32_t) :: r
         end function nurbs_eval_adjoint
+        !> Gradients of a function L of points and derivatives with respect to the knots of an axis.
+        function nurbs_eval_adjoint_knots(g, axis, order, n, params, param_stride, param_component_stride, &
+                cotangents, cotangent_stride, cotangent_component_stride, grad_knots, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, order, flags
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, cotangent_stride, &
+                cotangent_component_stride
+            real(c_double), intent(in) :: params(*), cotangents(*)
+            real(c_double), intent(inout) :: grad_knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_eval_adjoint_knots
+        !> Gradients of a function L of closest points, or of any places where the distance to a point is
+        !> critical, with respect to control points, weights and the query points, by the implicit function
+        !> theorem.
+        function nurbs_closest_adjoint(g, n, points, params, param_cotangents, foot_cotangents, &
+                distance_cotangents, grad_points, grad_weights, grad_queries, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: points(*), params(*)
+            real(c_double), intent(in), optional :: param_cotangents(*), foot_cotangents(*), &
+                distance_cotangents(*)
+            real(c_double), intent(inout), optional :: grad_points(*), grad_weights(*), grad_queries(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_closest_adjoint
+        !> Gradients of the length of a curve, or of a part of it, with respect to control points and weights:
+        !> with the unit tangent T and the rational functions R_i.
+        function nurbs_length_adjoint(g, range, relative_tolerance, cotangent, grad_points, &
+                grad_point_stride, grad_point_component_stride, grad_weights, grad_weight_stride, error, &
+                flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: relative_tolerance, cotangent
+            real(c_double), intent(inout), optional :: grad_points(*), grad_weights(*), error
+            integer(c_int64_t), value :: grad_point_stride, grad_point_component_stride, grad_weight_stride
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_length_adjoint
         ! --- Reading files
         !> Fills an options struct with the defaults.
         function nurbs_read_options_init(options, struct_size) bind(c) result(r)

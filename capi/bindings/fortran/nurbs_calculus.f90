@@ -5,16 +5,16 @@
 module nurbs_calculus
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_blossom, nurbs_derivative, nurbs_antiderivative, nurbs_product, nurbs_compose, nurbs_sum, &
-        nurbs_normalize_weights, nurbs_reparametrize_moebius, nurbs_equalize_end_weights, nurbs_product_with, &
-        nurbs_compose_with
+    use nurbs_c, only: nurbs_blossom, nurbs_derivative, nurbs_eval_knot_derivative, nurbs_antiderivative, &
+        nurbs_product, nurbs_compose, nurbs_sum, nurbs_normalize_weights, nurbs_reparametrize_moebius, &
+        nurbs_equalize_end_weights, nurbs_product_with, nurbs_compose_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
-    public :: spline_blossom, spline_derivative, spline_antiderivative, spline_product, spline_compose, spline_sum
-    public :: normalize_weights, reparametrize_moebius, equalize_end_weights
+    public :: spline_blossom, spline_derivative, spline_knot_derivative, spline_antiderivative, spline_product
+    public :: spline_compose, spline_sum, normalize_weights, reparametrize_moebius, equalize_end_weights
 
 contains
 
@@ -47,6 +47,19 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine spline_derivative
+
+    !> The derivative with respect to a knot of the full vector of an axis, as a spline.
+    subroutine spline_knot_derivative(g, axis, knot, out, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis, knot
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_eval_knot_derivative(g%handle, axis - 1, int(knot, c_int64_t), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_knot_derivative
 
     !> The integral along an axis from the start of its domain.
     subroutine spline_antiderivative(g, axis, out, status)

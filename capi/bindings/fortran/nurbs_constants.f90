@@ -173,7 +173,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_PERIODIC = int(z'01', c_int32_t)
 
     ! --- Global flags
-    ! nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it.
+    ! nurbs_eval_adjoint() and the other adjoints: add to what the outputs hold instead of overwriting it.
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
     ! nurbs_reverse(): map the domain to itself instead of negating the parameter.
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
@@ -343,6 +343,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_CLOSEST_INVALID = int(z'10', c_int32_t)
     ! proven, but rounding the parameters moves the point by more
     integer(c_int32_t), parameter :: NURBS_CLOSEST_COARSE = int(z'20', c_int32_t)
+    ! of nurbs_closest_adjoint(): the gradient is not determined
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_SINGULAR = int(z'40', c_int32_t)
     ! NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2
     integer(c_int32_t), parameter :: NURBS_CLOSEST_LEFT = int(z'100', c_int32_t)
 

@@ -7,7 +7,8 @@ module nurbs_evaluation
     use nurbs_constants
     use nurbs_c, only: nurbs_hull_size, nurbs_derivative_slots, nurbs_eval, nurbs_eval_derivs, nurbs_eval_grid, &
         nurbs_eval_grid_derivs, nurbs_eval_f32, nurbs_eval_grid_f32, nurbs_rational_basis, nurbs_rational_collocation, &
-        nurbs_bezier_extraction, nurbs_eval_adjoint
+        nurbs_bezier_extraction, nurbs_eval_adjoint, nurbs_eval_adjoint_knots, nurbs_closest_adjoint, &
+        nurbs_length_adjoint
     use nurbs_support
     use nurbs_inspection
     implicit none
@@ -18,7 +19,7 @@ module nurbs_evaluation
     type, extends(nurbs_inspected), public :: nurbs_shape
     contains
         procedure :: eval_grid, eval_grid_derivs, eval_grid_f32, rational_basis, rational_collocation, bezier_extraction
-        procedure :: eval_adjoint
+        procedure :: eval_adjoint, eval_adjoint_knots, closest_adjoint, length_adjoint
         procedure, private :: hull_size_1, hull_size_n, eval_1, eval_n, eval_derivs_1, eval_derivs_n, eval_f32_1
         procedure, private :: eval_f32_n
         generic :: hull_size => hull_size_1, hull_size_n
@@ -343,4 +344,82 @@ contains
             grad_weights, 0_c_int64_t, grad_params, step(grad_params), column(grad_params), given(flags, 0))
         call settle(code, status)
     end subroutine eval_adjoint
+
+    !> Gradients with respect to the knots of an axis of a function of points and derivatives, from its cotangents(n,
+    !> dim, slots) at params(n, axes).
+    subroutine eval_adjoint_knots(this, axis, order, params, cotangents, grad_knots, flags, status)
+        class(nurbs_shape), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis, order
+        real(c_double), intent(in) :: params(:, :), cotangents(:, :, :)
+        real(c_double), intent(inout) :: grad_knots(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = size(params, 1, c_int64_t)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(params, n, axes_of(this%handle)), &
+            fits(cotangents, n, dim_of(this%handle), slots_of(this%handle, order)), &
+            fits(grad_knots, count_of(this%handle, axis - 1) + degree_of(this%handle, axis - 1) + 1)])
+        if (code == NURBS_OK) code = nurbs_eval_adjoint_knots(this%handle, axis - 1, order, n, params, step(params), &
+            column(params), cotangents, step(cotangents), column(cotangents), grad_knots, given(flags, 0))
+        call settle(code, status)
+    end subroutine eval_adjoint_knots
+
+    !> Gradients through the closest points of query points, whose parameters are given, from cotangents of parameters,
+    !> points and distances; empty ones are 0.
+    subroutine closest_adjoint(this, points, params, param_cotangents, foot_cotangents, distance_cotangents, &
+            grad_points, grad_weights, grad_queries, states, flags, status)
+        class(nurbs_shape), intent(in) :: this
+        real(c_double), intent(in) :: points(:, :), params(:, :)
+        real(c_double), intent(in), optional :: param_cotangents(:, :), foot_cotangents(:, :), distance_cotangents(:)
+        real(c_double), intent(inout), optional :: grad_points(:, :), grad_weights(:), grad_queries(:, :)
+        integer(c_int32_t), intent(inout), optional :: states(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n, dim, axes, points_n
+        real(c_double), allocatable :: param_cotangents_c(:, :), foot_cotangents_c(:, :), grad_points_c(:, :)
+        real(c_double), allocatable :: grad_queries_c(:, :)
+        n = size(points, 1, c_int64_t)
+        dim = dim_of(this%handle)
+        axes = axes_of(this%handle)
+        points_n = points_of(this%handle)
+        allocate (grad_points_c(dim, points_n), grad_queries_c(dim, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(points, n, dim), fits(params, n, axes), &
+            fits(param_cotangents, n, axes), fits(foot_cotangents, n, dim), fits(distance_cotangents, n), &
+            fits(grad_points, points_n, dim), fits(grad_weights, points_n), fits(grad_queries, n, dim), &
+            fits(states, n)])
+        if (present(param_cotangents)) param_cotangents_c = transpose(param_cotangents)
+        if (present(foot_cotangents)) foot_cotangents_c = transpose(foot_cotangents)
+        if (code == NURBS_OK) code = nurbs_closest_adjoint(this%handle, n, transpose(points), transpose(params), &
+            param_cotangents_c, foot_cotangents_c, distance_cotangents, grad_points_c, grad_weights, grad_queries_c, &
+            states, given(flags, 0))
+        if (code == NURBS_OK) then
+            if (present(grad_points)) grad_points = transpose(grad_points_c)
+            if (present(grad_queries)) grad_queries = transpose(grad_queries_c)
+        end if
+        call settle(code, status)
+    end subroutine closest_adjoint
+
+    !> Gradients of the length of a curve over a range [2] of its domain, or all of it.
+    subroutine length_adjoint(this, relative_tolerance, cotangent, grad_points, grad_weights, error, range, flags, &
+            status)
+        class(nurbs_shape), intent(in) :: this
+        real(c_double), intent(in) :: relative_tolerance, cotangent
+        real(c_double), intent(inout), optional :: grad_points(:, :), grad_weights(:), error
+        real(c_double), intent(in), optional :: range(2)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: points_n
+        points_n = points_of(this%handle)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(grad_points, points_n, dim_of(this%handle)), &
+            fits(grad_weights, points_n)])
+        if (code == NURBS_OK) code = nurbs_length_adjoint(this%handle, range, relative_tolerance, cotangent, &
+            grad_points, step(grad_points), column(grad_points), grad_weights, 0_c_int64_t, error, given(flags, 0))
+        call settle(code, status)
+    end subroutine length_adjoint
 end module nurbs_evaluation

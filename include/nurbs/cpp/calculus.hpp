@@ -29,6 +29,11 @@ inline Returned<Spline> derivative(const Spline &g, std::int32_t axis, std::int3
     return detail::made<Spline>(nurbs_derivative, g.get(), axis, order);
 }
 
+/// The derivative with respect to a knot of the full vector of an axis, as a spline.
+inline Returned<Spline> knot_derivative(const Spline &g, std::int32_t axis, std::int64_t knot) {
+    return detail::made<Spline>(nurbs_eval_knot_derivative, g.get(), axis, knot);
+}
+
 /// The integral along an axis from the start of its domain.
 inline Returned<Spline> antiderivative(const Spline &g, std::int32_t axis) {
     return detail::made<Spline>(nurbs_antiderivative, g.get(), axis);

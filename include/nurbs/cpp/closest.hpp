@@ -22,6 +22,7 @@ inline constexpr std::int32_t closest_not_unique = NURBS_CLOSEST_NOT_UNIQUE;
 inline constexpr std::int32_t closest_budget = NURBS_CLOSEST_BUDGET;
 inline constexpr std::int32_t closest_invalid = NURBS_CLOSEST_INVALID;
 inline constexpr std::int32_t closest_coarse = NURBS_CLOSEST_COARSE;
+inline constexpr std::int32_t closest_singular = NURBS_CLOSEST_SINGULAR;
 inline constexpr std::int32_t closest_left = NURBS_CLOSEST_LEFT;
 
 /// Kinds of critical points.

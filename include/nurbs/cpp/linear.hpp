@@ -149,6 +149,72 @@ inline Returned<void> eval_adjoint(const Spline &g, std::int32_t order, Input pa
     return found;
 }
 
+/// Gradients with respect to the knots of an axis of a function of points and derivatives, from its
+/// cotangents [n][slots][dim].
+inline Returned<std::vector<double>> eval_adjoint_knots(const Spline &g, std::int32_t axis,
+                                                        std::int32_t order, Input params, Input cotangents,
+                                                        std::uint32_t flags = 0) {
+    const std::int64_t n = detail::records(params, detail::axes(g.get()), "params");
+    cotangents.require(n, detail::slots(g.get(), order) * detail::dimension(g.get()), "cotangents");
+    std::vector<double> values =
+        detail::room(detail::count(g.get(), axis) + detail::degree(g.get(), axis) + 1);
+    detail::call(nurbs_eval_adjoint_knots, g.get(), axis, order, n, params.data(), params.stride(),
+                 params.component_stride(), cotangents.data(), cotangents.stride(),
+                 cotangents.component_stride(), values.data(), flags);
+    return values;
+}
+
+/// Gradients [N][dim], [N] and [n][dim], and closest_ bits [n].
+struct FootGradients {
+    std::vector<double> points;       ///< With respect to the control points, [N][dim].
+    std::vector<double> weights;      ///< With respect to the weights, [N].
+    std::vector<double> queries;      ///< With respect to the query points, [n][dim].
+    std::vector<std::int32_t> status; ///< closest_ bits, [n].
+};
+
+/// Gradients through the closest points of query points, whose parameters are given, from cotangents of
+/// parameters, points and distances; empty ones are 0.
+inline Returned<FootGradients> closest_adjoint(const Spline &g, View<double> points, View<double> params,
+                                               View<double> param_cotangents = {},
+                                               View<double> foot_cotangents = {},
+                                               View<double> distance_cotangents = {},
+                                               std::uint32_t flags = 0) {
+    const std::int64_t dim = detail::dimension(g.get());
+    const std::int64_t n = detail::records(points, dim, "points");
+    const std::int64_t axes = detail::axes(g.get());
+    detail::require(params, n * axes, "params");
+    detail::require_given(param_cotangents, n * axes, "param_cotangents");
+    detail::require_given(foot_cotangents, n * dim, "foot_cotangents");
+    detail::require_given(distance_cotangents, n, "distance_cotangents");
+    const std::int64_t net_size = detail::point_count(g.get());
+    FootGradients found{detail::room(net_size, dim), detail::room(net_size), detail::room(n, dim),
+                        detail::room<std::int32_t>(n)};
+    detail::call(nurbs_closest_adjoint, g.get(), n, points.data(), params.data(),
+                 detail::pointer(param_cotangents), detail::pointer(foot_cotangents),
+                 detail::pointer(distance_cotangents), found.points.data(), found.weights.data(),
+                 found.queries.data(), found.status.data(), flags);
+    return found;
+}
+
+/// Gradients [N][dim] and [N] of the length of a curve, and an estimate of their relative error.
+struct LengthGradients {
+    std::vector<double> points;  ///< With respect to the control points, [N][dim].
+    std::vector<double> weights; ///< With respect to the weights, [N].
+    double error;                ///< Of the integrals, relative.
+};
+
+/// Gradients of the length of a curve over a range [2] of its domain, or all of it.
+inline Returned<LengthGradients> length_adjoint(const Spline &g, double relative_tolerance = 0,
+                                                double cotangent = 1, View<double> range = {},
+                                                std::uint32_t flags = 0) {
+    detail::require_given(range, 2 * detail::axes(g.get()), "range");
+    const std::int64_t net_size = detail::point_count(g.get());
+    LengthGradients found{detail::room(net_size, detail::dimension(g.get())), detail::room(net_size), 0};
+    detail::call(nurbs_length_adjoint, g.get(), detail::pointer(range), relative_tolerance, cotangent,
+                 found.points.data(), 0, 0, found.weights.data(), 0, &found.error, flags);
+    return found;
+}
+
 } // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 

@@ -195,6 +195,16 @@ void data(const Inputs &in) {
         show("periodic", found);
     }
     {
+        begin("eval_knot_derivative");
+        const auto found = n::knot_derivative(in.curve, 0, 4);
+        show("out", found);
+    }
+    {
+        begin("eval_knot_derivative of a period");
+        const auto found = n::knot_derivative(in.loop, 0, 1);
+        show("out", found);
+    }
+    {
         begin("to_hermite");
         const auto found = n::to_hermite(in.twist);
         show("params", found.params);
@@ -1138,6 +1148,16 @@ void evaluation(const Inputs &in) {
         show("grad_weights", found.weights);
         show("grad_params", found.params);
     }
+    {
+        begin("eval_adjoint_knots");
+        const auto found = n::eval_adjoint_knots(in.curve, 0, 0, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, {1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 0u);
+        show("grad_knots", found);
+    }
+    {
+        begin("eval_adjoint_knots surface");
+        const auto found = n::eval_adjoint_knots(in.surface, 1, 1, {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, {1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 0u);
+        show("grad_knots", found);
+    }
 }
 
 void form(const Inputs &in) {
@@ -1520,6 +1540,14 @@ void query(const Inputs &in) {
         show("status", found.status);
     }
     {
+        begin("closest_adjoint");
+        const auto found = n::closest_adjoint(in.curve, {0.1, 0.9}, {0.3}, {1.0}, {1.0, 2.0}, {1.0}, 0u);
+        show("grad_points", found.points);
+        show("grad_weights", found.weights);
+        show("grad_queries", found.queries);
+        show("status", found.status);
+    }
+    {
         begin("closest_points of a part");
         n::Search how;
         how.range = {0.0, 1.0, 0.0, 3.0};
@@ -1747,6 +1775,20 @@ void query(const Inputs &in) {
         show("placement", found.x);
         show("sizes", found.sizes);
         show("deviation", found.deviation);
+    }
+    {
+        begin("length_adjoint");
+        const auto found = n::length_adjoint(in.curve, 1e-06, 1.0, {}, 0u);
+        show("grad_points", found.points);
+        show("grad_weights", found.weights);
+        show("error", found.error);
+    }
+    {
+        begin("length_adjoint of a part");
+        const auto found = n::length_adjoint(in.curve, 1e-06, 1.0, {0.3, 0.6}, 0u);
+        show("grad_points", found.points);
+        show("grad_weights", found.weights);
+        show("error", found.error);
     }
     {
         begin("curve_length");

@@ -301,6 +301,18 @@ contains
         block
             call show('periodic', detect_periodic(spline=curve, axis=1))
         end block
+        call begin('eval_knot_derivative')
+        block
+            type(nurbs_spline) :: out_found
+            call spline_knot_derivative(g=curve, axis=1, knot=4, out=out_found)
+            call show('out', out_found)
+        end block
+        call begin('eval_knot_derivative of a period')
+        block
+            type(nurbs_spline) :: out_found
+            call spline_knot_derivative(g=loop, axis=1, knot=1, out=out_found)
+            call show('out', out_found)
+        end block
         call begin('to_hermite')
         block
             real(c_double), allocatable :: params_found(:)
@@ -1738,6 +1750,28 @@ contains
             call show('grad_params', flat(reshape(grad_params_found, [size(grad_params_found, 2), &
                 size(grad_params_found, 1)], order=[2, 1])))
         end block
+        call begin('eval_adjoint_knots')
+        block
+            real(c_double), allocatable :: grad_knots_found(:)
+            allocate (grad_knots_found(12))
+            grad_knots_found = 0
+            call curve%eval_adjoint_knots(axis=1, order=0, params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], &
+                [6, 1], order=[2, 1]), cotangents=reshape([1.0d0, 2.0d0, 3.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, &
+                0.0d0, 0.0d0, 0.0d0, 0.0d0], [6, 2, 1], order=[2, 3, 1]), grad_knots=grad_knots_found, flags=0)
+            call show('grad_knots', grad_knots_found)
+        end block
+        call begin('eval_adjoint_knots surface')
+        block
+            real(c_double), allocatable :: grad_knots_found(:)
+            allocate (grad_knots_found(6))
+            grad_knots_found = 0
+            call surface%eval_adjoint_knots(axis=2, order=1, params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, &
+                0.6d0], [3, 2], order=[2, 1]), cotangents=reshape([1.0d0, 2.0d0, 3.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, &
+                0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, &
+                0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0], [3, 3, 3], order=[2, 3, 1]), grad_knots=grad_knots_found, &
+                flags=0)
+            call show('grad_knots', grad_knots_found)
+        end block
     end subroutine calls_of_evaluation
 
     subroutine calls_of_form()
@@ -2278,6 +2312,29 @@ contains
             call show('distances', distances_found)
             call show('status', states_found)
         end block
+        call begin('closest_adjoint')
+        block
+            real(c_double), allocatable :: grad_points_found(:, :)
+            real(c_double), allocatable :: grad_weights_found(:)
+            real(c_double), allocatable :: grad_queries_found(:, :)
+            integer(c_int32_t), allocatable :: states_found(:)
+            allocate (grad_points_found(9, 2))
+            allocate (grad_weights_found(9))
+            allocate (grad_queries_found(1, 2))
+            allocate (states_found(1))
+            call curve%closest_adjoint(points=reshape([0.1d0, 0.9d0], [1, 2], order=[2, 1]), &
+                params=reshape([0.3d0], [1, 1], order=[2, 1]), &
+                param_cotangents=reshape([1.0d0], [1, 1], order=[2, 1]), &
+                foot_cotangents=reshape([1.0d0, 2.0d0], [1, 2], order=[2, 1]), distance_cotangents=[1.0d0], &
+                grad_points=grad_points_found, grad_weights=grad_weights_found, grad_queries=grad_queries_found, &
+                states=states_found, flags=0)
+            call show('grad_points', flat(reshape(grad_points_found, [size(grad_points_found, 2), &
+                size(grad_points_found, 1)], order=[2, 1])))
+            call show('grad_weights', grad_weights_found)
+            call show('grad_queries', flat(reshape(grad_queries_found, [size(grad_queries_found, 2), &
+                size(grad_queries_found, 1)], order=[2, 1])))
+            call show('status', states_found)
+        end block
         call begin('closest_points of a part')
         block
             real(c_double), allocatable :: params_found(:, :)
@@ -2611,6 +2668,38 @@ contains
             call show('placement', found_found%x)
             call show('sizes', found_found%sizes)
             call show('deviation', found_found%deviation)
+        end block
+        call begin('length_adjoint')
+        block
+            real(c_double), allocatable :: grad_points_found(:, :)
+            real(c_double), allocatable :: grad_weights_found(:)
+            real(c_double) :: error_found
+            allocate (grad_points_found(9, 2))
+            grad_points_found = 0
+            allocate (grad_weights_found(9))
+            grad_weights_found = 0
+            call curve%length_adjoint(relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
+                grad_weights=grad_weights_found, error=error_found, flags=0)
+            call show('grad_points', flat(reshape(grad_points_found, [size(grad_points_found, 2), &
+                size(grad_points_found, 1)], order=[2, 1])))
+            call show('grad_weights', grad_weights_found)
+            call show('error', error_found)
+        end block
+        call begin('length_adjoint of a part')
+        block
+            real(c_double), allocatable :: grad_points_found(:, :)
+            real(c_double), allocatable :: grad_weights_found(:)
+            real(c_double) :: error_found
+            allocate (grad_points_found(9, 2))
+            grad_points_found = 0
+            allocate (grad_weights_found(9))
+            grad_weights_found = 0
+            call curve%length_adjoint(relative_tolerance=1d-06, cotangent=1.0d0, grad_points=grad_points_found, &
+                grad_weights=grad_weights_found, error=error_found, range=[0.3d0, 0.6d0], flags=0)
+            call show('grad_points', flat(reshape(grad_points_found, [size(grad_points_found, 2), &
+                size(grad_points_found, 1)], order=[2, 1])))
+            call show('grad_weights', grad_weights_found)
+            call show('error', error_found)
         end block
         call begin('curve_length')
         block

@@ -347,6 +347,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.curve.detect_periodic(0)?;
         show("periodic", &found);
     }
+    begin("eval_knot_derivative");
+    {
+        let found = given.curve.knot_derivative(0, 4)?;
+        show("out", &found);
+    }
+    begin("eval_knot_derivative of a period");
+    {
+        let found = given.r#loop.knot_derivative(0, 1)?;
+        show("out", &found);
+    }
     begin("to_hermite");
     {
         let found = given.twist.to_hermite()?;
@@ -1646,6 +1656,31 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
         show("grad_weights", &found.weights);
         show("grad_params", &found.params);
     }
+    begin("eval_adjoint_knots");
+    {
+        let found = given.curve.eval_adjoint_knots(
+            0,
+            0,
+            &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
+            &[1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            0,
+        )?;
+        show("grad_knots", &found);
+    }
+    begin("eval_adjoint_knots surface");
+    {
+        let found = given.surface.eval_adjoint_knots(
+            1,
+            1,
+            &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
+            &[
+                1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            ],
+            0,
+        )?;
+        show("grad_knots", &found);
+    }
     Ok(())
 }
 
@@ -2055,6 +2090,17 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("distances", &found.distances);
         show("status", &found.status);
     }
+    begin("closest_adjoint");
+    {
+        let found =
+            given
+                .curve
+                .closest_adjoint(&[0.1, 0.9], &[0.3], &[1.0], &[1.0, 2.0], &[1.0], 0)?;
+        show("grad_points", &found.points);
+        show("grad_weights", &found.weights);
+        show("grad_queries", &found.queries);
+        show("status", &found.status);
+    }
     begin("closest_points of a part");
     {
         let found = given.surface.closest_points(
@@ -2326,6 +2372,20 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("placement", &found.x);
         show("sizes", &found.sizes);
         show("deviation", &found.deviation);
+    }
+    begin("length_adjoint");
+    {
+        let found = given.curve.length_adjoint(1e-06, 1.0, &[], 0)?;
+        show("grad_points", &found.points);
+        show("grad_weights", &found.weights);
+        show("error", &found.error);
+    }
+    begin("length_adjoint of a part");
+    {
+        let found = given.curve.length_adjoint(1e-06, 1.0, &[0.3, 0.6], 0)?;
+        show("grad_points", &found.points);
+        show("grad_weights", &found.weights);
+        show("error", &found.error);
     }
     begin("curve_length");
     {

@@ -36,6 +36,11 @@ class Calculus(SplineBase):
         """The partial derivative along an axis, as a spline (hodograph)."""
         return self._made(lib.nurbs_derivative, self._handle, axis, order)
 
+    def eval_knot_derivative(self, knot: int, *, axis: int = 0) -> Spline:
+        """The derivative with respect to a knot of the full vector of an axis, as a spline of the same parameters. On a
+        periodic axis the knot moves with its copies."""
+        return self._made(lib.nurbs_eval_knot_derivative, self._handle, axis, knot)
+
     def antiderivative(self, *, axis: int = 0) -> Spline:
         """The integral of a polynomial spline along an axis, 0 at the start of its domain. Raises ArgumentError if it
         is rational."""

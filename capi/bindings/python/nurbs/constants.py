@@ -108,7 +108,8 @@ NURBS_NAN = 0x10
 NURBS_PERIODIC = 0x01
 
 # --- Global flags
-NURBS_ACCUMULATE = 0x01000000  # nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it.
+# nurbs_eval_adjoint() and the other adjoints: add to what the outputs hold instead of overwriting it.
+NURBS_ACCUMULATE = 0x01000000
 NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself instead of negating the parameter.
 NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump instead of an error.
 NURBS_PRODUCT_DOT = 0x08000000  # nurbs_product(): the dot product.
@@ -232,6 +233,7 @@ NURBS_CLOSEST_NOT_UNIQUE = 0x04  # points elsewhere are as near to the tolerance
 NURBS_CLOSEST_BUDGET = 0x08  # the budget ended before a proof was found
 NURBS_CLOSEST_INVALID = 0x10  # the query point is not finite; results are NaN
 NURBS_CLOSEST_COARSE = 0x20  # proven, but rounding the parameters moves the point by more
+NURBS_CLOSEST_SINGULAR = 0x40  # of nurbs_closest_adjoint(): the gradient is not determined
 NURBS_CLOSEST_LEFT = 0x100  # NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2
 
 # --- Kind of a critical point

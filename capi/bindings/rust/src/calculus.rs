@@ -33,6 +33,11 @@ impl Spline {
         Spline::made(|out| unsafe { sys::nurbs_derivative(self.raw(), axis, order, out) })
     }
 
+    /// The derivative with respect to a knot of the full vector of an axis, as a spline.
+    pub fn knot_derivative(&self, axis: i32, knot: i64) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_eval_knot_derivative(self.raw(), axis, knot, out) })
+    }
+
     /// The integral along an axis from the start of its domain.
     pub fn antiderivative(&self, axis: i32) -> Result<Spline> {
         Spline::made(|out| unsafe { sys::nurbs_antiderivative(self.raw(), axis, out) })

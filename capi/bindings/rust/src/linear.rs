@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
 
-use crate::arrays::{if_given, knots_by_axis, layout, Records, RecordsMut};
+use crate::arrays::{exactly, if_given, knots_by_axis, layout, rows, Records, RecordsMut};
 use crate::error::{check, Result};
 use crate::sizes::axes_of;
 use crate::spline::Spline;
@@ -55,6 +55,32 @@ pub struct GradientsMut<'a> {
     pub weights: Option<RecordsMut<'a>>,
     /// With respect to the parameters, `[n][axes]`.
     pub params: Option<RecordsMut<'a>>,
+}
+
+/// Gradients `[N][dim]`, `[N]` and `[n][dim]`, and `NURBS_CLOSEST_` bits `[n]`.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FootGradients {
+    /// With respect to the control points, `[N][dim]`.
+    pub points: Vec<f64>,
+    /// With respect to the weights, `[N]`.
+    pub weights: Vec<f64>,
+    /// With respect to the query points, `[n][dim]`.
+    pub queries: Vec<f64>,
+    /// `NURBS_CLOSEST_` bits, `[n]`.
+    pub status: Vec<i32>,
+}
+
+/// Gradients `[N][dim]` and `[N]` of the length of a curve, and an estimate of their relative error.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct LengthGradients {
+    /// With respect to the control points, `[N][dim]`.
+    pub points: Vec<f64>,
+    /// With respect to the weights, `[N]`.
+    pub weights: Vec<f64>,
+    /// Of the integrals, relative.
+    pub error: f64,
 }
 
 /// The matrix of B-spline basis functions, or of their derivative `orders` (empty: 0); `knots` has one vector
@@ -272,5 +298,112 @@ impl Spline {
                 flags,
             )
         })
+    }
+
+    /// Gradients with respect to the knots of an axis of a function of points and derivatives, from its
+    /// cotangents `[n][slots][dim]`.
+    pub fn eval_adjoint_knots<'a, 'b>(
+        &self,
+        axis: i32,
+        order: i32,
+        params: impl Into<Records<'a>>,
+        cotangents: impl Into<Records<'b>>,
+        flags: u32,
+    ) -> Result<Vec<f64>> {
+        let params = params.into();
+        let cotangents = cotangents.into();
+        let n = params.count(self.axes()? as usize, "params")?;
+        cotangents.require(n, self.slots(order)? * self.dimension()? as usize, "cotangents")?;
+        let mut grad_knots = vec![0.0; self.count(axis)? + self.degree(axis)? as usize + 1];
+        check(unsafe {
+            sys::nurbs_eval_adjoint_knots(
+                self.raw(),
+                axis,
+                order,
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                cotangents.pointer(),
+                cotangents.stride(),
+                cotangents.component_stride(),
+                grad_knots.as_mut_ptr(),
+                flags,
+            )
+        })?;
+        Ok(grad_knots)
+    }
+
+    /// Gradients through the closest points of query points, whose parameters are given, from cotangents of
+    /// parameters, points and distances; empty ones are 0.
+    pub fn closest_adjoint(
+        &self,
+        points: &[f64],
+        params: &[f64],
+        param_cotangents: &[f64],
+        foot_cotangents: &[f64],
+        distance_cotangents: &[f64],
+        flags: u32,
+    ) -> Result<FootGradients> {
+        let dim = self.dimension()? as usize;
+        let n = rows(points, dim, "points")?;
+        let axes = self.axes()? as usize;
+        let params = exactly(params, n * axes, "params")?;
+        let param_cotangents = if_given(param_cotangents, n * axes, "param_cotangents")?;
+        let foot_cotangents = if_given(foot_cotangents, n * dim, "foot_cotangents")?;
+        let distance_cotangents = if_given(distance_cotangents, n, "distance_cotangents")?;
+        let count = self.point_count()?;
+        let mut grad_points = vec![0.0; count * dim];
+        let mut weights = vec![0.0; count];
+        let mut queries = vec![0.0; n * dim];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_closest_adjoint(
+                self.raw(),
+                n as i64,
+                points.as_ptr(),
+                params,
+                param_cotangents,
+                foot_cotangents,
+                distance_cotangents,
+                grad_points.as_mut_ptr(),
+                weights.as_mut_ptr(),
+                queries.as_mut_ptr(),
+                status.as_mut_ptr(),
+                flags,
+            )
+        })?;
+        Ok(FootGradients { points: grad_points, weights, queries, status })
+    }
+
+    /// Gradients of the length of a curve over a range `[2]` of its domain, or all of it.
+    pub fn length_adjoint(
+        &self,
+        relative_tolerance: f64,
+        cotangent: f64,
+        range: &[f64],
+        flags: u32,
+    ) -> Result<LengthGradients> {
+        let range = if_given(range, 2 * self.axes()? as usize, "range")?;
+        let n = self.point_count()?;
+        let mut points = vec![0.0; n * self.dimension()? as usize];
+        let mut weights = vec![0.0; n];
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_length_adjoint(
+                self.raw(),
+                range,
+                relative_tolerance,
+                cotangent,
+                points.as_mut_ptr(),
+                0,
+                0,
+                weights.as_mut_ptr(),
+                0,
+                &mut error,
+                flags,
+            )
+        })?;
+        Ok(LengthGradients { points, weights, error })
     }
 }

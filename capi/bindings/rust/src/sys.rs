@@ -528,7 +528,7 @@ pub const NURBS_NAN: u32 = 0x10;
 pub const NURBS_PERIODIC: u32 = 0x01;
 
 // --- Global flags
-/// nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it.
+/// nurbs_eval_adjoint() and the other adjoints: add to what the outputs hold instead of overwriting it.
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 /// nurbs_reverse(): map the domain to itself instead of negating the parameter.
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
@@ -736,6 +736,8 @@ pub const NURBS_CLOSEST_BUDGET: i32 = 0x08;
 pub const NURBS_CLOSEST_INVALID: i32 = 0x10;
 /// proven, but rounding the parameters moves the point by more
 pub const NURBS_CLOSEST_COARSE: i32 = 0x20;
+/// of nurbs_closest_adjoint(): the gradient is not determined
+pub const NURBS_CLOSEST_SINGULAR: i32 = 0x40;
 /// NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2
 pub const NURBS_CLOSEST_LEFT: i32 = 0x100;
 
@@ -1488,6 +1490,14 @@ extern "C" {
     ) -> nurbs_status;
     /// The partial derivative of a spline along an axis, as a spline (hodograph).
     pub fn nurbs_derivative(g: *const nurbs, axis: i32, order: i32, out: *mut *mut nurbs) -> nurbs_status;
+    /// The derivative of a spline with respect to a knot, as a spline of the same parameters: C changes by h
+    /// times the result, to first order, if knot t_k of an axis is moved by h and everything else stays.
+    pub fn nurbs_eval_knot_derivative(
+        g: *const nurbs,
+        axis: i32,
+        knot: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// The integral of a polynomial spline along an axis from the lower end a of its domain.
     pub fn nurbs_antiderivative(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
     /// The pointwise product of two splines over the same domain on every axis: component by component, where
@@ -3626,6 +3636,58 @@ extern "C" {
         grad_params: *mut f64,
         grad_param_stride: i64,
         grad_param_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    /// Gradients of a function L of points and derivatives with respect to the knots of an axis.
+    pub fn nurbs_eval_adjoint_knots(
+        g: *const nurbs,
+        axis: i32,
+        order: i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        cotangents: *const f64,
+        cotangent_stride: i64,
+        cotangent_component_stride: i64,
+        grad_knots: *mut f64,
+        flags: u32,
+    ) -> nurbs_status;
+    /// Gradients of a function L of closest points, or of any places where the distance to a point is
+    /// critical, with respect to control points, weights and the query points, by the implicit function
+    /// theorem.
+    ///
+    /// May be null: `param_cotangents`, `foot_cotangents`, `distance_cotangents`, `grad_points`,
+    /// `grad_weights`, `grad_queries`, `status`.
+    pub fn nurbs_closest_adjoint(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        params: *const f64,
+        param_cotangents: *const f64,
+        foot_cotangents: *const f64,
+        distance_cotangents: *const f64,
+        grad_points: *mut f64,
+        grad_weights: *mut f64,
+        grad_queries: *mut f64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    /// Gradients of the length of a curve, or of a part of it, with respect to control points and weights:
+    /// with the unit tangent T and the rational functions R_i.
+    ///
+    /// May be null: `range`, `grad_points`, `grad_weights`, `error`.
+    pub fn nurbs_length_adjoint(
+        g: *const nurbs,
+        range: *const f64,
+        relative_tolerance: f64,
+        cotangent: f64,
+        grad_points: *mut f64,
+        grad_point_stride: i64,
+        grad_point_component_stride: i64,
+        grad_weights: *mut f64,
+        grad_weight_stride: i64,
+        error: *mut f64,
         flags: u32,
     ) -> nurbs_status;
     // --- Reading files

@@ -168,6 +168,14 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_detect_periodic(in.curve, 0, o.states);
      }},
+    {"eval_knot_derivative",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_eval_knot_derivative(in.curve, 0, 4, &o.out);
+     }},
+    {"eval_knot_derivative of a period",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_eval_knot_derivative(in.loop, 0, 1, &o.out);
+     }},
     {"to_hermite",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_to_hermite(in.twist, 2, o.values, o.values + 2, o.values + 8, o.spans);

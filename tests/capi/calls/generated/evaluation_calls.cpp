@@ -174,6 +174,19 @@ const Call group[] = {
          return nurbs_eval_adjoint(in.surface, 1, 3, arrays::params, 0, 0, cotangents, 0, 0, o.values, 0, 0,
              nullptr, 0, nullptr, 0, 0, 0);
      }},
+    {"eval_adjoint_knots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double cotangents[] = {1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+         return nurbs_eval_adjoint_knots(in.curve, 0, 0, 6, arrays::params, 0, 0, cotangents, 0, 0, o.values,
+             0);
+     }},
+    {"eval_adjoint_knots surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double cotangents[] = {1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+             0, 0, 0, 0, 0, 0};
+         return nurbs_eval_adjoint_knots(in.surface, 1, 1, 3, arrays::params, 0, 0, cotangents, 0, 0, o.values,
+             0);
+     }},
 };
 
 } // namespace

@@ -68,6 +68,16 @@ const Call group[] = {
          return nurbs_closest_points(in.curve, 1, points, 0, 0, nullptr, 0, 0, o.values, 0, 0, o.values + 1, 0,
              0, o.values + 3, 0, o.states, 0);
      }},
+    {"closest_adjoint",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.9};
+         static constexpr double params[] = {0.3};
+         static constexpr double param_cotangents[] = {1};
+         static constexpr double foot_cotangents[] = {1, 2};
+         static constexpr double distance_cotangents[] = {1};
+         return nurbs_closest_adjoint(in.curve, 1, points, params, param_cotangents, foot_cotangents,
+             distance_cotangents, o.values, o.values + 18, o.values + 27, o.states, 0);
+     }},
     {"closest_points of a part",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double range[] = {0, 1, 0, 3};
@@ -194,6 +204,16 @@ const Call group[] = {
     {"recognize surface",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_recognize(in.surface, 0.2, o.states, o.values, o.values + 9, o.values + 12);
+     }},
+    {"length_adjoint",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_length_adjoint(in.curve, nullptr, 1e-06, 1, o.values, 0, 0, o.values + 18, 0, o.values +
+             27, 0);
+     }},
+    {"length_adjoint of a part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_length_adjoint(in.curve, arrays::new_knots, 1e-06, 1, o.values, 0, 0, o.values + 18, 0,
+             o.values + 27, 0);
      }},
     {"curve_length",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The quotient rule in reverse, at one parameter.
+#pragma once
+
+#include "eval/active_points.h"
+#include "eval/kernels/leibniz.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace nrb::eval {
+
+// `order` on every axis of a spline.
+inline Orders highest_orders(const Spline &spline, int order) noexcept {
+    Orders orders{};
+    std::fill_n(orders.begin(), spline.axes(), order);
+    return orders;
+}
+
+// A point and its derivatives at one parameter.
+struct PointDerivs {
+    ConstRecords values; // record `row`: [slots][dim]
+    int64_t row = 0;
+    const double *point = nullptr; // [dim]: takes the place of the point in `values`, if not null
+
+    [[nodiscard]] double operator()(int64_t slot, int dim, int c) const noexcept {
+        return slot == 0 && point != nullptr ? point[c] : values(row, slot * dim + c);
+    }
+};
+
+// A point and its derivatives up to `order` come from the homogeneous ones A^(b) = sum of N_i^(b) w_i P_i and
+// w^(b) = sum of N_i^(b) w_i by the quotient rule. In reverse, with q = 1 / w(t) and cotangents g_s:
+//   dL/dA^(b) = sum over s >= b of binomial(s, b) q^(s-b) g_s,
+//   dL/dw^(b) = -(sum over s >= b of binomial(s, b) q^(s-b) h_s),
+//   h_b       = sum over s >= b of binomial(s, b) <g_s, C^(s-b)>,
+// because dC = q (dA - C dw), differentiated by Leibniz' rule.
+class HomogeneousCotangents {
+public:
+    // Cotangents: [count][slots][dim]. With `weighted` those of w^(b) are wanted, too. All references are
+    // kept; the active points have derivatives up to `order` on every axis.
+    HomogeneousCotangents(const Spline &spline, const ActivePoints &active, int order,
+                          ConstRecords cotangents, bool weighted)
+        : spline_(spline), active_(active), order_(order), cotangents_(cotangents), weighted_(weighted),
+          width_(spline.dim() + (weighted ? 1 : 0)), reciprocal_(spline.axes(), order),
+          products_(static_cast<size_t>(slot_count(spline.axes(), order))),
+          result_(products_.size() * static_cast<size_t>(width_)) {}
+
+    [[nodiscard]] int64_t width() const noexcept { return width_; }
+
+    // [slots][width]: dL/dA^(b), and -dL/dw^(b) if weights are wanted; valid until the next call. The active
+    // points are those of parameter i; only weights need the derivatives.
+    const double *operator()(int64_t i, const PointDerivs &derivs) noexcept {
+        if (weighted_) {
+            find_products(i, derivs);
+        }
+        if (spline_.rational()) {
+            find_reciprocal();
+            divide(i);
+        } else {
+            copy(i);
+        }
+        return result_.data();
+    }
+
+private:
+    [[nodiscard]] double cotangent(int64_t i, int64_t slot, int c) const noexcept {
+        return cotangents_(i, slot * spline_.dim() + c);
+    }
+    [[nodiscard]] double product(int64_t i, int64_t slot, const PointDerivs &derivs,
+                                 int64_t other) const noexcept {
+        double sum = 0;
+        for (int c = 0; c < spline_.dim(); ++c) {
+            sum += cotangent(i, slot, c) * derivs(other, spline_.dim(), c);
+        }
+        return sum;
+    }
+
+    // h_b for all slots b.
+    void find_products(int64_t i, const PointDerivs &derivs) noexcept {
+        const int axes = spline_.axes();
+        std::fill(products_.begin(), products_.end(), 0.0);
+        for_each_slot(axes, order_, [&](int x, int y, int z) {
+            const Orders s{x, y, z};
+            const int64_t own = slot(axes, s);
+            reciprocal_.leibniz().for_each(s, [&](const Orders &b, const Orders &rest, double factor) {
+                products_[static_cast<size_t>(slot(axes, b))] +=
+                    factor * product(i, own, derivs, slot(axes, rest));
+            });
+        });
+    }
+
+    void find_reciprocal() noexcept {
+        for_each_slot(spline_.axes(), order_, [&](int x, int y, int z) {
+            double weight = 0;
+            active_.for_each({x, y, z},
+                             [&](int64_t point, double value) { weight += value * spline_.weight(point); });
+            reciprocal_.add({x, y, z}, weight);
+        });
+    }
+
+    void divide(int64_t i) noexcept {
+        const int axes = spline_.axes();
+        std::fill(result_.begin(), result_.end(), 0.0);
+        for_each_slot(axes, order_, [&](int x, int y, int z) {
+            const Orders s{x, y, z};
+            const int64_t own = slot(axes, s);
+            reciprocal_.leibniz().for_each(s, [&](const Orders &b, const Orders &rest, double binomial) {
+                add(i, own, binomial * reciprocal_[rest], result_.data() + slot(axes, b) * width_);
+            });
+        });
+    }
+
+    // Weights of 1 need no division.
+    void copy(int64_t i) noexcept {
+        double *out = result_.data();
+        for (int64_t s = 0; s < std::ssize(products_); ++s) {
+            for (int c = 0; c < spline_.dim(); ++c) {
+                *out++ = cotangent(i, s, c);
+            }
+            if (weighted_) {
+                *out++ = products_[static_cast<size_t>(s)];
+            }
+        }
+    }
+
+    void add(int64_t i, int64_t slot, double factor, double *out) const noexcept {
+        const int dim = spline_.dim();
+        for (int c = 0; c < dim; ++c) {
+            out[c] += factor * cotangent(i, slot, c);
+        }
+        if (weighted_) {
+            out[dim] += factor * products_[static_cast<size_t>(slot)];
+        }
+    }
+
+    const Spline &spline_;
+    const ActivePoints &active_;
+    int order_;
+    ConstRecords cotangents_;
+    bool weighted_;
+    int64_t width_;
+    Reciprocal reciprocal_;
+    std::vector<double> products_; // h_b
+    std::vector<double> result_;
+};
+
+} // namespace nrb::eval

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "measure/length_adjoint.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "eval/adjoint/adjoint.h"
+#include "eval/evaluate.h"
+#include "numeric/nested_rule.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::measure {
+
+namespace {
+
+constexpr int low_level = 2, high_level = 3; // 15 and 31 nodes
+constexpr int most_halvings = 60;
+constexpr int64_t parts_at_least = 20000, parts_for_a_span = 256;
+constexpr double rounding = 64 * eps;
+// Of a tolerance below rounding, which asks for the best.
+constexpr double loosest = 1e-3;
+
+// One span of a curve as a spline of its own: the window of its knots and control points.
+SplinePtr span_curve(const Spline &curve, int64_t span) {
+    const KnotVector &axis = curve.axis(0);
+    const int64_t p = axis.degree(), width = curve.stored_width();
+    const auto knots = axis.knots().begin() + (span - p);
+    const auto points = curve.points().begin() + (span - p) * width;
+    std::vector<double> weights;
+    if (curve.form() == Form::rational) {
+        const auto first = curve.weights().begin() + (span - p);
+        weights.assign(first, first + p + 1);
+    }
+    auto own =
+        std::make_shared<const KnotVector>(axis.degree(), std::vector<double>(knots, knots + 2 * p + 2));
+    return std::make_shared<const Spline>(Spline::Axes{std::move(own)}, curve.dim(), curve.form(),
+                                          std::vector<double>(points, points + (p + 1) * width),
+                                          std::move(weights));
+}
+
+// What a rule gives for a part of a span.
+struct RuleGradient {
+    std::vector<double> points;
+    std::vector<double> weights;
+    double length = 0;
+};
+
+// The largest difference of two results, of points and of w_i dL/dw_i.
+struct Scale {
+    double points = 0;
+    double weights = 0;
+};
+
+class SpanGradients {
+public:
+    SpanGradients(const Spline &curve, int64_t span)
+        : curve_(span_curve(curve, span)), count_(curve_->point_count()), dim_(curve_->dim()) {}
+
+    [[nodiscard]] int64_t count() const noexcept { return count_; }
+    [[nodiscard]] double weight(int64_t i) const noexcept { return curve_->weight(i); }
+
+    // The integral over [a, b], by the nodes of a level.
+    [[nodiscard]] RuleGradient rule(Interval part, int level) const {
+        const int n = rule_size(level);
+        count_work(int64_t{n} * count_ * (dim_ + 1) * 16);
+        std::vector<double> params(static_cast<size_t>(n));
+        for (int i = 0; i < n; ++i) {
+            params[static_cast<size_t>(i)] = std::clamp(
+                part.lower * rule_rests()[i] + part.upper * rule_places()[i], part.lower, part.upper);
+        }
+        const ConstRecords at{params.data(), n, 1, 1, 1};
+        std::vector<double> derivs(static_cast<size_t>(2 * n * dim_));
+        eval::evaluate_points(*curve_, {}, 1, at,
+                              {derivs.data(), n, 2 * int64_t{dim_}, 2 * int64_t{dim_}, 1});
+        RuleGradient result{std::vector<double>(static_cast<size_t>(count_ * dim_)),
+                            std::vector<double>(static_cast<size_t>(count_))};
+        for (int i = 0; i < n; ++i) {
+            result.length += make_cotangent(derivs.data() + 2 * i * dim_,
+                                            rule_weights(level)[i] * (part.upper - part.lower));
+        }
+        eval::evaluate_adjoint(
+            *curve_, {}, 1, at, {derivs.data(), n, 2 * int64_t{dim_}, 2 * int64_t{dim_}, 1}, false,
+            {{result.points.data(), count_, dim_, dim_, 1}, {result.weights.data(), count_, 1, 1, 1}, {}});
+        return result;
+    }
+
+    [[nodiscard]] Scale size(const RuleGradient &a, const RuleGradient *minus = nullptr) const noexcept {
+        Scale scale;
+        for (size_t i = 0; i < a.points.size(); ++i) {
+            const double other = minus == nullptr ? 0 : minus->points[i];
+            scale.points = std::max(scale.points, std::abs(a.points[i] - other));
+        }
+        for (size_t i = 0; i < a.weights.size(); ++i) {
+            const double other = minus == nullptr ? 0 : minus->weights[i];
+            const double w = std::abs(weight(static_cast<int64_t>(i)));
+            scale.weights = std::max(scale.weights, w * std::abs(a.weights[i] - other));
+        }
+        return scale;
+    }
+
+private:
+    // Point and derivative become the cotangents 0 and `factor` T; returns the part of the length.
+    double make_cotangent(double *derivs, double factor) const noexcept {
+        double *derivative = derivs + dim_;
+        const double speed = norm(derivative, dim_);
+        for (int c = 0; c < dim_; ++c) {
+            derivs[c] = 0;
+            derivative[c] = speed > 0 ? factor * (derivative[c] / speed) : 0;
+        }
+        return factor * speed;
+    }
+
+    SplinePtr curve_;
+    int64_t count_;
+    int dim_;
+};
+
+// The spans of the range, with the gradients of the whole curve as their sums.
+class LengthAdjoint {
+public:
+    LengthAdjoint(const Spline &curve, Interval range, double tolerance)
+        : curve_(curve), range_(range), tolerance_(std::max(tolerance, rounding)),
+          errors_(static_cast<size_t>(curve.point_count())) {
+        result_.points.resize(static_cast<size_t>(curve.point_count() * curve.dim()));
+        result_.weights.resize(static_cast<size_t>(curve.point_count()));
+    }
+
+    LengthGradient run() {
+        find_sizes();
+        for_each_span([&](int64_t span, Interval part) { run_span(span, part); });
+        for (const double error : errors_) {
+            result_.error = std::max(result_.error, error);
+        }
+        result_.error += rounding;
+        return std::move(result_);
+    }
+
+private:
+    template <class Visit>
+    void for_each_span(Visit &&visit) const {
+        const KnotVector &axis = curve_.axis(0);
+        for (const int64_t span : axis.spans().indices()) {
+            const Interval part{std::max(axis[span], range_.lower), std::min(axis[span + 1], range_.upper)};
+            if (part.lower < part.upper) {
+                visit(span, part);
+            }
+        }
+    }
+
+    // The sizes that errors are compared with, roughly.
+    void find_sizes() {
+        std::vector<double> points(result_.points.size());
+        for_each_span([&](int64_t span, Interval part) {
+            const RuleGradient found = SpanGradients(curve_, span).rule(part, low_level);
+            add(found.points, (span - curve_.axis(0).degree()) * curve_.dim(), points);
+            length_ += found.length;
+            ++spans_;
+        });
+        for (int64_t i = 0; i < curve_.point_count(); ++i) {
+            longest_ = std::max(longest_, norm(points.data() + i * curve_.dim(), curve_.dim()));
+        }
+        budget_ = parts_at_least + parts_for_a_span * spans_;
+    }
+
+    static void add(const std::vector<double> &from, int64_t first, std::vector<double> &to) noexcept {
+        for (size_t i = 0; i < from.size(); ++i) {
+            to[static_cast<size_t>(first) + i] += from[i];
+        }
+    }
+
+    [[nodiscard]] double relative(Scale scale) const noexcept {
+        return std::max(longest_ > 0 ? scale.points / longest_ : 0,
+                        length_ > 0 ? scale.weights / length_ : 0);
+    }
+
+    struct GradientPart {
+        Interval part;
+        int halvings;
+    };
+
+    // What is off in one span reaches the gradients of p + 1 control points, each of which has p + 1 spans.
+    void run_span(int64_t span, Interval whole) {
+        const SpanGradients gradients(curve_, span);
+        const double allowed = tolerance_ / (2 * static_cast<double>(gradients.count()));
+        std::vector<GradientPart> parts{{whole, 0}};
+        while (!parts.empty()) {
+            const GradientPart next = parts.back();
+            parts.pop_back();
+            const RuleGradient low = gradients.rule(next.part, low_level);
+            const RuleGradient high = gradients.rule(next.part, high_level);
+            const double error = relative(gradients.size(high, &low));
+            const double middle = next.part.lower / 2 + next.part.upper / 2;
+            const bool good = error <= allowed || error <= rounding * relative(gradients.size(high));
+            const bool may_halve = next.halvings < most_halvings && middle > next.part.lower &&
+                                   middle < next.part.upper && --budget_ >= 0;
+            if (good || !may_halve) {
+                accept(span, high, good ? std::min(error, allowed / 16) : error);
+            } else {
+                parts.push_back({{middle, next.part.upper}, next.halvings + 1});
+                parts.push_back({{next.part.lower, middle}, next.halvings + 1});
+            }
+        }
+    }
+
+    void accept(int64_t span, const RuleGradient &found, double error) {
+        const int64_t first = span - curve_.axis(0).degree();
+        add(found.points, first * curve_.dim(), result_.points);
+        add(found.weights, first, result_.weights);
+        for (size_t i = 0; i < found.weights.size(); ++i) {
+            errors_[static_cast<size_t>(first) + i] += error;
+        }
+    }
+
+    const Spline &curve_;
+    Interval range_;
+    double tolerance_;
+    std::vector<double> errors_; // of the gradients of each control point
+    LengthGradient result_;
+    double longest_ = 0;
+    double length_ = 0;
+    int64_t spans_ = 0;
+    int64_t budget_ = 0;
+};
+
+} // namespace
+
+LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance) {
+    LengthGradient result = LengthAdjoint(curve, range, relative_tolerance).run();
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (!std::all_of(result.points.begin(), result.points.end(), finite) ||
+        !std::all_of(result.weights.begin(), result.weights.end(), finite)) {
+        fail(Status::not_representable, "the gradient of the length overflows");
+    }
+    const double asked = relative_tolerance < rounding ? loosest : relative_tolerance;
+    if (!(result.error <= 2 * asked + 2 * rounding)) {
+        fail(Status::not_converged,
+             "gradient of the length: the error reached is %s, expected relative_tolerance = %s",
+             Number(result.error).text, Number(relative_tolerance).text);
+    }
+    return result;
+}
+
+} // namespace nrb::measure

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Gradients of the length of a curve.
+#pragma once
+
+#include "base/records.h"
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb::measure {
+
+// dL/dP_i and dL/dw_i of every stored control point, and an estimate of their error: of the points relative
+// to the longest dL/dP_i, of the weights relative to L / w_i, whichever is larger.
+struct LengthGradient {
+    std::vector<double> points;  // [count][dim]
+    std::vector<double> weights; // [count]
+    double error = 0;
+};
+
+// With the unit tangent T: dL = integral of <T, dC'>. Where the curve stands still T counts as 0. Throws
+// Status::not_converged, not_representable. Precondition: a curve, the range inside its domain.
+LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance);
+
+} // namespace nrb::measure
