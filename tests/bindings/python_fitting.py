@@ -86,7 +86,7 @@ class Robust(unittest.TestCase):
         self.assertRaisesRegex(ValueError, "robust = 'l1'", nurbs.fit_points, t, y, 3, CUBIC, robust="l1")
 
 
-class Errors(unittest.TestCase):
+class StandardErrors(unittest.TestCase):
     def test_they_are_what_dense_algebra_says(self):
         t, y, _ = noisy()
         stats, at = empty().add(t, y), np.linspace(0, 1, 17)
