@@ -18,28 +18,31 @@ namespace {
 class ErrorForm {
 public:
     ErrorForm(std::vector<KnotVectorPtr> axes, const StencilMatrix &numbers, const PenalisedSystem &system)
-        : axes_(std::move(axes)), numbers_(numbers), system_(system), inverse_(system.inverse()) {}
+        : axes_(std::move(axes)), numbers_(numbers), system_(system), inverse_(system.inverse()) {
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            functions_[k] = axes_[k]->degree() + 1;
+            along_[k].resize(static_cast<size_t>(functions_[k]));
+        }
+        places_.resize(static_cast<size_t>(functions_[0] * functions_[1] * functions_[2]));
+        values_.resize(places_.size());
+    }
 
-    // Of parameters in the domain, from the left or not.
-    [[nodiscard]] double at(const Index &spans, const std::array<double, max_axes> &t) {
-        places_.clear();
-        values_.clear();
-        Index first{}, counts{1, 1, 1};
-        std::array<std::vector<double>, max_axes> along{std::vector<double>{1}, {1}, {1}};
+    // Of parameters in the domain, each in a span. Allocates nothing.
+    [[nodiscard]] double at(const Index &spans, const std::array<double, max_axes> &t) noexcept {
+        Index first{};
         for (size_t k = 0; k < axes_.size(); ++k) {
             const int p = axes_[k]->degree();
-            along[k].resize(static_cast<size_t>(p) + 1);
-            basis_values(axes_[k]->knots().data(), p, spans[k], t[k], along[k].data());
+            basis_values(axes_[k]->knots().data(), p, spans[k], t[k], along_[k].data());
             first[k] = spans[k] - p;
-            counts[k] = p + 1;
         }
-        for_each_index(first, counts, [&](const Index &layer) {
-            places_.push_back(system_.place_of(numbers_.unknown(layer)));
+        size_t i = 0;
+        for_each_index(first, functions_, [&](const Index &layer) {
+            places_[i] = system_.place_of(numbers_.unknown(layer));
             double value = 1;
             for (size_t k = 0; k < layer.size(); ++k) {
-                value *= along[k][static_cast<size_t>(layer[k] - first[k])];
+                value *= along_[k][static_cast<size_t>(layer[k] - first[k])];
             }
-            values_.push_back(value);
+            values_[i++] = value;
         });
         return std::sqrt(std::max(0.0, form()));
     }
@@ -60,7 +63,9 @@ private:
     const StencilMatrix &numbers_;
     const PenalisedSystem &system_;
     SelectedInverse inverse_;
-    std::vector<int64_t> places_;
+    Index functions_{1, 1, 1};
+    std::array<std::vector<double>, max_axes> along_{std::vector<double>{1}, {1}, {1}};
+    std::vector<int64_t> places_; // of the functions that do not vanish, last axis fastest
     std::vector<double> values_;
 };
 
