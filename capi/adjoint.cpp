@@ -72,6 +72,15 @@ void check_queries(const ConstRecords &points) {
 }
 
 // Outputs that may be added to.
+void check_multiples(const std::vector<double> &values, double factor, const char *name) {
+    for (const double value : values) {
+        if (!std::isfinite(factor * value)) {
+            fail(Status::not_representable, "%s: cotangent = %s times %s is not finite", name,
+                 Number(factor).text, Number(value).text);
+        }
+    }
+}
+
 void give(const Records &out, const std::vector<double> &values, double factor, bool accumulate) noexcept {
     for (int64_t i = 0; i < out.count && out.data != nullptr; ++i) {
         for (int64_t c = 0; c < out.width; ++c) {
@@ -193,6 +202,8 @@ nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range, double re
                     {memory("range", range, 2)});
         const measure::LengthGradient found =
             measure::length_gradient(curve, checked_part(curve, range)[0], relative_tolerance);
+        check_multiples(found.points, cotangent, "grad_points");
+        check_multiples(found.weights, cotangent, "grad_weights");
         give(points, found.points, cotangent, flags != 0);
         give(weights, found.weights, cotangent, flags != 0);
         put(error, found.error);

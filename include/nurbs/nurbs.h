@@ -2388,17 +2388,21 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * does, that is NURBS_ERROR_RANK.
  *
  * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
- * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)), where sigma is the
- * median of sqrt(w_i) |y_i - s(t_i)| over that of normal errors of deviation 1. Widths of 1.345 for Huber's
- * function and 4.685 for Tukey's, which starts from Huber's fit and keeps its sigma, cost 5 % of efficiency if
- * there are no outliers. Where only outliers determine a control point Tukey's is Huber's fit, and
- * NURBS_FIT_NOT_CONVERGED is told.
+ * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)). There sigma is the
+ * median of sqrt(w_i) |y_i - s(t_i)| over that of normal errors of deviation 1, times sqrt(n / (n - t)) for n
+ * data and the trace t of the influence matrix, and at least 2^-46 of the values with residuals up to the
+ * median. Widths of 1.345 for Huber's function and 4.685 for Tukey's, which starts from Huber's fit and keeps
+ * its sigma, cost 5 % of efficiency if there are no outliers. Data with x above 2^30 are left out. Where only
+ * outliers determine a control point Tukey's is Huber's fit, and NURBS_FIT_NOT_CONVERGED is told.
  *
  * Shapes and bounds are asked of the control points, and slopes between these, which is enough for the spline,
  * and for degrees from 2 on a little more than needed. Of all such splines the fit is the closest one to the
  * data, for the lambda that is best without the shape. The control points fulfil the inequalities exactly, as
- * doubles, on axes that are clamped or periodic, and within rounding on others, since clamped ones are fitted
- * and their ends moved then. Convexity and the like are those along each axis by itself.
+ * doubles, on axes that are clamped or periodic, where conditions leave room for it: second differences of
+ * convex and concave axes keep a distance of 2^-51 of the control points from 0 where these would be rounded
+ * out of the shape. On other axes, where clamped ones are fitted and their ends moved then, and beside
+ * conditions that leave no room, they fulfil them within rounding. Convexity and the like are those along each
+ * axis by itself.
  * @{ */
 
 /** \brief Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are
@@ -2601,8 +2605,7 @@ typedef struct nurbs_fit_report {
  *   point that the data do not determine, _NOT_REPRESENTABLE. For shapes: _RULE for opposite ones, or one along
  *   a periodic axis, _ORDER for a convex axis of degree 0, _MULTIPLICITY for one with a knot of multiplicity
  *   degree + 1 inside, _POINT_NOT_FINITE for a bound that is NaN, _CONTRADICTION for bounds that cross, or
- *   where no spline fulfils conditions and shape, _NOT_CONVERGED where rounding does not let control points
- *   fulfil it. _RULE also for a robust fit, which needs the data.
+ *   where no spline fulfils conditions and shape. _RULE also for a robust fit, which needs the data.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees,
                                  const int64_t *counts, const double *knots, int64_t knot_count,
@@ -2760,7 +2763,7 @@ NURBS_API nurbs_status nurbs_fit_criteria_with(const nurbs_statistics *statistic
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS, _DEGREE,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _RULE,
- *   also for a robust fit, _ORDER, _FACTOR, _CONTRADICTION, _NOT_CONVERGED, _NOT_REPRESENTABLE; _TOLERANCE for
+ *   also for a robust fit, _ORDER, _FACTOR, _CONTRADICTION, _NOT_REPRESENTABLE; _TOLERANCE for
  *   one that is negative or NaN, _EMPTY_DOMAIN for a domain without length, _COUNT also for no data,
  *   _TOO_FEW_POINTS for a max_count below the product of degree + 1.
  * \since 1.1 */
@@ -5707,7 +5710,8 @@ NURBS_API nurbs_status nurbs_eval_adjoint_knots(const nurbs *g, int32_t axis, in
  *     dL/dx = -v,   dL/dC(u) = g_f + v,   dL/dC_a(u) = lambda_a r,
  *
  * and the last two go through nurbs_eval_adjoint(): one small system for each point, and no search. An axis is
- * not free where the foot lies at an end of the domain and the axis is not periodic: lambda_a is 0 there. At
+ * not free where the foot lies at an end of the domain and the axis is not periodic, nor at a knot of
+ * multiplicity >= degree where < r, C_a > is not 0, a kink that holds it: lambda_a is 0 there. At
  * the edge of a `range` inside the domain the foot counts as free, which it is not; leave such feet out. The
  * params are taken as they are: those of a foot that was not found exactly give the gradient of Newton's step
  * from there. Derivatives at a knot are those of the side that NURBS_LEFT chooses.

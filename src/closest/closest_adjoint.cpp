@@ -30,7 +30,7 @@ double dot(const double *a, const double *b, int dim) noexcept {
 }
 
 // The foot u of a query x solves F_a = <r, C_a> = 0 with r = C(u) - x, on the axes where it is free: not at
-// an end of the domain. With H_ab = <C_a, C_b> + <r, C_ab>
+// an end of the domain, nor held by a kink. With H_ab = <C_a, C_b> + <r, C_ab>
 //   H du = -(<dC - dx, C_a> + <r, dC_a>)_a,
 // where dC is the change of the curve or surface at fixed parameters. The foot moves by dC + sum of C_a du_a,
 // and the distance d by <r, dC - dx> / d. So, with H lambda = -(g_u + <g_f, C_a>)_a, the cotangents of C
@@ -109,15 +109,26 @@ private:
         return !axis.periodic() && (t == domain.lower || t == domain.upper);
     }
 
+    // Whether the foot is at a knot where the tangent may jump, and is no place where the derivative of the distance vanishes:
+    // then it stays there.
+    [[nodiscard]] bool held_by_kink(int64_t i, const double *derivs, double distance, int a) const noexcept {
+        constexpr double stationary = 0x1p-30;
+        const KnotVector &axis = spline_.axis(a);
+        const auto knots = std::ranges::equal_range(axis.knots(), in_.feet(i, a));
+        const double *tangent = slope(derivs, a);
+        return std::ssize(knots) >= axis.degree() && axis.degree() > 0 &&
+               std::abs(dot(residual_.data(), tangent, dim_)) > stationary * distance * norm(tangent, dim_);
+    }
+
     // False if the equations are singular to rounding. Each axis is measured by the size of its terms.
     bool find_lambda(int64_t i, const double *derivs, double distance, int32_t &status,
                      AxisVector &lambda) const noexcept {
         std::array<int, max_axes> free{};
         int n = 0;
         for (int a = 0; a < axes_; ++a) {
-            const bool end = at_end(i, a);
-            status |= end ? closest_boundary : 0;
-            if (!end) {
+            const bool held = at_end(i, a) || held_by_kink(i, derivs, distance, a);
+            status |= held ? closest_boundary : 0;
+            if (!held) {
                 free[static_cast<size_t>(n++)] = a;
             }
         }

@@ -93,6 +93,25 @@ static void awkward(void) {
     nurbs_destroy(g);
 }
 
+/* A number that stands for none, however large, takes nothing from the others. */
+static void sentinels(void) {
+    static const double large[] = {1e6, 1e15, 1e30, 1e300};
+    double params[21], values[21];
+    for (int i = 0; i < 4; ++i) {
+        FitArgs a = spoilt(params, values);
+        for (int k = 0; k <= 20; ++k) {
+            values[k] += k == 7 ? 0 : 0.01 * (k % 3 - 1);
+        }
+        values[15] = large[i];
+        a.options.robust = NURBS_ROBUST_TUKEY;
+        nurbs *g = fitted(&a);
+        CHECK_POINTS_NEAR(g, VALUES(1, 3), 0.02);
+        CHECK_INT(a.report.outliers, 2);
+        CHECK(a.report.sigma < 0.03);
+        nurbs_destroy(g);
+    }
+}
+
 /* Where only outliers determine a control point, they do, and the fit is Huber's. */
 static void only_outliers(void) {
     double params[40], values[40];
@@ -154,6 +173,7 @@ int main(void) {
     one_outlier();
     a_location();
     awkward();
+    sentinels();
     only_outliers();
     refused();
     watched();

@@ -76,6 +76,33 @@ static void bounds(void) {
     nurbs_destroy(g);
 }
 
+/* Bounds that are far away change nothing, solutions may be 0, and conditions may leave no room for rounding. */
+static void limits(void) {
+    FitArgs a = polygon(VALUES(0, 3, 1, 4));
+    a.options.lower = VALUES(-1e300);
+    a.options.upper = VALUES(1e300);
+    CHECK_POLYGON(a, 0, 3, 1, 4);
+    a.options.shapes = TRENDS(NURBS_TREND_RISING);
+    CHECK_POLYGON(a, 0, 2, 2, 4);
+    a = polygon(VALUES(-1, -2, -1, -3));
+    a.options.shapes = TRENDS(NURBS_TREND_RISING);
+    a.options.lower = VALUES(0);
+    CHECK_POLYGON(a, 0, 0, 0, 0);
+    a.options.upper = VALUES(0);
+    CHECK_POLYGON(a, 0, 0, 0, 0);
+    a = polygon(VALUES(0, 0, 0, 0));
+    a.options.shapes = TRENDS(NURBS_TREND_CONVEX);
+    a.options.lower = VALUES(1);
+    CHECK_POLYGON(a, 1, 1, 1, 1);
+    a = polygon(VALUES(0, 3, 1, 4)); /* constant at its end, and therefore everywhere */
+    a.options.shapes = TRENDS(NURBS_TREND_RISING + NURBS_TREND_CONVEX);
+    a.options.conditions = 1;
+    a.options.condition_params = VALUES(3);
+    a.options.condition_orders = DEGREES(1);
+    a.options.condition_targets = VALUES(0);
+    CHECK_POLYGON(a, 2, 2, 2, 2);
+}
+
 /* Of statistics, to a tolerance, of several coordinates, with a penalty, and of steps. */
 static void other_fits(void) {
     FitArgs a = line();
@@ -162,6 +189,9 @@ static void refused(void) {
     FAILS((a.options.upper = VALUES(0.5), a.options.conditions = 1, a.options.condition_params = VALUES(0),
            a.options.condition_targets = VALUES(0.75)),
           NURBS_ERROR_CONTRADICTION, "missed");
+    FAILS((a.options.upper = VALUES(0.5), a.options.conditions = 1, a.options.condition_params = VALUES(0),
+           a.options.condition_targets = VALUES(0.5 + 1e-7)),
+          NURBS_ERROR_CONTRADICTION, "missed");
 }
 
 /* The data may leave open what the shape does not decide either. */
@@ -179,6 +209,7 @@ static void undetermined(void) {
 int main(void) {
     trends();
     bounds();
+    limits();
     other_fits();
     surfaces();
     refused();

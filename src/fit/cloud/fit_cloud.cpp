@@ -35,13 +35,14 @@ public:
 
     void run() {
         lambda_ = first_lambda();
-        converged_ = is_exact();
+        converged_ = is_met();
         while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // beyond it equations overflow
             const bool settled = take_step();
             const double before = lambda_;
             lambda_ = next_lambda();
-            converged_ = is_exact() || (settled && lambda_ >= before / 2);
+            converged_ = is_met() || (settled && lambda_ >= before / 2);
         }
+        lambda_ = is_met() && wishes_.lambda == 0 ? 0 : lambda_; // the sum is that for any
     }
 
     [[nodiscard]] const Candidate &found() const noexcept { return now_; }
@@ -131,6 +132,9 @@ private:
     [[nodiscard]] bool is_exact() const noexcept {
         return std::sqrt(now_.feet.squares / weight_) <= distance_noise(*now_.spline, cloud_);
     }
+
+    // Exact, where nothing is to be paid for bends.
+    [[nodiscard]] bool is_met() const noexcept { return !(wishes_.lambda > 0) && is_exact(); }
 
     // Goes on until a step lowers the sum, or none does; whether that is all that can be had.
     bool take_step() {

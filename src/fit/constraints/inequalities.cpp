@@ -181,18 +181,15 @@ double Inequalities::missed(const Numbers &x) const {
 
 std::vector<DoubleDouble> Inequalities::minimum(Numbers x) {
     constexpr int most = 60;
-    constexpr double enough = 0x1p-54, possible = 0x1p-20;
+    constexpr double enough = 0x1p-54, possible = 0x1p-40;
+    const double size = size_of(x, rows_, equal_);
     InteriorPoint::Point inside = InteriorPoint(equations_, rows_, equal_).from(std::move(x));
     x = std::move(inside.x);
     multipliers_ = std::move(inside.multipliers);
-    double size = 0, miss = 0, before = 0;
+    double miss = 0, before = 0;
     Steps steps(most);
     for (int i = 0; i < most; ++i, steps.next()) {
         minimise(x);
-        size = largest_of(x);
-        for (const LinearRow &row : rows_) {
-            size = std::max(size, std::abs(row.target[0]));
-        }
         miss = missed(x);
         multipliers_ = forces(x);
         if (!(miss > enough * size)) {

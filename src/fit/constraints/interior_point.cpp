@@ -26,12 +26,11 @@ InteriorPoint::InteriorPoint(const NormalEquations &equations, const std::vector
 void InteriorPoint::start(const Numbers &x) {
     constexpr double part = 0x1p-6;
     x_ = x;
-    size_ = largest_of(x);
+    size_ = size_of(x, rows_, equal_);
     double missed = 0;
     slacks_.assign(rows_.size(), {});
     for (size_t i = 0; i < rows_.size(); ++i) {
         slacks_[i] = left_side(rows_[i], x_, 1, 0) - DoubleDouble(rows_[i].target[0]);
-        size_ = std::max(size_, std::abs(rows_[i].target[0]));
         missed = i < equal_ ? missed : std::max(missed, -slacks_[i].high);
     }
     const double least = std::max(missed, part * size_);

@@ -33,6 +33,16 @@ void add_multiple(const LinearRow &row, const DoubleDouble &factor, int64_t widt
     }
 }
 
+double size_of(const std::vector<DoubleDouble> &x, const std::vector<LinearRow> &rows,
+               size_t equal) noexcept {
+    double size = largest_of(x);
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const double miss = (DoubleDouble(rows[i].target[0]) - left_side(rows[i], x, 1, 0)).high;
+        size = std::max(size, i < equal ? std::abs(miss) : miss);
+    }
+    return size;
+}
+
 double largest_of(const std::vector<DoubleDouble> &x) noexcept {
     double most = 0;
     for (const DoubleDouble &value : x) {

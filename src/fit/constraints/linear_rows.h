@@ -30,6 +30,10 @@ void add_square(const LinearRow &row, const DoubleDouble &factor, StencilMatrix 
 void add_multiple(const LinearRow &row, const DoubleDouble &factor, int64_t width, int64_t c,
                   std::vector<DoubleDouble> &right) noexcept;
 
+// How large the numbers are beside which x may be wrong: x itself, and by what it misses rows, the first ones of which are
+// equations.
+double size_of(const std::vector<DoubleDouble> &x, const std::vector<LinearRow> &rows, size_t equal) noexcept;
+
 // The largest magnitude.
 double largest_of(const std::vector<DoubleDouble> &x) noexcept;
 

@@ -124,7 +124,7 @@ void CoordinateShape::add_row(size_t axis, const Index &first, std::vector<doubl
     rows.push_back(std::move(row));
 }
 
-std::vector<LinearRow> CoordinateShape::rows(double margin) const {
+std::vector<LinearRow> CoordinateShape::rows(double margin, double limit) const {
     std::vector<LinearRow> rows;
     for (size_t k = 0; k < axes_.size(); ++k) {
         if (const double sign = (along_[k] & Shape::rising) != 0    ? 1
@@ -144,10 +144,10 @@ std::vector<LinearRow> CoordinateShape::rows(double margin) const {
         }
     }
     for_each_index({}, counts_, [&](const Index &i) {
-        if (lower_ > -infinity) {
+        if (lower_ > -infinity && std::abs(lower_) <= limit) {
             add_row(0, i, {1}, lower_, rows);
         }
-        if (upper_ < infinity) {
+        if (upper_ < infinity && std::abs(upper_) <= limit) {
             add_row(0, i, {-1}, -upper_, rows);
         }
     });

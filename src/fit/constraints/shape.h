@@ -32,8 +32,8 @@ public:
                     int coordinate);
 
     [[nodiscard]] bool empty() const noexcept;
-    // The inequalities for control points, those of convexity with something to spare.
-    [[nodiscard]] std::vector<LinearRow> rows(double margin) const;
+    // The inequalities for control points, those of convexity with something to spare, without bounds beyond a limit.
+    [[nodiscard]] std::vector<LinearRow> rows(double margin, double limit) const;
     // Puts in order what rounding has disturbed of rising, falling and bounds.
     void settle(std::vector<double> &points) const;
     // Proven, for these very numbers.

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace nrb::fit {
 
@@ -52,41 +54,68 @@ public:
         }
     }
 
-    // Returns the trace of the influence matrix.
+    // Returns the trace of the influence matrix. Control points are rounded: where that takes them out of the shape there is
+    // a margin for it. Where conditions leave no room for a margin they are what rounding makes of them.
     double impose(int c, Numbers &x) const {
-        constexpr double first_margin = 0x1p-48, growth = 8;
-        constexpr int attempts = 5;
+        constexpr double margins[] = {0, 0x1p-51, 0x1p-48, 0x1p-45};
         const CoordinateShape shape(equations_.axes, equations_.dim, wishes_, c);
-        const Numbers start = coordinate_of(x, equations_.dim, c);
-        double margin = first_margin * largest_of(start);
-        for (int i = 0; i < attempts; ++i, margin *= growth) {
-            std::vector<LinearRow> rows = conditions_of(conditions_, c);
-            const size_t equal = rows.size();
-            std::ranges::move(shape.rows(margin), std::back_inserter(rows));
-            Inequalities problem(equations_of(equations_, matrix_, c), std::move(rows), equal);
-            if (take(problem.minimum(start), shape, c, x)) {
-                return problem.freedom(data_.matrix);
+        std::optional<Attempt> best;
+        for (const double margin : margins) {
+            std::optional<Attempt> one = attempt(shape, c, coordinate_of(x, equations_.dim, c),
+                                                 margin * (best ? largest_of(best->x) : 0), !best);
+            if (!one) {
+                break;
+            }
+            const bool holds = one->holds;
+            if (!best || holds) {
+                best = std::move(one);
+            }
+            if (holds) {
+                break;
             }
         }
-        fail(Status::not_converged,
-             "coordinate %d: rounding of the control points is larger than what the shape leaves", c);
+        for (size_t i = 0; i < best->x.size(); ++i) {
+            x[i * static_cast<size_t>(equations_.dim) + static_cast<size_t>(c)] = best->x[i];
+        }
+        return best->freedom;
     }
 
 private:
-    // As the control points that the spline will have.
-    bool take(const Numbers &found, const CoordinateShape &shape, int c, Numbers &x) const {
+    struct Attempt {
+        Numbers x; // as the control points that the spline will have
+        double freedom;
+        bool holds;
+    };
+    // None where there is no room for the margin; without one that is told as Status::contradiction.
+    std::optional<Attempt> attempt(const CoordinateShape &shape, int c, const Numbers &start, double margin,
+                                   bool first) const {
+        try {
+            // Bounds that are far away need not be looked at, and would be large beside all that matters.
+            constexpr double far = 0x1p10;
+            const double limit = far * std::max(1.0, largest_of(start));
+            Attempt near = solved(shape, c, start, margin, limit);
+            return largest_of(near.x) <= limit
+                       ? near
+                       : solved(shape, c, start, margin, std::numeric_limits<double>::infinity());
+        } catch (const Error &error) {
+            if (first || error.status() != Status::contradiction) {
+                throw;
+            }
+            return std::nullopt;
+        }
+    }
+    Attempt solved(const CoordinateShape &shape, int c, const Numbers &start, double margin,
+                   double limit) const {
+        std::vector<LinearRow> rows = conditions_of(conditions_, c);
+        const size_t equal = rows.size();
+        std::ranges::move(shape.rows(margin, limit), std::back_inserter(rows));
+        Inequalities problem(equations_of(equations_, matrix_, c), std::move(rows), equal);
         std::vector<double> points;
-        for (const DoubleDouble &value : found) {
+        for (const DoubleDouble &value : problem.minimum(start)) {
             points.push_back(value.high);
         }
         shape.settle(points);
-        if (!shape.holds(points)) {
-            return false;
-        }
-        for (size_t i = 0; i < points.size(); ++i) {
-            x[i * static_cast<size_t>(equations_.dim) + static_cast<size_t>(c)] = points[i];
-        }
-        return true;
+        return {Numbers(points.begin(), points.end()), problem.freedom(data_.matrix), shape.holds(points)};
     }
 
     const NormalEquations &data_, &equations_;

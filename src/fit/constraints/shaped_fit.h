@@ -10,7 +10,7 @@ namespace nrb::fit {
 
 // From the minimum without a shape, that with it, for the same factor of the penalty. `data`: equations without conditions;
 // `equations`: the same with the squares of the conditions, which hold for the result.
-// Throws what Inequalities does, and Status::not_converged if rounding does not leave the shape to the control points.
+// Throws what Inequalities does.
 void impose_shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *penalty,
                   double lambda, const std::vector<LinearRow> &conditions, const ShapeWishes &wishes,
                   Smoothed &found);

@@ -79,7 +79,9 @@ void standard_errors(const Statistics &statistics, const std::vector<KnotVectorP
     const StencilMatrix form = penalty(axes, penalty_order);
     const int exponent = statistics.form().weight_exponent;
     PenalisedSystem system(equations, &form);
-    system.factorise(std::ldexp(lambda, -exponent));
+    if (const int64_t unsure = system.try_factorise_surely(std::ldexp(lambda, -exponent)); unsure >= 0) {
+        system.fail_rank(unsure);
+    }
     ErrorForm at(axes, equations.matrix, system);
     const double unit = std::sqrt(std::ldexp(1.0, -exponent));
     int64_t pairs = 1;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double huber_width = 1.345, tukey_width = 4.685; // 95 % of the efficiency of least squares
 constexpr int most_rounds = 50;
+constexpr double farthest =
+    0x1p30; // x of data that are left out: beside their values others would be rounded
 
 // Of the length of a vector of normal numbers, whose square has the chi-squared distribution (its median from four numbers on:
 // E. Wilson, M. Hilferty, Proc. Nat. Acad. Sci. 17 (1931)).
@@ -29,7 +31,7 @@ double median_length(int64_t dim) noexcept {
 
 double factor(Robust rule, double x) noexcept {
     if (rule == Robust::huber) {
-        return x <= 1 ? 1 : 1 / x;
+        return x <= 1 ? 1 : x <= farthest ? 1 / x : 0;
     }
     return x < 1 ? (1 - x * x) * (1 - x * x) : 0;
 }
@@ -94,27 +96,21 @@ private:
         return false;
     }
 
-    // Residuals sqrt(w) |y - s(t)|, and their scale: at least what rounding of the values leaves.
+    // Residuals sqrt(w) |y - s(t)|, and their scale: at least what rounding leaves of the better half of the values.
     void measure() {
         constexpr double rounding = 0x1p-46;
-        const int64_t dim = data_.values.width;
         std::vector<double> counted;
-        double largest = 0;
         given_weight_ = 0;
         for_each_distance(data_, rules_, weight_exponent_, *found_.fit.spline,
                           [&](int64_t first, std::span<const double> distances) {
                               for (size_t i = 0; i < distances.size(); ++i) {
                                   const int64_t at = first + static_cast<int64_t>(i);
-                                  const double root = std::sqrt(weight_of(data_, at));
-                                  const double residual = root * distances[i];
+                                  const double weight = weight_of(data_, at),
+                                               residual = std::sqrt(weight) * distances[i];
                                   residuals_[static_cast<size_t>(at)] = residual;
-                                  if (std::isnan(residual)) {
-                                      continue;
-                                  }
-                                  counted.push_back(residual);
-                                  given_weight_ += root * root;
-                                  for (int64_t c = 0; c < dim; ++c) {
-                                      largest = std::max(largest, root * std::abs(data_.values(at, c)));
+                                  if (!std::isnan(residual)) {
+                                      counted.push_back(residual);
+                                      given_weight_ += weight;
                                   }
                               }
                           });
@@ -125,8 +121,20 @@ private:
             const double n = static_cast<double>(counted.size());
             const double lost =
                 n / std::max(1.0, n - found_.fit.freedom); // residuals are smaller than errors
-            found_.scale = std::max(*middle / median_length(dim) * std::sqrt(lost), rounding * largest);
+            found_.scale = std::max(*middle / median_length(data_.values.width) * std::sqrt(lost),
+                                    rounding * largest_value(*middle));
         }
+    }
+
+    // Of the data with residuals up to a limit.
+    [[nodiscard]] double largest_value(double limit) const noexcept {
+        double largest = 0;
+        for (int64_t i = 0; i < std::ssize(residuals_); ++i) {
+            for (int64_t c = 0; c < data_.values.width && residuals_[static_cast<size_t>(i)] <= limit; ++c) {
+                largest = std::max(largest, std::sqrt(weight_of(data_, i)) * std::abs(data_.values(i, c)));
+            }
+        }
+        return largest;
     }
 
     // Returns the largest change of a factor, of Huber's beside the factor, which may tend to 0.
@@ -139,7 +147,8 @@ private:
             found_.outliers += x > 1 ? 1 : 0;
             const double next = factor(rule, x);
             const double moved = std::abs(next - factors_[i]);
-            change = std::max(change, rule == Robust::huber ? moved / next : moved);
+            const double size = rule == Robust::huber ? std::max(next, factors_[i]) : 1;
+            change = std::max(change, moved > 0 ? moved / size : 0);
             factors_[i] = next;
         }
         return change;

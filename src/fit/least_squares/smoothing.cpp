@@ -43,7 +43,9 @@ double LambdaSearch::lambda_of(double exponent) const noexcept {
 
 Smoothed LambdaSearch::at(double lambda) {
     Smoothed result;
-    system_.factorise(lambda);
+    if (const int64_t unsure = system_.try_factorise_surely(lambda); unsure >= 0) {
+        system_.fail_rank(unsure);
+    }
     result.lambda = lambda;
     result.x = system_.solve(equations_.right, equations_.dim);
     result.squares = system_.remaining_squares(result.x);
