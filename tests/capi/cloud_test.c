@@ -335,6 +335,27 @@ static void a_factor(void) {
     nurbs_destroy(start);
 }
 
+/* A start that meets all points is not the minimum with a penalty. */
+static void a_factor_for_an_exact_start(void) {
+    static const double points[] = {0, 0, 1, 1, 2, 0, 3, 2};
+    nurbs *start = NULL;
+    CHECK_OK(nurbs_create(1, DEGREES(1), COUNTS(4), VALUES(0, 0, 1, 2, 3, 3), 6, 2, points, 0, 0, NULL, 0, 0,
+                          &start));
+    CloudArgs a = cloud_args(start, 4, points);
+    a.options.penalty_order = 1;
+    a.options.lambda = 0.1;
+    nurbs *g = fitted_cloud(&a);
+    CHECK(a.report.squares > 1e-6 && a.report.rounds > 1);
+    CHECK_DOUBLE(a.report.lambda, 0.1);
+    nurbs_destroy(g);
+    a.options.lambda = 0;
+    g = fitted_cloud(&a);
+    CHECK_DOUBLE(a.report.lambda, 0);
+    CHECK(a.report.squares < 1e-20);
+    nurbs_destroy(g);
+    nurbs_destroy(start);
+}
+
 /* --- What is refused --- */
 
 #define CLOUD_FAILS(change, status, words)                                                                   \
@@ -424,6 +445,7 @@ int main(void) {
     little_to_go_by();
     rounds_end();
     a_factor();
+    a_factor_for_an_exact_start();
     nurbs *start = started(curve_start(4, 2, line_points));
     refused(start);
     nurbs_destroy(start);

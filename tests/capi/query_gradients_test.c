@@ -139,6 +139,8 @@ static void length_of_a_segment(void) {
     static const double half[] = {0, 0.5}, still[] = {1, 1, 1, 1};
     SplineArgs a = segment();
     nurbs *g = make(a);
+    CHECK_FAILS(nurbs_length_adjoint(g, NULL, 1e-12, NAN, points, 0, 0, weights, 0, NULL, 0),
+                NURBS_ERROR_NOT_REPRESENTABLE, "cotangent");
     CHECK_OK(nurbs_length_adjoint(g, half, 1e-12, 2, points, 0, 0, weights, 0, NULL, 0));
     CHECK(fabs(points[0] + 1) <= 1e-14);
     CHECK(fabs(points[2] - 1) <= 1e-14);

@@ -173,6 +173,25 @@ TEST(QueryGradients, feet_at_ends_move_with_the_end) {
     EXPECT_NEAR(queries_out[1], 0.8, 1e-15);
 }
 
+// A kink is the foot of all points of a cone, whichever side its derivative is taken from.
+TEST(QueryGradients, feet_at_kinks_stay_there) {
+    const SplineData corner{{1}, {3}, {{0, 0, 0.5, 1, 1}}, 2, {0, 0, 1, 0, 1, -1}, {}, 0};
+    const double point[] = {2, 1}, param[] = {0.5}, along[] = {1, 1}, one[] = {1};
+    for (const uint32_t side : {0U, uint32_t{NURBS_LEFT}}) {
+        double points[6], queries_out[2];
+        int32_t status = 0;
+        require_ok(nurbs_closest_adjoint(create(corner).get(), 1, point, param, one, along, nullptr, points,
+                                         nullptr, queries_out, &status, side));
+        EXPECT_EQ(status, NURBS_CLOSEST_BOUNDARY);
+        EXPECT_EQ(queries_out[0], 0);
+        EXPECT_EQ(queries_out[1], 0);
+        const double expected[] = {0, 0, 1, 1, 0, 0};
+        for (size_t i = 0; i < 6; ++i) {
+            EXPECT_EQ(points[i], expected[i]) << i;
+        }
+    }
+}
+
 struct LengthGradients {
     std::vector<double> points;
     std::vector<double> weights;
