@@ -5750,7 +5750,8 @@ NURBS_API nurbs_status nurbs_closest_adjoint(const nurbs *g, int64_t n, const do
  *     grad_weights[i] = cotangent * integral of < T, (N_i (P_i - C) / w)'(t) > dt,
  *
  * by nested rules of 15 and 31 nodes on each span, never across a knot; a span is halved as long as they
- * differ by more than the tolerance allows. Where the curve stands still T counts as 0. Errors are relative to
+ * differ by more than the tolerance allows, and where tangents at neighbouring nodes are more than 41 degrees
+ * apart. Where the curve stands still T counts as 0. Errors are relative to
  * the longest gradient of a control point, for weights to length / w_i. 0, and a tolerance below 64 eps, asks
  * for the best within 1e-3. Points are Cartesian, all N stored ones; the weights of a polynomial curve are 1.
  * \param[in] g a curve.

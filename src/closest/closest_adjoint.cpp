@@ -114,9 +114,9 @@ private:
     [[nodiscard]] bool held_by_kink(int64_t i, const double *derivs, double distance, int a) const noexcept {
         constexpr double stationary = 0x1p-30;
         const KnotVector &axis = spline_.axis(a);
-        const auto knots = std::ranges::equal_range(axis.knots(), in_.feet(i, a));
+        const auto [first, last] = std::equal_range(axis.knots().begin(), axis.knots().end(), in_.feet(i, a));
         const double *tangent = slope(derivs, a);
-        return std::ssize(knots) >= axis.degree() && axis.degree() > 0 &&
+        return last - first >= axis.degree() && axis.degree() > 0 &&
                std::abs(dot(residual_.data(), tangent, dim_)) > stationary * distance * norm(tangent, dim_);
     }
 

@@ -46,6 +46,7 @@ struct RuleGradient {
     std::vector<double> points;
     std::vector<double> weights;
     double length = 0;
+    double least_cosine = 1; // between tangents at neighbouring nodes
 };
 
 // The largest difference of two results, of points and of w_i dL/dw_i.
@@ -77,9 +78,15 @@ public:
                               {derivs.data(), n, 2 * int64_t{dim_}, 2 * int64_t{dim_}, 1});
         RuleGradient result{std::vector<double>(static_cast<size_t>(count_ * dim_)),
                             std::vector<double>(static_cast<size_t>(count_))};
+        double before = 0;
         for (int i = 0; i < n; ++i) {
-            result.length += make_cotangent(derivs.data() + 2 * i * dim_,
-                                            rule_weights(level)[i] * (part.upper - part.lower));
+            const double factor = rule_weights(level)[i] * (part.upper - part.lower);
+            result.length += make_cotangent(derivs.data() + 2 * i * dim_, factor);
+            if (i > 0) {
+                result.least_cosine =
+                    std::min(result.least_cosine, cosine(derivs.data() + 2 * i * dim_, before * factor));
+            }
+            before = factor;
         }
         eval::evaluate_adjoint(
             *curve_, {}, 1, at, {derivs.data(), n, 2 * int64_t{dim_}, 2 * int64_t{dim_}, 1}, false,
@@ -102,6 +109,14 @@ public:
     }
 
 private:
+    // Of two neighbouring tangents times factors, the second one of which is at `derivs`.
+    [[nodiscard]] double cosine(const double *derivs, double factors) const noexcept {
+        double sum = 0;
+        for (int c = 0; c < dim_; ++c) {
+            sum += derivs[dim_ + c] * derivs[c - dim_];
+        }
+        return factors > 0 ? sum / factors : 1;
+    }
     // Point and derivative become the cotangents 0 and `factor` T; returns the part of the length.
     double make_cotangent(double *derivs, double factor) const noexcept {
         double *derivative = derivs + dim_;
@@ -181,6 +196,12 @@ private:
         int halvings;
     };
 
+    // A near cusp between two nodes is seen by no rule, but by the tangents beside it; what it can be off is the part itself.
+    [[nodiscard]] double doubt(const SpanGradients &gradients, const RuleGradient &found) const noexcept {
+        constexpr double calm = 0.75;
+        return found.least_cosine >= calm ? 0 : 2 * relative(gradients.size(found));
+    }
+
     // What is off in one span reaches the gradients of p + 1 control points, each of which has p + 1 spans.
     void run_span(int64_t span, Interval whole) {
         const SpanGradients gradients(curve_, span);
@@ -191,13 +212,15 @@ private:
             parts.pop_back();
             const RuleGradient low = gradients.rule(next.part, low_level);
             const RuleGradient high = gradients.rule(next.part, high_level);
-            const double error = relative(gradients.size(high, &low));
+            const double differ = relative(gradients.size(high, &low)), doubtful = doubt(gradients, high);
+            const double error = std::max(differ, doubtful);
             const double middle = next.part.lower / 2 + next.part.upper / 2;
-            const bool good = error <= allowed || error <= rounding * relative(gradients.size(high));
+            const bool good =
+                error <= allowed || (doubtful == 0 && differ <= rounding * relative(gradients.size(high)));
             const bool may_halve = next.halvings < most_halvings && middle > next.part.lower &&
                                    middle < next.part.upper && --budget_ >= 0;
             if (good || !may_halve) {
-                accept(span, high, good ? std::min(error, allowed / 16) : error);
+                accept(span, high, good && doubtful == 0 ? std::min(error, allowed / 16) : error);
             } else {
                 parts.push_back({{middle, next.part.upper}, next.halvings + 1});
                 parts.push_back({{next.part.lower, middle}, next.halvings + 1});
