@@ -2390,7 +2390,7 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
  * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)). There sigma is the
  * median of sqrt(w_i) |y_i - s(t_i)| over that of normal errors of deviation 1, times sqrt(n / (n - t)) for n
- * data and the trace t of the influence matrix, and at least 2^-46 of the values with residuals up to the
+ * data and the trace t of the influence matrix, and at least 2^-44 of the values with residuals up to the
  * median. Widths of 1.345 for Huber's function and 4.685 for Tukey's, which starts from Huber's fit and keeps
  * its sigma, cost 5 % of efficiency if there are no outliers. Data with x above 2^30 are left out. Where only
  * outliers determine a control point Tukey's is Huber's fit, and NURBS_FIT_NOT_CONVERGED is told.

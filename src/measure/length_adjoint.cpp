@@ -65,31 +65,27 @@ public:
 
     // The integral over [a, b], by the nodes of a level.
     [[nodiscard]] RuleGradient rule(Interval part, int level) const {
-        const int n = rule_size(level);
-        count_work(int64_t{n} * count_ * (dim_ + 1) * 16);
-        std::vector<double> params(static_cast<size_t>(n));
+        const int n = rule_size(level), all = n + 2; // with the ends, whose tangents are looked at
+        count_work(int64_t{all} * count_ * (dim_ + 1) * 16);
+        std::vector<double> params(static_cast<size_t>(all), part.lower);
+        params.back() = part.upper;
         for (int i = 0; i < n; ++i) {
-            params[static_cast<size_t>(i)] = std::clamp(
+            params[static_cast<size_t>(i) + 1] = std::clamp(
                 part.lower * rule_rests()[i] + part.upper * rule_places()[i], part.lower, part.upper);
         }
-        const ConstRecords at{params.data(), n, 1, 1, 1};
-        std::vector<double> derivs(static_cast<size_t>(2 * n * dim_));
-        eval::evaluate_points(*curve_, {}, 1, at,
-                              {derivs.data(), n, 2 * int64_t{dim_}, 2 * int64_t{dim_}, 1});
+        const int64_t width = 2 * int64_t{dim_};
+        const ConstRecords at{params.data(), all, 1, 1, 1};
+        std::vector<double> derivs(static_cast<size_t>(all * width));
+        eval::evaluate_points(*curve_, {}, 1, at, {derivs.data(), all, width, width, 1});
         RuleGradient result{std::vector<double>(static_cast<size_t>(count_ * dim_)),
                             std::vector<double>(static_cast<size_t>(count_))};
-        double before = 0;
-        for (int i = 0; i < n; ++i) {
-            const double factor = rule_weights(level)[i] * (part.upper - part.lower);
-            result.length += make_cotangent(derivs.data() + 2 * i * dim_, factor);
-            if (i > 0) {
-                result.least_cosine =
-                    std::min(result.least_cosine, cosine(derivs.data() + 2 * i * dim_, before * factor));
-            }
-            before = factor;
+        result.least_cosine = least_cosine(derivs);
+        for (int i = 0; i < all; ++i) {
+            const double weight = i == 0 || i > n ? 0 : rule_weights(level)[i - 1];
+            result.length += make_cotangent(derivs.data() + i * width, weight * (part.upper - part.lower));
         }
         eval::evaluate_adjoint(
-            *curve_, {}, 1, at, {derivs.data(), n, 2 * int64_t{dim_}, 2 * int64_t{dim_}, 1}, false,
+            *curve_, {}, 1, at, {derivs.data(), all, width, width, 1}, false,
             {{result.points.data(), count_, dim_, dim_, 1}, {result.weights.data(), count_, 1, 1, 1}, {}});
         return result;
     }
@@ -109,13 +105,19 @@ public:
     }
 
 private:
-    // Of two neighbouring tangents times factors, the second one of which is at `derivs`.
-    [[nodiscard]] double cosine(const double *derivs, double factors) const noexcept {
-        double sum = 0;
-        for (int c = 0; c < dim_; ++c) {
-            sum += derivs[dim_ + c] * derivs[c - dim_];
+    // Between neighbouring derivatives; one that vanishes has no direction.
+    [[nodiscard]] double least_cosine(const std::vector<double> &derivs) const noexcept {
+        const size_t dim = static_cast<size_t>(dim_);
+        double least = 1;
+        for (size_t i = 3 * dim; i < derivs.size(); i += 2 * dim) {
+            double sum = 0;
+            for (size_t c = 0; c < dim; ++c) {
+                sum += derivs[i + c] * derivs[i + c - 2 * dim];
+            }
+            const double sizes = norm(derivs.data() + i, dim_) * norm(derivs.data() + i - 2 * dim, dim_);
+            least = sizes > 0 ? std::min(least, sum / sizes) : least;
         }
-        return factors > 0 ? sum / factors : 1;
+        return least;
     }
     // Point and derivative become the cotangents 0 and `factor` T; returns the part of the length.
     double make_cotangent(double *derivs, double factor) const noexcept {

@@ -268,6 +268,22 @@ TEST(QueryGradients, lengths_of_moved_scaled_and_turned_curves) {
 }
 
 // The tangent of a curve with a cusp jumps.
+// A tangent that turns within some e^2 of the domain lies between the nodes of every rule, and is not missed.
+TEST(QueryGradients, lengths_of_curves_that_nearly_have_a_cusp) {
+    for (const double e : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+        const SplineData curve{{3}, {4}, {{0, 0, 0, 0, 1, 1, 1, 1}}, 2, {0, 0, 1, 1, 0, 1 + e, 1, 0}, {}, 0};
+        const LengthGradients best = length_adjoint(curve, 0);
+        ASSERT_LE(best.error, 1e-11) << e;
+        for (const double tolerance : {1e-3, 1e-4, 1e-8}) {
+            const LengthGradients got = length_adjoint(curve, tolerance);
+            ASSERT_LE(got.error, tolerance) << e;
+            for (size_t i = 0; i < got.points.size(); ++i) {
+                ASSERT_NEAR(got.points[i], best.points[i], got.error + best.error) << e << ' ' << tolerance;
+            }
+        }
+    }
+}
+
 TEST(QueryGradients, lengths_of_curves_with_a_cusp) {
     const SplineData cusp{{3}, {4}, {{0, 0, 0, 0, 1, 1, 1, 1}}, 2, {0, 0, 1, 1, 0, 1, 1, 0}, {}, 0};
     check_length_laws(cusp, 1e-9, "cusp");

@@ -98,7 +98,7 @@ private:
 
     // Residuals sqrt(w) |y - s(t)|, and their scale: at least what rounding leaves of the better half of the values.
     void measure() {
-        constexpr double rounding = 0x1p-46;
+        constexpr double rounding = 0x1p-44;
         std::vector<double> counted;
         given_weight_ = 0;
         for_each_distance(data_, rules_, weight_exponent_, *found_.fit.spline,
