@@ -6,6 +6,7 @@
 #include "watched.h"
 
 #include "fit/least_squares/fit_errors.h"
+#include "fit/least_squares/penalty.h"
 
 #include <cmath>
 
@@ -30,10 +31,7 @@ void check_not_negative(double value, const char *name) {
 
 // What is penalised, where anything is.
 int checked_order(int32_t order, const Spline::Axes &axes) {
-    int highest = 0;
-    for (const KnotVectorPtr &axis : axes) {
-        highest = std::max(highest, axis->degree());
-    }
+    const int highest = fit::highest_degree(axes);
     if (order < 1 || order > highest) {
         fail(Status::order, "penalty_order = %d, expected 1 to %d, the highest degree", order, highest);
     }

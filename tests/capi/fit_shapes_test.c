@@ -155,6 +155,37 @@ static void surfaces(void) {
     CHECK_POLYGON(a, 0, 2, 2, 2);
 }
 
+/* Bounds of a closed polygon, and a volume that rises along its last axis. */
+static void closed_curves_and_volumes(void) {
+    static double corners[24];
+    FitArgs a = line();
+    a.data = data_of(1, 1, 3, VALUES(0, 1, 2), VALUES(0, 3, 1));
+    a.flags = NURBS_PERIODIC;
+    a.counts = COUNTS(4);
+    a.knots = VALUES(-1, 0, 1, 2, 3, 4);
+    a.knot_count = 6;
+    a.options.upper = VALUES(2);
+    nurbs *g = fitted(&a);
+    double points[4];
+    CHECK_OK(nurbs_points(g, 4, points, 0, 0));
+    CHECK_DOUBLE(points[0], points[3]);
+    CHECK(points[0] <= 2 && points[1] <= 2 && points[2] <= 2);
+    nurbs_destroy(g);
+    for (int i = 0; i < 8; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            corners[3 * i + k] = i >> (2 - k) & 1;
+        }
+    }
+    a = line();
+    a.data = data_of(3, 1, 8, corners, VALUES(0, 1, 2, 0, 5, 5, 4, 8));
+    a.degrees = DEGREES(1, 1, 1);
+    a.counts = COUNTS(2, 2, 2);
+    a.knots = VALUES(0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1);
+    a.knot_count = 12;
+    a.options.shapes = TRENDS(0, 0, NURBS_TREND_RISING);
+    CHECK_POLYGON(a, 0, 1, 1, 1, 5, 5, 4, 8);
+}
+
 #define FAILS(change, status, words)                                                                         \
     do {                                                                                                     \
         FitArgs a = line();                                                                                  \
@@ -212,6 +243,7 @@ int main(void) {
     limits();
     other_fits();
     surfaces();
+    closed_curves_and_volumes();
     refused();
     undetermined();
     return check_summary("fit_shapes");

@@ -5,6 +5,7 @@
 #include "base/finite.h"
 #include "base/watch.h"
 #include "fit/least_squares/fit_points.h"
+#include "fit/statistics/gather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +14,6 @@
 namespace nrb::fit {
 
 namespace {
-
-double checked_weight(const ConstRecords &weights, int64_t i) {
-    const double weight = weights.data == nullptr ? 1 : weights(i, 0);
-    if (!std::isfinite(weight)) {
-        fail(Status::weight_not_finite, "weights[%lld] = %s is not finite", static_cast<long long>(i),
-             Number(weight).text);
-    }
-    if (weight < 0) {
-        fail(Status::weight_negative, "weights[%lld] = %s is negative", static_cast<long long>(i),
-             Number(weight).text);
-    }
-    return weight;
-}
 
 void add_point(const ConstRecords &points, int64_t i, std::vector<double> &to) {
     for (int64_t c = 0; c < points.width; ++c) {

@@ -13,11 +13,7 @@ namespace nrb::fit {
 namespace {
 
 int possible_order(const Spline::Axes &axes, int order) noexcept {
-    int highest = 0;
-    for (const KnotVectorPtr &axis : axes) {
-        highest = std::max(highest, axis->degree());
-    }
-    return std::max(1, std::min(order, highest));
+    return std::max(1, std::min(order, highest_degree(axes)));
 }
 
 std::vector<int64_t> natural_order(int64_t size) {

@@ -58,9 +58,7 @@ Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector
 }
 
 void Conditions::add_squares(NormalEquations &equations) {
-    const DoubleDouble trace = equations.matrix.trace();
-    const DoubleDouble factor =
-        trace.high > 0 ? trace / DoubleDouble(static_cast<double>(equations.matrix.size())) : DoubleDouble(1);
+    const DoubleDouble factor = equations.matrix.mean();
     factor_ = factor;
     for (const LinearRow &row : rows_) {
         const auto dim = std::ssize(row.target);

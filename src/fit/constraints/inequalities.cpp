@@ -36,8 +36,7 @@ Inequalities::Inequalities(NormalEquations equations, std::vector<LinearRow> row
     : equations_(std::move(equations)), rows_(std::move(rows)), equal_(equal), plain_(equations_, nullptr),
       stiff_(equations_, nullptr), multipliers_(rows_.size()) {
     constexpr double first_factor = 0x1p20, largest_growth = 0x1p30;
-    const double mean = equations_.matrix.trace().high / static_cast<double>(equations_.matrix.size());
-    mean_ = mean > 0 ? mean : 1;
+    mean_ = equations_.matrix.mean().high;
     factor_ = first_factor * mean_;
     strongest_ = largest_growth * factor_;
 }

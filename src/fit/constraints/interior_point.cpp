@@ -18,8 +18,7 @@ InteriorPoint::InteriorPoint(const NormalEquations &equations, const std::vector
                              size_t equal)
     : equations_(equations), rows_(rows), equal_(equal), plain_(equations, nullptr),
       stiff_(equations, nullptr) {
-    const double mean = equations.matrix.trace().high / static_cast<double>(equations.matrix.size());
-    mean_ = mean > 0 ? mean : 1;
+    mean_ = equations.matrix.mean().high;
 }
 
 // Slacks of at least a part of the size of x, and as large as a row is missed by.

@@ -5,7 +5,6 @@
 #include "fit/constraints/linear_rows.h"
 #include "fit/least_squares/penalised_system.h"
 
-#include <optional>
 #include <vector>
 
 namespace nrb::fit {

@@ -2,7 +2,6 @@
 #include "fit/constraints/shaped_fit.h"
 
 #include "base/error.h"
-#include "base/watch.h"
 #include "fit/constraints/inequalities.h"
 
 #include <algorithm>

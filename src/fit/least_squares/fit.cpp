@@ -17,14 +17,6 @@ namespace {
 
 using Axes = std::vector<KnotVectorPtr>;
 
-int highest_degree(const Axes &axes) noexcept {
-    int highest = 0;
-    for (const KnotVectorPtr &axis : axes) {
-        highest = std::max(highest, axis->degree());
-    }
-    return highest;
-}
-
 // None without smoothing, and for a constant, which pays nothing.
 std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wishes) {
     if (wishes.smoothing == Smoothing::none) {

@@ -144,4 +144,12 @@ StencilMatrix penalty(const std::vector<KnotVectorPtr> &axes, int order, const I
     return PenaltyAssembly(axes, order, least_reach).form();
 }
 
+int highest_degree(const std::vector<KnotVectorPtr> &axes) noexcept {
+    int highest = 0;
+    for (const KnotVectorPtr &axis : axes) {
+        highest = std::max(highest, axis->degree());
+    }
+    return highest;
+}
+
 } // namespace nrb::fit

@@ -12,4 +12,7 @@ namespace nrb::fit {
 // when the form is multiplied by 2^40.
 StencilMatrix penalty(const std::vector<KnotVectorPtr> &axes, int order, const Index &least_reach = {});
 
+// Above it an order penalises nothing.
+int highest_degree(const std::vector<KnotVectorPtr> &axes) noexcept;
+
 } // namespace nrb::fit

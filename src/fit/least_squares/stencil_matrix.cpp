@@ -58,6 +58,11 @@ DoubleDouble StencilMatrix::trace() const noexcept {
     return sum;
 }
 
+DoubleDouble StencilMatrix::mean() const noexcept {
+    const DoubleDouble sum = trace();
+    return sum.high > 0 ? sum / DoubleDouble(static_cast<double>(size())) : DoubleDouble(1);
+}
+
 template <class Visit>
 void StencilMatrix::for_each_offset(int64_t row, Visit &&visit) const {
     const Index own{row / (counts_[1] * counts_[2]), row / counts_[2] % counts_[1], row % counts_[2]};

@@ -43,6 +43,8 @@ public:
     // factor times a matrix of the same pattern.
     void add_multiple(double factor, const StencilMatrix &other) noexcept;
     [[nodiscard]] DoubleDouble trace() const noexcept;
+    // Of the diagonal; 1 where that is 0.
+    [[nodiscard]] DoubleDouble mean() const noexcept;
 
     // In which order to eliminate the unknowns.
     [[nodiscard]] std::vector<int64_t> elimination_order() const;

@@ -13,6 +13,19 @@
 
 namespace nrb::fit {
 
+double checked_weight(const ConstRecords &weights, int64_t i) {
+    const double weight = weights.data == nullptr ? 1 : weights(i, 0);
+    if (!std::isfinite(weight)) {
+        fail(Status::weight_not_finite, "weights[%lld] = %s is not finite", static_cast<long long>(i),
+             Number(weight).text);
+    }
+    if (weight < 0) {
+        fail(Status::weight_negative, "weights[%lld] = %s is negative", static_cast<long long>(i),
+             Number(weight).text);
+    }
+    return weight;
+}
+
 namespace {
 
 // Sums in 128 bits have room for so many terms: a weight times a function is below 2^115.
@@ -133,15 +146,7 @@ private:
     }
 
     [[nodiscard]] int64_t weight_of(int64_t i) const {
-        const double weight = data_.weights.data == nullptr ? 1 : data_.weights(i, 0);
-        if (!std::isfinite(weight)) {
-            fail(Status::weight_not_finite, "weights[%lld] = %s is not finite", static_cast<long long>(i),
-                 Number(weight).text);
-        }
-        if (weight < 0) {
-            fail(Status::weight_negative, "weights[%lld] = %s is negative", static_cast<long long>(i),
-                 Number(weight).text);
-        }
+        const double weight = checked_weight(data_.weights, i);
         if (weight > of_weights_.scale()) {
             fail_scale(weight, of_weights_, "weights", i);
         }

@@ -58,6 +58,9 @@ private:
 // Status::scale for a value or a weight above its scale, with the index of the first one; none are gathered then.
 Statistics gather(std::shared_ptr<const StatisticsForm> form, const Data &data, const eval::AxisRules &rules);
 
+// 1 without weights. Throws Status::weight_not_finite, weight_negative.
+double checked_weight(const ConstRecords &weights, int64_t i);
+
 // Throws what gather() does.
 void check_data(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules);
 
