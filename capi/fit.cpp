@@ -33,14 +33,13 @@ void tell(const fit::Fitted &fit, int64_t data_count, int dim, double largest, i
     if (report == nullptr) {
         return;
     }
-    const double left = dim * (static_cast<double>(data_count) - fit.freedom);
     report->data_count = data_count;
-    report->weight = fit.weight;
-    report->squares = fit.squares;
-    report->rms = fit.weight > 0 ? std::sqrt(fit.squares / fit.weight) : 0;
+    report->weight = fit.misfit.given_weight();
+    report->squares = fit.misfit.given_squares();
+    report->rms = fit.misfit.rms();
     report->lambda = fit.lambda;
     report->freedom = fit.freedom;
-    report->sigma = left > 0 ? std::sqrt(fit.squares / left) : std::numeric_limits<double>::quiet_NaN();
+    report->sigma = fit.misfit.sigma(dim * (static_cast<double>(data_count) - fit.freedom));
     report->residual = fit.residual;
     report->largest = largest;
     report->largest_index = index;

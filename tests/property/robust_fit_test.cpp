@@ -106,6 +106,43 @@ TEST(RobustFit, has_least_squares_as_its_limit) {
     });
 }
 
+// Powers of two are told as they are, though the squares of values overflow or vanish.
+TEST(FitReport, has_the_scale_of_the_data) {
+    for_each_case(948500, 20, [](Random &random, uint64_t seed) {
+        const SplineData truth = any_truth(random, 2);
+        Sample sample = noisy_spline(random, truth, 100, 0.1);
+        for (size_t i = 0; i < 100; ++i) {
+            sample.weights.push_back(random.between(0.5, 2));
+        }
+        for (const int32_t rule : {NURBS_ROBUST_NONE, NURBS_ROBUST_HUBER, NURBS_ROBUST_TUKEY}) {
+            Fit near(truth), far(truth);
+            near.options.robust = far.options.robust = rule;
+            const auto points = read_back(near(sample).get()).points;
+            for (const auto &[values, weights] :
+                 {std::pair{900, 900}, {-900, -900}, {900, -900}, {-900, 900}, {0, 0}}) {
+                Sample scaled = sample;
+                for (double &value : scaled.values) {
+                    value = std::ldexp(value, values);
+                }
+                for (double &weight : scaled.weights) {
+                    weight = std::ldexp(weight, weights);
+                }
+                const auto same = read_back(far(scaled).get()).points;
+                for (size_t i = 0; i < points.size(); ++i) {
+                    ASSERT_EQ(same[i], std::ldexp(points[i], values)) << "seed " << seed;
+                }
+                ASSERT_EQ(far.report.rms, std::ldexp(near.report.rms, values)) << "seed " << seed;
+                ASSERT_EQ(far.report.sigma, std::ldexp(near.report.sigma, values + weights / 2))
+                    << "seed " << seed;
+                ASSERT_EQ(far.report.largest, std::ldexp(near.report.largest, values)) << "seed " << seed;
+                ASSERT_EQ(far.report.squares, std::ldexp(near.report.squares, 2 * values + weights))
+                    << "seed " << seed;
+                ASSERT_EQ(far.report.rounds, near.report.rounds) << "seed " << seed;
+            }
+        }
+    });
+}
+
 // --- Standard errors ---
 
 // By many fits of new noise.

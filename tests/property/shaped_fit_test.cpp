@@ -125,6 +125,24 @@ TEST(ShapedFit, of_data_that_have_it_is_that_without_it) {
     });
 }
 
+// A penalty that decides what few data leave open takes nothing from them, where a spline of the shape meets them.
+TEST(ShapedFit, of_few_data_meets_them) {
+    for_each_case(942100, 40, [](Random &random, uint64_t seed) {
+        const int p = random.whole(1, 4);
+        Fit fit(even_curve(p, p + random.whole(8, 25)));
+        const int32_t shape = shapes[random.whole(0, 6)];
+        SplineData shaped = fit.over;
+        shaped.points = any_points(random, fit.over, shape, 1);
+        Sample sample = wild(random, 8, 1);
+        sample.values = eval(create(shaped).get(), sample.params);
+        fit.options.shapes = &shape;
+        fit.options.regularize = 1;
+        const auto points = read_back(fit(sample).get()).points;
+        ASSERT_TRUE(has_shape(fit.over, points, shape)) << "seed " << seed;
+        ASSERT_LE(std::sqrt(squares_of(fit.over, points, sample)), 1e-14) << "seed " << seed;
+    });
+}
+
 // Scales, reversal, and coordinates by themselves.
 TEST(ShapedFit, does_not_depend_on_scales) {
     for_each_case(943000, 30, [](Random &random, uint64_t seed) {

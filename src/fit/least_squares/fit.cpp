@@ -77,7 +77,7 @@ SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDo
 void complete(PenalisedSystem &system, const Conditions &conditions, int dim, Smoothed &found) {
     found.residual = system.relative_residual(found.x);
     if (!conditions.empty()) {
-        found.freedom -= conditions.impose(system, dim, found.x);
+        found.freedom = std::max(0.0, found.freedom - conditions.impose(system, dim, found.x));
     }
     found.squares = system.remaining_squares(found.x);
 }
@@ -206,18 +206,50 @@ Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form,
     }
 }
 
+double largest_change(const std::vector<DoubleDouble> &from, const std::vector<DoubleDouble> &to) noexcept {
+    double moved = 0, size = 0;
+    for (size_t i = 0; i < to.size(); ++i) {
+        moved = std::max(moved, std::abs((to[i] - from[i]).high));
+        size = std::max(size, std::abs(to[i].high));
+    }
+    return size > 0 ? moved / size : 0;
+}
+
+// Of the minima of the data that have the shape one with a small penalty: the penalty of the change from what was found last,
+// until that is 0, decides without costing the data anything (R. Rockafellar, "Monotone operators and the proximal point
+// algorithm", SIAM J. Control Optim. 14 (1976)).
+void shape_decided(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix &form,
+                   const FitWishes &wishes, const Conditions &conditions, Smoothed &found) {
+    constexpr double small = 0x1p-20; // beside what factors need
+    constexpr double enough = 0x1p-48;
+    constexpr int most = 4;
+    const double factor = small * small_factor(equations, form);
+    NormalEquations from = equations;
+    PenalisedSystem penalty(equations, nullptr);
+    penalty.set_matrix(form);
+    for (int step = 0; step < most; ++step) {
+        const std::vector<DoubleDouble> before = found.x;
+        impose_shape(data, from, &form, factor, conditions.rows(), wishes.shape, found);
+        if (step > 0 && !(largest_change(before, found.x) > enough)) {
+            break;
+        }
+        const std::vector<DoubleDouble> pull = penalty.product(found.x, equations.dim);
+        for (size_t i = 0; i < pull.size(); ++i) {
+            from.right[i] = equations.right[i] + DoubleDouble(factor) * pull[i];
+        }
+    }
+}
+
 // With a penalty where the data alone do not decide.
 void shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *form,
            const FitWishes &wishes, const Conditions &conditions, Smoothed &found) {
-    constexpr double small = 0x1p-20; // beside what factors need: little of the penalty is to be seen
     if (found.decided_by < 0) {
         impose_shape(data, equations, form, found.lambda, conditions.rows(), wishes.shape, found);
         return;
     }
     const StencilMatrix deciding =
         penalty(equations.axes, found.decided_by, shape_reach(equations.axes, wishes.shape));
-    impose_shape(data, equations, &deciding, small * small_factor(equations, deciding), conditions.rows(),
-                 wishes.shape, found);
+    shape_decided(data, equations, deciding, wishes, conditions, found);
 }
 
 // In units of the scales, as equations are.
@@ -260,8 +292,7 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     }
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
-    result.weight = std::ldexp(data.weight.high, units.weight_exponent);
-    result.squares = std::ldexp(found.squares, units.weight_exponent + 2 * units.value_exponent);
+    result.misfit = {data.weight.high, found.squares, units.weight_exponent, units.value_exponent};
     result.lambda = std::ldexp(found.lambda, units.weight_exponent);
     result.freedom = found.freedom;
     result.residual = found.residual;

@@ -4,6 +4,7 @@
 
 #include "fit/constraints/conditions.h"
 #include "fit/constraints/shape.h"
+#include "fit/least_squares/misfit.h"
 #include "fit/least_squares/smoothing.h"
 #include "spline/spline.h"
 
@@ -26,8 +27,7 @@ struct FitWishes {
 
 struct Fitted {
     SplinePtr spline;
-    double weight;   // of all data
-    double squares;  // sum w |y - s|^2; infinite if it overflows
+    Misfit misfit;
     double lambda;   // of the penalty
     double freedom;  // trace of the influence matrix
     double residual; // of the equations, relative to their right sides

@@ -3,6 +3,7 @@
 
 #include "base/watch.h"
 #include "fit/least_squares/data_distances.h"
+#include "numeric/power_of_two.h"
 
 #include <algorithm>
 #include <array>
@@ -58,21 +59,22 @@ int exponent_above(double value) noexcept {
 }
 
 // The sums of the statistics tell the squares to 2^-60 of what there was.
-void compare(const Data &data, const eval::AxisRules &rules, int weight_exponent, FittedPoints &found) {
+void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
+    Misfit &misfit = found.fit.misfit;
     DoubleDouble squares;
     double largest = -1;
-    bool overflows = false;
-    for_each_distance(data, rules, weight_exponent, *found.fit.spline,
+    for_each_distance(data, rules, misfit.weight_exponent, *found.fit.spline,
                       [&](int64_t first, std::span<const double> distances) {
                           for (size_t i = 0; i < distances.size(); ++i) {
                               const int64_t at = first + static_cast<int64_t>(i);
-                              const double distance = distances[i],
-                                           square = weight_of(data, at) * distance * distance;
+                              const double distance = distances[i];
                               if (std::isnan(distance)) {
                                   continue;
                               }
-                              overflows = overflows || !std::isfinite(square);
-                              squares = squares + DoubleDouble(overflows ? 0 : square);
+                              const double part = times_power_of_two(distance, -misfit.value_exponent),
+                                           weight = times_power_of_two(weight_of(data, at),
+                                                                       -misfit.weight_exponent);
+                              squares = squares + DoubleDouble(weight * part * part);
                               if (distance > largest) {
                                   largest = distance;
                                   found.largest_index = at;
@@ -80,7 +82,7 @@ void compare(const Data &data, const eval::AxisRules &rules, int weight_exponent
                           }
                       });
     found.largest = std::max(largest, 0.0);
-    found.fit.squares = overflows ? INFINITY : squares.high;
+    misfit.squares = squares.high;
 }
 
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
@@ -95,7 +97,7 @@ FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
         found.fit = fit(statistics, axes, wishes);
     }
     if (compared) {
-        compare(data, rules, statistics.form().weight_exponent, found);
+        compare(data, rules, found);
     }
     return found;
 }

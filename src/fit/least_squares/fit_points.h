@@ -25,8 +25,9 @@ struct FittedPoints {
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
                         const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes, bool compared);
 
-// The squares that are left of the spline as it is stored, and the largest distance, into `found`.
-void compare(const Data &data, const eval::AxisRules &rules, int weight_exponent, FittedPoints &found);
+// The squares that are left of the data by the spline as it is stored, in the units that the misfit has, and the largest
+// distance, into `found`.
+void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found);
 
 // What statistics of the data over the knots as breaks are about.
 std::shared_ptr<const StatisticsForm> form_for(const Data &data, const eval::AxisRules &rules,

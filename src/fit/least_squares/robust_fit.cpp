@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/watch.h"
 #include "fit/least_squares/data_distances.h"
+#include "numeric/power_of_two.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ public:
     FittedPoints fit() {
         found_ = fit_points(data_, rules_, axes_, wishes_, false);
         const int64_t count = found_.data_count;
-        weight_exponent_ = form_for(data_, rules_, axes_)->weight_exponent;
+        given_ = found_.fit.misfit;
         int rounds = 1;
         bool converged = iterate(Robust::huber, rounds);
         if (wishes_.robust == Robust::tukey) {
@@ -57,8 +58,9 @@ public:
         found_.data_count = count;
         found_.rounds = rounds;
         found_.converged = converged;
-        compare(data_, rules_, weight_exponent_, found_);
-        found_.fit.weight = given_weight_;
+        found_.fit.misfit = given_;
+        found_.scale = std::ldexp(found_.scale, exponent());
+        compare(data_, rules_, found_);
         return found_;
     }
 
@@ -95,21 +97,26 @@ private:
         return false;
     }
 
+    // Of the unit of residuals, so that they do not overflow with their weights; 0 where values are within half of the exponents.
+    [[nodiscard]] int exponent() const noexcept {
+        constexpr int half = 400;
+        const int own = given_.value_exponent;
+        return own > half ? own - half : std::min(own + half, 0);
+    }
+
     // Residuals sqrt(w) |y - s(t)|, and their scale: at least what rounding leaves of the better half of the values.
     void measure() {
         constexpr double rounding = 0x1p-44;
         std::vector<double> counted;
-        given_weight_ = 0;
-        for_each_distance(data_, rules_, weight_exponent_, *found_.fit.spline,
+        for_each_distance(data_, rules_, given_.weight_exponent, *found_.fit.spline,
                           [&](int64_t first, std::span<const double> distances) {
                               for (size_t i = 0; i < distances.size(); ++i) {
                                   const int64_t at = first + static_cast<int64_t>(i);
-                                  const double weight = weight_of(data_, at),
-                                               residual = std::sqrt(weight) * distances[i];
+                                  const double residual = std::sqrt(weight_of(data_, at)) *
+                                                          times_power_of_two(distances[i], -exponent());
                                   residuals_[static_cast<size_t>(at)] = residual;
                                   if (!std::isnan(residual)) {
                                       counted.push_back(residual);
-                                      given_weight_ += weight;
                                   }
                               }
                           });
@@ -130,7 +137,9 @@ private:
         double largest = 0;
         for (int64_t i = 0; i < std::ssize(residuals_); ++i) {
             for (int64_t c = 0; c < data_.values.width && residuals_[static_cast<size_t>(i)] <= limit; ++c) {
-                largest = std::max(largest, std::sqrt(weight_of(data_, i)) * std::abs(data_.values(i, c)));
+                largest =
+                    std::max(largest, std::sqrt(weight_of(data_, i)) *
+                                          std::abs(times_power_of_two(data_.values(i, c), -exponent())));
             }
         }
         return largest;
@@ -168,8 +177,7 @@ private:
     FitWishes wishes_;
     std::vector<double> weights_, factors_, residuals_;
     FittedPoints found_{};
-    int weight_exponent_ = 0;
-    double given_weight_ = 0;
+    Misfit given_; // of the data with the weights that they came with
 };
 
 } // namespace

@@ -90,8 +90,8 @@ double LambdaSearch::criterion(Smoothing rule, double exponent) {
 
 Criteria LambdaSearch::criteria(double lambda, int weight_exponent, int square_exponent) {
     const Smoothed found = at(lambda);
-    const double factor = std::ldexp(1.0, weight_exponent + square_exponent);
-    return {factor * found.squares, found.freedom, factor * gcv(found.squares),
+    const int exponent = weight_exponent + square_exponent;
+    return {std::ldexp(found.squares, exponent), found.freedom, std::ldexp(gcv(found.squares), exponent),
             reml(found.x, lambda, (weight_exponent + square_exponent) * std::numbers::ln2,
                  weight_exponent * std::numbers::ln2)};
 }
