@@ -3,15 +3,18 @@
 
 #include "base/watch.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <functional>
+#include <type_traits>
 
 namespace nrb::inline numeric {
 
 namespace {
 
-size_t place(int64_t i) noexcept {
-    return static_cast<size_t>(i);
-}
+using sparse::at;
+
 double rounded(double x) noexcept {
     return x;
 }
@@ -19,44 +22,131 @@ double rounded(const DoubleDouble &x) noexcept {
     return x.high;
 }
 
+// Of a supernode with the rows R below its columns J, after those behind it: Y = L_RJ L_JJ^-1, Z_RJ = -Z_RR Y and
+// Z_JJ = L_JJ^-T D^-1 L_JJ^-1 - Y^T Z_RJ.
+class BlockInverse {
+public:
+    BlockInverse(const SparseLdlt &factors, std::span<double> values, std::span<double> diagonal)
+        : factors_(factors), supernodes_(factors.supernodes()), values_(values), diagonal_(diagonal),
+          place_(diagonal.size()) {}
+
+    void invert() {
+        Steps steps(supernodes_.count());
+        for (int64_t s = supernodes_.count(); s-- > 0; steps.next()) {
+            read_factors(s);
+            read_inverse(s);
+            own_.triangularView<Eigen::UnitLower>().solveInPlace<Eigen::OnTheRight>(below_);
+            inverse_below_.noalias() = behind_ * below_;
+            const Eigen::Index n = own_.rows(), r = below_.rows();
+            Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(n, n);
+            own_.triangularView<Eigen::UnitLower>().solveInPlace(inverse);
+            Eigen::MatrixXd square = inverse.transpose() * pivots_.cwiseInverse().asDiagonal() * inverse;
+            square.noalias() += below_.transpose() * inverse_below_;
+            write(s, square);
+            count_work(n * (r * (r + 2 * n) + n * n));
+        }
+    }
+
+private:
+    void read_factors(int64_t s) {
+        const int64_t first = supernodes_.first[at(s)], n = supernodes_.columns(s);
+        const int64_t r = std::ssize(supernodes_.below(s));
+        own_.resize(n, n);
+        below_.resize(r, n);
+        pivots_ = Eigen::VectorXd::Map(factors_.diagonal().data() + first, n);
+        for (int64_t j = 0; j < n; ++j) {
+            const double *const from = factors_.values().data() + factors_.starts()[at(first + j)];
+            std::copy_n(from, n - 1 - j, own_.col(j).data() + j + 1);
+            std::copy_n(from + (n - 1 - j), r, below_.col(j).data());
+        }
+    }
+    // Z_RR, whose elements are in columns that are done.
+    void read_inverse(int64_t s) {
+        const auto rows = supernodes_.below(s);
+        const auto r = std::ssize(rows);
+        behind_.resize(r, r);
+        std::fill(place_.begin(), place_.end(), -1);
+        for (int64_t i = 0; i < r; ++i) {
+            place_[at(rows[at(i)])] = i;
+        }
+        for (int64_t j = 0; j < r; ++j) {
+            const auto column = at(rows[at(j)]);
+            behind_(j, j) = diagonal_[column];
+            for (int64_t p = factors_.starts()[column]; p < factors_.starts()[column + 1]; ++p) {
+                if (const int64_t i = place_[at(factors_.rows()[at(p)])]; i >= 0) {
+                    behind_(i, j) = behind_(j, i) = values_[at(p)];
+                }
+            }
+        }
+    }
+    void write(int64_t s, const Eigen::MatrixXd &square) {
+        const int64_t first = supernodes_.first[at(s)], n = supernodes_.columns(s);
+        for (int64_t j = 0; j < n; ++j) {
+            double *const to = values_.data() + factors_.starts()[at(first + j)];
+            std::copy_n(square.col(j).data() + j + 1, n - 1 - j, to);
+            std::transform(inverse_below_.col(j).begin(), inverse_below_.col(j).end(), to + (n - 1 - j),
+                           std::negate());
+            diagonal_[at(first + j)] = square(j, j);
+        }
+    }
+
+    const SparseLdlt &factors_;
+    const Supernodes &supernodes_;
+    std::span<double> values_, diagonal_;
+    std::vector<int64_t> place_;                           // in R
+    Eigen::MatrixXd own_, below_, behind_, inverse_below_; // L_JJ, L_RJ and then Y, Z_RR, -Z_RJ
+    Eigen::VectorXd pivots_;
+};
+
 } // namespace
 
-// Z_ij = - sum_k Z_ik L_kj for i > j, and Z_jj = 1 / d_j - sum_k Z_jk L_kj, over the elements k of column j of L.
 template <class Number>
 SelectedInverse::SelectedInverse(const LdltOf<Number> &factors)
     : starts_(factors.starts().begin(), factors.starts().end()),
       rows_(factors.rows().begin(), factors.rows().end()), values_(rows_.size()),
       diagonal_(factors.diagonal().size()) {
+    if constexpr (std::is_same_v<Number, double>) {
+        if (!factors.supernodes().empty()) {
+            BlockInverse(factors, values_, diagonal_).invert();
+            return;
+        }
+    }
+    invert_columns(factors);
+}
+
+// Z_ij = - sum_k Z_ik L_kj for i > j, and Z_jj = 1 / d_j - sum_k Z_jk L_kj, over the elements k of column j of L.
+template <class Number>
+void SelectedInverse::invert_columns(const LdltOf<Number> &factors) {
     std::vector<double> column(diagonal_.size(), 0.0), sums(diagonal_.size(), 0.0); // 0 outside the column
     for (int64_t j = std::ssize(diagonal_); j-- > 0;) {
-        const int64_t first = starts_[place(j)], end = starts_[place(j) + 1];
+        const int64_t first = starts_[at(j)], end = starts_[at(j) + 1];
         for (int64_t p = first; p < end; ++p) {
-            column[place(rows_[place(p)])] = rounded(factors.values()[place(p)]);
+            column[at(rows_[at(p)])] = rounded(factors.values()[at(p)]);
         }
         int64_t work = 0;
         for (int64_t p = first; p < end; ++p) {
-            const int64_t k = rows_[place(p)];
-            const double factor = column[place(k)];
-            double sum = diagonal_[place(k)] * factor;
-            for (int64_t r = starts_[place(k)]; r < starts_[place(k) + 1]; ++r) {
-                const auto i = place(rows_[place(r)]);
-                sum += values_[place(r)] * column[i];
-                sums[i] += values_[place(r)] * factor;
+            const int64_t k = rows_[at(p)];
+            const double factor = column[at(k)];
+            double sum = diagonal_[at(k)] * factor;
+            for (int64_t r = starts_[at(k)]; r < starts_[at(k) + 1]; ++r) {
+                const auto i = at(rows_[at(r)]);
+                sum += values_[at(r)] * column[i];
+                sums[i] += values_[at(r)] * factor;
             }
-            sums[place(k)] += sum;
-            work += 2 * (starts_[place(k) + 1] - starts_[place(k)]);
+            sums[at(k)] += sum;
+            work += 2 * (starts_[at(k) + 1] - starts_[at(k)]);
         }
-        double diagonal = 1 / rounded(factors.diagonal()[place(j)]);
+        double diagonal = 1 / rounded(factors.diagonal()[at(j)]);
         for (int64_t p = first; p < end; ++p) {
-            values_[place(p)] = -sums[place(rows_[place(p)])];
-            diagonal -= values_[place(p)] * column[place(rows_[place(p)])];
+            values_[at(p)] = -sums[at(rows_[at(p)])];
+            diagonal -= values_[at(p)] * column[at(rows_[at(p)])];
         }
-        diagonal_[place(j)] = diagonal;
+        diagonal_[at(j)] = diagonal;
         for (int64_t p = first; p < end; ++p) { // what lies outside column j was added to as well
-            const int64_t k = rows_[place(p)];
-            column[place(k)] = sums[place(k)] = 0;
-            for (int64_t r = starts_[place(k)]; r < starts_[place(k) + 1]; ++r) {
-                sums[place(rows_[place(r)])] = 0;
+            const int64_t k = rows_[at(p)];
+            column[at(k)] = sums[at(k)] = 0;
+            for (int64_t r = starts_[at(k)]; r < starts_[at(k) + 1]; ++r) {
+                sums[at(rows_[at(r)])] = 0;
             }
         }
         count_work(work);
@@ -66,20 +156,20 @@ SelectedInverse::SelectedInverse(const LdltOf<Number> &factors)
 double SelectedInverse::trace_of_product(const SparseColumns &matrix) const noexcept {
     double sum = 0;
     for (int64_t j = 0; j < matrix.size(); ++j) {
-        int64_t next = starts_[place(j)];
-        for (int64_t p = matrix.starts[place(j)]; p < matrix.starts[place(j) + 1]; ++p) {
-            const int32_t row = matrix.rows[place(p)];
+        int64_t next = starts_[at(j)];
+        for (int64_t p = matrix.starts[at(j)]; p < matrix.starts[at(j) + 1]; ++p) {
+            const int32_t row = matrix.rows[at(p)];
             if (row < j) {
                 continue;
             }
             if (row == j) {
-                sum += diagonal_[place(j)] * matrix.values[place(p)];
+                sum += diagonal_[at(j)] * matrix.values[at(p)];
                 continue;
             }
-            while (rows_[place(next)] < row) {
+            while (rows_[at(next)] < row) {
                 ++next;
             }
-            sum += 2 * values_[place(next)] * matrix.values[place(p)];
+            sum += 2 * values_[at(next)] * matrix.values[at(p)];
         }
     }
     return sum;
@@ -87,13 +177,12 @@ double SelectedInverse::trace_of_product(const SparseColumns &matrix) const noex
 
 double SelectedInverse::element(int64_t i, int64_t j) const noexcept {
     if (i == j) {
-        return diagonal_[place(i)];
+        return diagonal_[at(i)];
     }
     const auto [column, row] = std::minmax(i, j);
-    const auto first = rows_.begin() + starts_[place(column)],
-               end = rows_.begin() + starts_[place(column) + 1];
+    const auto first = rows_.begin() + starts_[at(column)], end = rows_.begin() + starts_[at(column) + 1];
     const auto found = std::lower_bound(first, end, static_cast<int32_t>(row));
-    return found != end && *found == row ? values_[place(found - rows_.begin())] : 0;
+    return found != end && *found == row ? values_[at(found - rows_.begin())] : 0;
 }
 
 template SelectedInverse::SelectedInverse(const LdltOf<double> &);

@@ -10,7 +10,7 @@ namespace nrb::inline numeric {
 
 // From the last column to the first one (K. Takahashi, J. Fagan, M.-S. Chin, "Formation of a sparse bus impedance matrix",
 // 8th PICA Conference (1973)); the elements that the recurrence reads are among those that it makes. Cost: that of the
-// factorisation, twice.
+// factorisation, twice. Supernodes are treated as dense blocks.
 class SelectedInverse {
 public:
     template <class Number>
@@ -22,6 +22,9 @@ public:
     [[nodiscard]] double element(int64_t i, int64_t j) const noexcept;
 
 private:
+    template <class Number>
+    void invert_columns(const LdltOf<Number> &factors);
+
     std::vector<int64_t> starts_;
     std::vector<int32_t> rows_;
     std::vector<double> values_; // below the diagonal

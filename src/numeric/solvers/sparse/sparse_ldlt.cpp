@@ -2,16 +2,17 @@
 #include "numeric/solvers/sparse/sparse_ldlt.h"
 
 #include "base/watch.h"
+#include "numeric/solvers/sparse/multifrontal.h"
 
 #include <algorithm>
+#include <numeric>
+#include <type_traits>
 
 namespace nrb::inline numeric {
 
 namespace {
 
-size_t at(int64_t i) noexcept {
-    return static_cast<size_t>(i);
-}
+using sparse::at;
 
 double leading(double x) noexcept {
     return x;
@@ -53,8 +54,29 @@ LdltOf<Number>::LdltOf(const ColumnsOf<Any> &pattern)
         });
         count_work(4 * found);
     }
+    if constexpr (std::is_same_v<Number, double> && std::is_same_v<Any, double>) {
+        join_columns(pattern);
+    }
     for (size_t k = 1; k < starts_.size(); ++k) {
         starts_[k] += starts_[k - 1];
+    }
+}
+
+// Where columns are long on the average; starts_ has their lengths.
+template <class Number>
+template <class Any>
+void LdltOf<Number>::join_columns(const ColumnsOf<Any> &pattern) {
+    constexpr int64_t longest = 24; // that are better done one by one
+    const auto n = static_cast<int64_t>(parent_.size());
+    if (std::reduce(starts_.begin(), starts_.end(), int64_t{0}) <= longest * n) {
+        return;
+    }
+    supernodes_ = find_supernodes(pattern, parent_, std::span(starts_).subspan(1));
+    for (int64_t s = 0; s < supernodes_.count(); ++s) {
+        const int64_t end = supernodes_.first[at(s) + 1], below = std::ssize(supernodes_.below(s));
+        for (int64_t j = supernodes_.first[at(s)]; j < end; ++j) {
+            starts_[at(j) + 1] = end - 1 - j + below;
+        }
     }
 }
 
@@ -91,9 +113,35 @@ int64_t LdltOf<Number>::gather_row(const ColumnsOf<Number> &matrix, int32_t k) {
 
 template <class Number>
 int64_t LdltOf<Number>::factorise(const ColumnsOf<Number> &matrix, std::span<const double> floors) {
-    const auto n = static_cast<int32_t>(matrix.size());
+    const bool first = values_.empty();
     grow_watched(rows_, at(starts_.back())); // many systems need no factors
     grow_watched(values_, at(starts_.back()));
+    if constexpr (std::is_same_v<Number, double>) {
+        if (!supernodes_.empty()) {
+            if (first) {
+                fill_rows();
+            }
+            return factorise_fronts(matrix, supernodes_, floors, starts_, values_, diagonal_);
+        }
+    }
+    return factorise_rows(matrix, floors);
+}
+
+template <class Number>
+void LdltOf<Number>::fill_rows() noexcept {
+    for (int64_t s = 0; s < supernodes_.count(); ++s) {
+        const int32_t end = supernodes_.first[at(s) + 1];
+        for (int32_t j = supernodes_.first[at(s)]; j < end; ++j) {
+            const auto own = rows_.begin() + starts_[at(j)];
+            std::iota(own, own + (end - 1 - j), j + 1);
+            std::ranges::copy(supernodes_.below(s), own + (end - 1 - j));
+        }
+    }
+}
+
+template <class Number>
+int64_t LdltOf<Number>::factorise_rows(const ColumnsOf<Number> &matrix, std::span<const double> floors) {
+    const auto n = static_cast<int32_t>(matrix.size());
     std::copy_n(starts_.begin(), n, filled_.begin());
     std::fill(flags_.begin(), flags_.end(), -1);
     std::fill(work_.begin(), work_.end(), Number{});

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// L D L^T of sparse symmetric matrices, row by row, so that the caller can be told of them.
+// L D L^T of sparse symmetric matrices.
 #pragma once
 
 #include "numeric/double_double.h"
+#include "numeric/solvers/sparse/supernodes.h"
 
 #include <cstdint>
 #include <span>
@@ -10,22 +11,10 @@
 
 namespace nrb::inline numeric {
 
-// A symmetric matrix by columns: the rows of column j and their values are those from starts[j] to starts[j + 1].
-// Rows ascend, and all diagonal elements are there.
-template <class Number>
-struct ColumnsOf {
-    std::vector<int64_t> starts;
-    std::vector<int32_t> rows;
-    std::vector<Number> values;
-
-    [[nodiscard]] int64_t size() const noexcept { return static_cast<int64_t>(starts.size()) - 1; }
-};
-using SparseColumns = ColumnsOf<double>;
-
 // Up-looking, as in T. Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 4: row k of L solves a
 // triangular system with the rows before it; which of its elements are not 0 follows from the elimination tree.
 // Cost: the sum of squares of the numbers of elements in the columns of L.
-// Numbers are doubles, or have twice the precision.
+// Numbers are doubles, or have twice the precision. Doubles with many elements in a column are factorised by dense blocks.
 template <class Number>
 class LdltOf {
 public:
@@ -45,12 +34,19 @@ public:
     [[nodiscard]] std::span<const int32_t> rows() const noexcept { return rows_; }
     [[nodiscard]] std::span<const Number> values() const noexcept { return values_; }
     [[nodiscard]] std::span<const Number> diagonal() const noexcept { return diagonal_; }
+    // Those that L is made of; none where its columns are short.
+    [[nodiscard]] const Supernodes &supernodes() const noexcept { return supernodes_; }
 
 private:
+    template <class Any>
+    void join_columns(const ColumnsOf<Any> &pattern);
+    void fill_rows() noexcept; // with those of the supernodes
+    int64_t factorise_rows(const ColumnsOf<Number> &matrix, std::span<const double> floors);
     template <class Any, class Visit>
     void for_each_in_row(const ColumnsOf<Any> &matrix, int32_t k, Visit &&visit);
     int64_t gather_row(const ColumnsOf<Number> &matrix, int32_t k);
 
+    Supernodes supernodes_;
     std::vector<int32_t> parent_; // in the elimination tree, -1: a root
     std::vector<int64_t> starts_; // of the columns of L
     std::vector<int64_t> filled_; // elements of each column so far

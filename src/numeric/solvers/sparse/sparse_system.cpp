@@ -67,7 +67,7 @@ SparseColumns ascending(const SparseColumns &matrix) {
             result.values[place++] = value;
         }
         result.starts.push_back(static_cast<int64_t>(place));
-        column = {};
+        column = std::vector<std::pair<int32_t, double>>();
     }
     return result;
 }

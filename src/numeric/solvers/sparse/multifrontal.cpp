@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "numeric/solvers/sparse/multifrontal.h"
+
+#include "base/watch.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace nrb::inline numeric {
+
+namespace {
+
+using sparse::at;
+
+using Column = Eigen::Map<Eigen::VectorXd>;
+using Block = Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
+
+// A symmetric matrix of which the lower half counts, by columns.
+class Front {
+public:
+    void reset(int64_t size) {
+        size_ = size;
+        values_.assign(at(size * size), 0.0);
+    }
+    [[nodiscard]] int64_t size() const noexcept { return size_; }
+    double *column(int64_t j) noexcept { return values_.data() + j * size_; }
+
+    // Leaves L in the first columns, and what they do to the others in those. Returns -1, or a column whose pivot is not
+    // above its floor.
+    int64_t eliminate(int64_t columns, std::span<const double> floors, double *pivots) {
+        constexpr int64_t wide = 32;
+        for (int64_t first = 0; first < columns; first += wide) {
+            const int64_t end = std::min(columns, first + wide);
+            if (const int64_t bad = eliminate_panel(first, end, floors, pivots); bad >= 0) {
+                return bad;
+            }
+            update_behind(first, end, pivots);
+        }
+        return -1;
+    }
+
+private:
+    // Columns of the panel are L D until it is finished.
+    int64_t eliminate_panel(int64_t first, int64_t end, std::span<const double> floors, double *pivots) {
+        for (int64_t j = first; j < end; ++j) {
+            double *const own = column(j);
+            pivots[j] = own[j];
+            if (!(pivots[j] > (floors.empty() ? 0 : floors[at(j)]))) {
+                return j;
+            }
+            for (int64_t k = j + 1; k < end; ++k) {
+                Column(column(k) + k, size_ - k) -= Column(own + k, size_ - k) * (own[k] / pivots[j]);
+            }
+        }
+        count_work((end - first) * (end - first) / 2 * (size_ - first));
+        return -1;
+    }
+
+    void update_behind(int64_t first, int64_t end, const double *pivots) {
+        const int64_t left = size_ - end, width = end - first;
+        scaled_.resize(left, width);
+        const Block panel(column(first) + end, left, width, Eigen::OuterStride<>(size_));
+        for (int64_t j = first; j < end; ++j) {
+            double *const own = column(j);
+            std::for_each(own + j + 1, own + end, [&](double &x) { x /= pivots[j]; });
+            scaled_.col(j - first) = panel.col(j - first) / pivots[j];
+        }
+        if (left > 0) {
+            Block behind(column(end) + end, left, left, Eigen::OuterStride<>(size_));
+            behind.triangularView<Eigen::Lower>() -= panel * scaled_.transpose();
+            for (int64_t j = first; j < end; ++j) {
+                std::copy_n(scaled_.col(j - first).data(), left, column(j) + end);
+            }
+        }
+        count_work(width * left * (left + 1) / 2);
+    }
+
+    int64_t size_ = 0;
+    std::vector<double> values_;
+    Eigen::MatrixXd scaled_;
+};
+
+class Multifrontal {
+public:
+    Multifrontal(const SparseColumns &matrix, const Supernodes &supernodes)
+        : matrix_(matrix), supernodes_(supernodes), children_(at(supernodes.count())),
+          updates_(at(supernodes.count())), place_(at(matrix.size())) {
+        for (int64_t s = 0; s < supernodes.count(); ++s) {
+            if (const int32_t parent = supernodes.parent[at(s)]; parent >= 0) {
+                children_[at(parent)].push_back(static_cast<int32_t>(s));
+            }
+        }
+    }
+
+    int64_t factorise(std::span<const double> floors, std::span<const int64_t> starts,
+                      std::span<double> values, std::span<double> diagonal) {
+        Steps steps(supernodes_.count());
+        for (int64_t s = 0; s < supernodes_.count(); ++s, steps.next()) {
+            const int64_t first = supernodes_.first[at(s)], columns = supernodes_.columns(s);
+            assemble(s);
+            const auto own = floors.empty() ? floors : floors.subspan(at(first), at(columns));
+            if (const int64_t bad = front_.eliminate(columns, own, diagonal.data() + first); bad >= 0) {
+                return first + bad;
+            }
+            for (int64_t j = 0; j < columns; ++j) {
+                std::copy_n(front_.column(j) + j + 1, front_.size() - j - 1,
+                            values.data() + starts[at(first + j)]);
+            }
+            keep_update(s);
+        }
+        return -1;
+    }
+
+private:
+    void assemble(int64_t s) {
+        const int64_t first = supernodes_.first[at(s)], columns = supernodes_.columns(s);
+        const auto below = supernodes_.below(s);
+        front_.reset(columns + std::ssize(below));
+        for (int64_t j = 0; j < columns; ++j) {
+            place_[at(first + j)] = static_cast<int32_t>(j);
+        }
+        for (size_t i = 0; i < below.size(); ++i) {
+            place_[at(below[i])] = static_cast<int32_t>(columns) + static_cast<int32_t>(i);
+        }
+        for (int64_t j = first; j < first + columns; ++j) {
+            double *const target = front_.column(j - first);
+            for (int64_t p = matrix_.starts[at(j)]; p < matrix_.starts[at(j) + 1]; ++p) {
+                if (const int32_t row = matrix_.rows[at(p)]; row >= j) {
+                    target[place_[at(row)]] += matrix_.values[at(p)];
+                }
+            }
+        }
+        for (const int32_t child : children_[at(s)]) {
+            add_update(child);
+        }
+        count_work(front_.size() * front_.size() / 4);
+    }
+
+    void add_update(int32_t child) {
+        const auto rows = supernodes_.below(child);
+        const auto size = std::ssize(rows);
+        std::vector<double> &update = updates_[at(child)];
+        const double *from = update.data();
+        for (int64_t j = 0; j < size; ++j, from += size) {
+            double *const target = front_.column(place_[at(rows[at(j)])]);
+            for (int64_t i = j; i < size; ++i) {
+                target[place_[at(rows[at(i)])]] += from[i];
+            }
+        }
+        count_work(size * size / 2);
+        update = std::vector<double>(); // which gives its memory back
+    }
+
+    void keep_update(int64_t s) {
+        const int64_t columns = supernodes_.columns(s), size = front_.size() - columns;
+        std::vector<double> &update = updates_[at(s)];
+        update.reserve(at(size * size));
+        for (int64_t j = 0; j < size; ++j) {
+            const double *const from = front_.column(columns + j) + columns;
+            update.insert(update.end(), from, from + size);
+        }
+    }
+
+    const SparseColumns &matrix_;
+    const Supernodes &supernodes_;
+    std::vector<std::vector<int32_t>> children_;
+    std::vector<std::vector<double>> updates_; // of those whose parents come later
+    std::vector<int32_t> place_;               // of an unknown in the front
+    Front front_;
+};
+
+} // namespace
+
+int64_t factorise_fronts(const SparseColumns &matrix, const Supernodes &supernodes,
+                         std::span<const double> floors, std::span<const int64_t> starts,
+                         std::span<double> values, std::span<double> diagonal) {
+    return Multifrontal(matrix, supernodes).factorise(floors, starts, values, diagonal);
+}
+
+} // namespace nrb::inline numeric
