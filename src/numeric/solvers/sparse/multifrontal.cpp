@@ -2,6 +2,7 @@
 #include "numeric/solvers/sparse/multifrontal.h"
 
 #include "base/watch.h"
+#include "numeric/solvers/sparse/dense_product.h"
 
 #include <Eigen/Core>
 
@@ -14,7 +15,6 @@ namespace {
 using sparse::at;
 
 using Column = Eigen::Map<Eigen::VectorXd>;
-using Block = Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
 
 // A symmetric matrix of which the lower half counts, by columns.
 class Front {
@@ -60,20 +60,16 @@ private:
     void update_behind(int64_t first, int64_t end, const double *pivots) {
         const int64_t left = size_ - end, width = end - first;
         scaled_.resize(left, width);
-        const Block panel(column(first) + end, left, width, Eigen::OuterStride<>(size_));
         for (int64_t j = first; j < end; ++j) {
             double *const own = column(j);
             std::for_each(own + j + 1, own + end, [&](double &x) { x /= pivots[j]; });
-            scaled_.col(j - first) = panel.col(j - first) / pivots[j];
+            scaled_.col(j - first) = Column(own + end, left) / pivots[j];
         }
-        if (left > 0) {
-            Block behind(column(end) + end, left, left, Eigen::OuterStride<>(size_));
-            behind.triangularView<Eigen::Lower>() -= panel * scaled_.transpose();
-            for (int64_t j = first; j < end; ++j) {
-                std::copy_n(scaled_.col(j - first).data(), left, column(j) + end);
-            }
+        subtract_product({column(end) + end, left, left, size_}, {column(first) + end, left, width, size_},
+                         {scaled_.data(), left, width, left}, true);
+        for (int64_t j = first; j < end; ++j) {
+            std::copy_n(scaled_.col(j - first).data(), left, column(j) + end);
         }
-        count_work(width * left * (left + 1) / 2);
     }
 
     int64_t size_ = 0;

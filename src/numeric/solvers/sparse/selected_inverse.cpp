@@ -2,11 +2,11 @@
 #include "numeric/solvers/sparse/selected_inverse.h"
 
 #include "base/watch.h"
+#include "numeric/solvers/sparse/dense_product.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <functional>
 #include <type_traits>
 
 namespace nrb::inline numeric {
@@ -35,19 +35,31 @@ public:
         for (int64_t s = supernodes_.count(); s-- > 0; steps.next()) {
             read_factors(s);
             read_inverse(s);
-            own_.triangularView<Eigen::UnitLower>().solveInPlace<Eigen::OnTheRight>(below_);
-            inverse_below_.noalias() = behind_ * below_;
-            const Eigen::Index n = own_.rows(), r = below_.rows();
-            Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(n, n);
+            const Eigen::Index n = own_.rows();
+            Matrix inverse = Matrix::Identity(n, n);
             own_.triangularView<Eigen::UnitLower>().solveInPlace(inverse);
-            Eigen::MatrixXd square = inverse.transpose() * pivots_.cwiseInverse().asDiagonal() * inverse;
-            square.noalias() += below_.transpose() * inverse_below_;
-            write(s, square);
-            count_work(n * (r * (r + 2 * n) + n * n));
+            count_work(n * n * n / 3);
+            const Matrix upper = -inverse.transpose(), factors = minus(upper, below_, false); // Y^T
+            inverse_below_ = minus(behind_, factors, false);
+            square_ = minus(upper * pivots_.cwiseInverse().asDiagonal(), -upper, true);
+            subtract(factors, inverse_below_.transpose(), true, square_);
+            write(s);
         }
     }
 
 private:
+    using Matrix = Eigen::MatrixXd;
+
+    // c - a b^T.
+    static void subtract(const Matrix &a, const Matrix &b, bool lower, Matrix &c) {
+        subtract_product({c.data(), c.rows(), c.cols(), c.rows()}, {a.data(), a.rows(), a.cols(), a.rows()},
+                         {b.data(), b.rows(), b.cols(), b.rows()}, lower);
+    }
+    static Matrix minus(const Matrix &a, const Matrix &b, bool lower) {
+        Matrix c = Matrix::Zero(a.rows(), b.rows());
+        subtract(a, b, lower, c);
+        return c;
+    }
     void read_factors(int64_t s) {
         const int64_t first = supernodes_.first[at(s)], n = supernodes_.columns(s);
         const int64_t r = std::ssize(supernodes_.below(s));
@@ -79,14 +91,13 @@ private:
             }
         }
     }
-    void write(int64_t s, const Eigen::MatrixXd &square) {
+    void write(int64_t s) {
         const int64_t first = supernodes_.first[at(s)], n = supernodes_.columns(s);
         for (int64_t j = 0; j < n; ++j) {
             double *const to = values_.data() + factors_.starts()[at(first + j)];
-            std::copy_n(square.col(j).data() + j + 1, n - 1 - j, to);
-            std::transform(inverse_below_.col(j).begin(), inverse_below_.col(j).end(), to + (n - 1 - j),
-                           std::negate());
-            diagonal_[at(first + j)] = square(j, j);
+            std::copy_n(square_.col(j).data() + j + 1, n - 1 - j, to);
+            std::copy_n(inverse_below_.col(j).data(), inverse_below_.rows(), to + (n - 1 - j));
+            diagonal_[at(first + j)] = square_(j, j);
         }
     }
 
@@ -94,7 +105,7 @@ private:
     const Supernodes &supernodes_;
     std::span<double> values_, diagonal_;
     std::vector<int64_t> place_;                           // in R
-    Eigen::MatrixXd own_, below_, behind_, inverse_below_; // L_JJ, L_RJ and then Y, Z_RR, -Z_RJ
+    Matrix own_, below_, behind_, inverse_below_, square_; // L_JJ, L_RJ, Z_RR, Z_RJ, Z_JJ
     Eigen::VectorXd pivots_;
 };
 
