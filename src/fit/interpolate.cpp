@@ -51,10 +51,20 @@ void scatter(const std::vector<double> &values, const GridLayers &of, int64_t st
     grid.points = std::move(points);
 }
 
+// Whether conditions belong to layers one by one.
+bool in_place(const std::vector<int64_t> &sources) noexcept {
+    for (size_t i = 0; i < sources.size(); ++i) {
+        if (sources[i] != static_cast<int64_t>(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sources, size_t k,
                 PointGrid &grid) {
     const GridLayers of = layers_of(grid, k);
-    if (of.outer == 1 && axis.knots()->count() == of.count && axis.conditions() == of.count) {
+    if (of.outer == 1 && axis.knots()->count() == of.count && in_place(sources)) {
         return axis.solve(grid.points, of.inner); // in place
     }
     std::vector<double> values = gathered(grid, of, sources);
