@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/finite.h"
 #include "base/numbers.h"
-#include "base/watch.h"
+#include "base/representable.h"
 #include "fit/least_squares/penalty.h"
 #include "numeric/direction.h"
 #include "numeric/norm.h"
@@ -131,32 +131,62 @@ std::vector<double> fixed_part(const AxisInterpolation &axis, std::span<const in
     return targets;
 }
 
-// Conjugate gradients end at 1e-6 of the right side; what they leave is solved for again.
-std::vector<double> least_energy(const LengthEnergy &energy, std::vector<double> right) {
-    constexpr double least = 0x1p-40, enough = 0x1p-26;
-    constexpr int rounds = 3, most_products = 2000;
-    const auto product = [&](const std::vector<double> &u) { return energy.product(u); };
-    const int most = static_cast<int>(std::min<int64_t>(most_products, 2 * std::ssize(right) + 50));
-    const double whole =
-        norm_of(static_cast<int>(right.size()), [&](int j) { return right[static_cast<size_t>(j)]; });
-    std::vector<double> u(right.size()), rest = right;
-    double left = whole;
-    for (int round = 0; round < rounds && left > 0; ++round) {
-        const std::vector<double> step = conjugate_gradients(product, rest, least, most);
-        std::transform(u.begin(), u.end(), step.begin(), u.begin(), std::plus<>());
-        const std::vector<double> image = energy.product(u);
-        std::transform(right.begin(), right.end(), image.begin(), rest.begin(), std::minus<>());
-        left = norm_of(static_cast<int>(rest.size()), [&](int j) { return rest[static_cast<size_t>(j)]; });
-        if (largest_magnitude(step) == 0 && round == 0) {
+// The equations of the least energy.
+class LengthEquations {
+public:
+    LengthEquations(const LengthEnergy &energy, size_t size)
+        : energy_(energy), size_(size),
+          most_(static_cast<int>(std::min<size_t>(most_products, 2 * size + least_products))) {}
+
+    // Equations that do not determine lengths may well have solutions for the right sides that curves make, so that these do not
+    // tell: a right side that is no curve's does.
+    void check_rank() const {
+        std::vector<double> any(size_);
+        uint64_t state = 1;
+        for (double &x : any) {
+            state =
+                state * 6364136223846793005U + 1442695040888963407U; // D. Knuth, "Seminumerical Algorithms"
+            x = (state >> 63U) != 0 ? 1 : -1;
+        }
+        if (largest_magnitude(solved(any)) == 0) {
             fail(Status::rank, "targets: the least energy does not determine the lengths of the tangents");
         }
     }
-    if (!(left <= enough * whole)) {
-        fail(Status::not_converged, "targets: the lengths of the tangents are found to %s of themselves only",
-             Number(left / whole).text);
+
+    // Conjugate gradients end at 1e-6 of the right side; what they leave is solved for again.
+    [[nodiscard]] std::vector<double> solution(const std::vector<double> &right) const {
+        constexpr double enough = 0x1p-26;
+        constexpr int rounds = 3;
+        std::vector<double> u(size_), rest = right;
+        for (int round = 0; round < rounds; ++round) {
+            const std::vector<double> step = solved(rest);
+            std::transform(u.begin(), u.end(), step.begin(), u.begin(), std::plus<>());
+            const std::vector<double> image = energy_.product(u);
+            std::transform(right.begin(), right.end(), image.begin(), rest.begin(), std::minus<>());
+        }
+        const double left = length(rest), whole = length(right);
+        if (!(left <= enough * whole)) {
+            fail(Status::not_converged,
+                 "targets: the lengths of the tangents are found to %s of themselves only",
+                 Number(left / whole).text);
+        }
+        return u;
     }
-    return u;
-}
+
+private:
+    static constexpr size_t most_products = 2000, least_products = 50;
+    static constexpr double least = 0x1p-40;
+
+    [[nodiscard]] std::vector<double> solved(const std::vector<double> &right) const {
+        return conjugate_gradients([this](const std::vector<double> &u) { return energy_.product(u); }, right,
+                                   least, most_);
+    }
+    [[nodiscard]] static double length(const std::vector<double> &x) noexcept { return std::sqrt(dot(x, x)); }
+
+    const LengthEnergy &energy_;
+    size_t size_;
+    int most_;
+};
 
 } // namespace
 
@@ -168,18 +198,19 @@ std::vector<double> tangent_lengths(const AxisInterpolation &axis, std::span<con
     }
     const LengthEnergy energy(axis, directions, dim, targets);
     std::vector<double> right = energy.slope(fixed_part(axis, directions, dim, targets));
+    require_representable(right, "energies of tangents");
     const double largest = largest_magnitude(right);
-    if (!std::isfinite(largest)) {
-        fail(Status::not_representable, "targets: the energy of the curve is not representable");
-    }
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
     std::ranges::for_each(right, [exponent](double &x) { x = -std::ldexp(x, -exponent); });
-    const std::vector<double> u = least_energy(energy, std::move(right));
+    const LengthEquations equations(energy, right.size());
+    equations.check_rank();
+    const std::vector<double> u = equations.solution(right);
     for (size_t j = 0; j < u.size(); ++j) {
         const double *const target = targets.data() + directions[j] * dim;
         lengths[static_cast<size_t>(directions[j])] =
             std::ldexp(u[j] * energy.scale(j), exponent) / norm(target, dim);
     }
+    require_representable(lengths, "lengths of tangents");
     return lengths;
 }
 

@@ -354,8 +354,10 @@ TEST(InterpolationDerivatives, converge_with_the_order) {
         EXPECT_GT(order(true), degree + 0.5) << "degree " << degree;
         EXPECT_LT(order(true), degree + 2.6) << "degree " << degree;
         EXPECT_GT(order(false), degree + 0.5) << "degree " << degree;
-        EXPECT_LT(error_on_sine(degree, 65, false), 16 * error_on_sine(degree, 65, true) + 1e-14)
-            << "degree " << degree;
+        if (degree < 6) { // else there is little but rounding
+            EXPECT_LT(error_on_sine(degree, 65, false), 2 * error_on_sine(degree, 65, true))
+                << "degree " << degree;
+        }
     }
 }
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, List, NamedTuple, Optional, Sequence, Tuple, U
 import numpy
 
 from ._arrays import if_given, packed, vector
+from ._layers import Layers
 from ._library import call, lib
 from ._net import Net, concatenated
 from ._spline import Spline
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._arrays import Floats, Int32s
+    from ._layers import Derivatives
 
     #: A vector of a curve, or one for each axis.
     ByAxis = Union[ArrayLike, Sequence[ArrayLike]]
@@ -56,7 +58,7 @@ def params_universal(degree: int, count: int) -> Floats:
     return found
 
 
-def _data(degrees: Union[int, Sequence[int]], params: ByAxis, points: ArrayLike) -> Tuple[Net, Floats]:
+def _data(degrees: Union[int, Sequence[int], Int32s], params: ByAxis, points: ArrayLike) -> Tuple[Net, Floats]:
     net = Net(degrees, points, None)
     joined, lengths = concatenated(params, net.axes)
     if lengths != list(net.counts):
@@ -69,20 +71,35 @@ def _ends(ends: Optional[ArrayLike], axes: int) -> Optional[Int32s]:
 
 
 def interpolate(degrees: Union[int, Sequence[int]], params: ByAxis, points: ArrayLike, ends: Optional[ArrayLike] = None,
-                flags: int = 0) -> Interpolated:
+                flags: int = 0, derivatives: Optional[Derivatives] = None) -> Interpolated:
     """The spline through points (counts..., dimension) on a grid of parameters: a vector, or one for each axis.
 
         params, = nurbs.parametrize(points)
         curve, residual = nurbs.interpolate(3, params, points)
 
     `ends` are NURBS_ENDS_ constants: one, one each for the start and the end, or (axes, 2); by default
-    NURBS_ENDS_NOT_A_KNOT. Along an axis that is NURBS_PERIODIC the last point is the first one again."""
+    NURBS_ENDS_NOT_A_KNOT. Along an axis that is NURBS_PERIODIC the last point is the first one again. `derivatives` are
+    those at ends of axes: for (axis, NURBS_START or NURBS_END) an array (orders, counts of the other axes..., dimension)
+    of derivatives of orders 1, 2, ... along the axis, in place of not-a-knot conditions; mixed ones are estimated, as
+    interpolate_derivatives() does."""
     net, joined = _data(degrees, params, points)
+    if derivatives:
+        return _with_derivatives(net, joined, points, ends, flags, derivatives)
     at_ends = _ends(ends, net.axes)
     residual = ctypes.c_double()
     made = Spline._made(lib.nurbs_interpolate, *net.sizes, joined.ctypes.data, net.width, *net.points.layout,
                         None if at_ends is None else at_ends.ctypes.data, flags, ctypes.byref(residual))
     return Interpolated(made, residual.value)
+
+
+def _with_derivatives(net: Net, joined: Floats, points: ArrayLike, ends: Optional[ArrayLike], flags: int,
+                      derivatives: Derivatives) -> Interpolated:
+    own = numpy.split(joined, numpy.cumsum(net.counts)[:-1])
+    given = numpy.asarray(points, numpy.float64)
+    layers = Layers(own, given, derivatives)
+    made = interpolate_derivatives(net.degrees, layers.params, layers.orders, layers.values, ends, flags)
+    missed = numpy.linalg.norm(made.eval_grid(*own) - given, axis=-1)
+    return Interpolated(made, float(missed.max()))
 
 
 def interpolate_over_knots(degrees: Union[int, Sequence[int]], params: ByAxis, knots: ByAxis, points: ArrayLike,
@@ -95,7 +112,7 @@ def interpolate_over_knots(degrees: Union[int, Sequence[int]], params: ByAxis, k
                         vectors.size, net.width, *net.points.layout, flags)
 
 
-def interpolate_derivatives(degrees: Union[int, Sequence[int]], params: ByAxis, orders: ByAxis, values: ArrayLike,
+def interpolate_derivatives(degrees: Union[int, Sequence[int], Int32s], params: ByAxis, orders: ByAxis, values: ArrayLike,
                             ends: Optional[ArrayLike] = None, flags: int = 0) -> Spline:
     """The spline through layers of points and, at the ends of axes, of derivatives: `values` (counts..., dimension) on a
     grid of parameters and orders of derivatives, a vector, or one for each axis. Mixed derivatives may be NaN: these are
