@@ -2304,9 +2304,9 @@ NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t 
  * of the derivatives of polynomials of the degree of the axis through the nearest layers, which keeps
  * polynomials and the order of the error. Knots are those of nurbs_interpolate(); at an end with m derivatives
  * only the first degree / 2 - m inner knots are left out. Every polynomial spline over these knots, with these
- * ends, is found again up to rounding. Slopes are those of an odd degree's complete spline; with derivatives of
- * orders (degree + 1) / 2 to degree - 1 that are 0 the end is a natural one. Conditions elsewhere:
- * nurbs_curve_interpolate().
+ * ends, is found again up to rounding. For an odd degree derivatives of orders 1 to degree / 2 make the
+ * complete spline (of a cubic: slopes), and those of orders (degree + 1) / 2 to degree - 1, if they are 0,
+ * natural ends. Conditions elsewhere than at ends: nurbs_curve_interpolate().
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
  * \param[in] counts [axes] number of layers along each axis. Of those of order 0 there are as many as

@@ -80,13 +80,13 @@ void check_layers(const AxisLayers &layers, int degree, bool periodic, size_t ax
     }
 }
 
-void Conditions::add(double param, int order, int64_t source) {
+void AxisConditions::add(double param, int order, int64_t source) {
     conditions.push_back({param, order});
     sources.push_back(source);
 }
 
-Conditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic) {
-    Conditions all;
+AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic) {
+    AxisConditions all;
     const auto add_layers = [&](int64_t from, int64_t end) {
         for (int64_t i = from; i < end; ++i) {
             all.add(layers.param(i), layers.order(i), i);

@@ -34,7 +34,7 @@ struct AxisLayers {
 void check_layers(const AxisLayers &layers, int degree, bool periodic, size_t axis, int64_t first);
 
 // Conditions, and the layers of data that they come from, -1 for zeros.
-struct Conditions {
+struct AxisConditions {
     std::vector<Condition> conditions;
     std::vector<int64_t> sources;
 
@@ -43,6 +43,6 @@ struct Conditions {
 
 // The conditions on an axis over interpolation_knots(), by rising parameters: those of the layers, but for the last one of a
 // periodic axis, and the derivatives that vanish at natural ends. The value at an end is the first, and the last one.
-Conditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic);
+AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic);
 
 } // namespace nrb::fit

@@ -152,7 +152,7 @@ SplinePtr interpolate(const std::vector<int> &degrees, const std::vector<AxisLay
     estimate_mixed(layers, degrees, grid);
     Steps steps(std::ssize(axes));
     for (size_t k = 0; k < layers.size(); ++k) {
-        Conditions all = conditions_of(layers[k], degrees[k], ends[k], grid.periodic[k]);
+        AxisConditions all = conditions_of(layers[k], degrees[k], ends[k], grid.periodic[k]);
         solve_axis(AxisInterpolation(axes[k], std::move(all.conditions), static_cast<int>(k)), all.sources, k,
                    grid);
         steps.next();

@@ -655,16 +655,18 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
-    begin("interpolate_derivatives mixed");
+    begin("interpolate_derivatives ends");
     {
         let found = Spline::interpolate_derivatives(
             &[3, 3],
-            &[3, 4],
-            &[0.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0],
-            &[0, 1, 0, 0, 0, 0, 1],
+            &[4, 4],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.5, 0.75, 1.0],
+            &[0, 1, 0, 1, 0, 0, 0, 0],
             1,
-            &[0.0, 1.0, 2.0, 1.0, 1.0, 1.0, 3.0, 0.5, 5.0, 6.0, 7.0, 8.0],
-            None,
+            &[
+                0.0, 1.0, 2.0, 1.0, 1.0, 1.0, 3.0, 0.5, 5.0, 6.0, 7.0, 8.0, 1.0, 0.0, 0.0, 1.0,
+            ],
+            Some(&[0, 0, 1, 1]),
             0,
         )?;
         show("out", &found);
@@ -717,6 +719,19 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0],
             &[0, -1, 0, -1],
             &[],
+            0,
+        )?;
+        show("lengths", &found);
+    }
+    begin("tangent_lengths over knots");
+    {
+        let found = nurbs::tangent_lengths(
+            2,
+            &[0.0, 0.0, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0],
+            &[0, -1, 0],
+            &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
             0,
         )?;
         show("lengths", &found);

@@ -347,14 +347,15 @@ const Call group[] = {
          return nurbs_interpolate_derivatives(2, degrees, counts, params, orders, 1, values, 0, 0, nullptr, 0,
              &o.out);
      }},
-    {"interpolate_derivatives mixed",
+    {"interpolate_derivatives ends",
      [](const Inputs &, Output &o) -> nurbs_status {
          static constexpr int32_t degrees[] = {3, 3};
-         static constexpr int64_t counts[] = {3, 4};
-         static constexpr double params[] = {0, 0, 1, 0, 0.5, 1, 1};
-         static constexpr int32_t orders[] = {0, 1, 0, 0, 0, 0, 1};
-         static constexpr double values[] = {0, 1, 2, 1, 1, 1, 3, 0.5, 5, 6, 7, 8};
-         return nurbs_interpolate_derivatives(2, degrees, counts, params, orders, 1, values, 0, 0, nullptr, 0,
+         static constexpr int64_t counts[] = {4, 4};
+         static constexpr double params[] = {0, 0, 1, 1, 0, 0.5, 0.75, 1};
+         static constexpr int32_t orders[] = {0, 1, 0, 1, 0, 0, 0, 0};
+         static constexpr double values[] = {0, 1, 2, 1, 1, 1, 3, 0.5, 5, 6, 7, 8, 1, 0, 0, 1};
+         static constexpr int32_t ends[] = {0, 0, 1, 1};
+         return nurbs_interpolate_derivatives(2, degrees, counts, params, orders, 1, values, 0, 0, ends, 0,
              &o.out);
      }},
     {"curve_interpolate",
@@ -384,6 +385,14 @@ const Call group[] = {
          static constexpr int32_t orders[] = {0, -1, 0, -1};
          static constexpr double targets[] = {0, 0, 1, 0, 2, 1, 1, 1};
          return nurbs_tangent_lengths(3, 4, params, orders, 2, targets, 0, 0, nullptr, 0, 0, o.values);
+     }},
+    {"tangent_lengths over knots",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1};
+         static constexpr int32_t orders[] = {0, -1, 0};
+         static constexpr double targets[] = {0, 0, 1, 0, 2, 1};
+         static constexpr double knots[] = {0, 0, 0, 1, 1, 1};
+         return nurbs_tangent_lengths(2, 3, params, orders, 2, targets, 0, 0, knots, 6, 0, o.values);
      }},
     {"data_init",
      [](const Inputs &, Output &) -> nurbs_status {
