@@ -7,6 +7,7 @@
 #include "base/representable.h"
 #include "basis/generators.h"
 #include "fit/interpolate.h"
+#include "fit/mixed_derivatives.h"
 #include "fit/tangents.h"
 #include "outputs.h"
 #include "spline_data.h"
@@ -37,13 +38,16 @@ std::vector<int64_t> checked_counts(int32_t axes, const int64_t *counts) {
     return {counts, counts + axes};
 }
 
-// All of the points, packed.
-std::vector<double> finite_points(const char *name, const Points &points, int64_t count) {
+// All of the points, packed; there may be NaN at those that may_be_unknown(index).
+template <class Unknown>
+std::vector<double> finite_points(const char *name, const Points &points, int64_t count,
+                                  Unknown &&may_be_unknown) {
     check_dimension(points.dim);
     std::vector<double> values =
         packed(input(name, points.data, count, points.dim, points.stride, points.component_stride));
     for (size_t i = 0; i < values.size(); ++i) {
-        if (!std::isfinite(values[i])) {
+        if (!std::isfinite(values[i]) &&
+            !(std::isnan(values[i]) && may_be_unknown(static_cast<int64_t>(i) / points.dim))) {
             fail(Status::point_not_finite, "%s[%zu][%zu] = %s is not finite", name,
                  i / static_cast<size_t>(points.dim), i % static_cast<size_t>(points.dim),
                  Number(values[i]).text);
@@ -52,15 +56,41 @@ std::vector<double> finite_points(const char *name, const Points &points, int64_
     return values;
 }
 
-fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, uint32_t flags) {
-    fit::PointGrid grid{std::move(counts), points.dim, {}};
-    int64_t total = 1;
+std::vector<double> finite_points(const char *name, const Points &points, int64_t count) {
+    return finite_points(name, points, count, [](int64_t) { return false; });
+}
+
+// A grid without its points, of which there are `total`.
+fit::PointGrid checked_axes_of_grid(std::vector<int64_t> counts, int dim, uint32_t flags, int64_t &total) {
+    fit::PointGrid grid{std::move(counts), dim, {}};
+    total = 1;
     for (size_t k = 0; k < grid.counts.size(); ++k) {
         total = checked_product(total, grid.counts[k], "points");
         grid.periodic[k] =
             decode_periodic(flags, static_cast<int32_t>(grid.counts.size()), static_cast<int>(k));
     }
+    return grid;
+}
+
+fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, uint32_t flags) {
+    int64_t total = 1;
+    fit::PointGrid grid = checked_axes_of_grid(std::move(counts), points.dim, flags, total);
     grid.points = finite_points("points", points, total);
+    return grid;
+}
+
+// Of layers, whose mixed derivatives may be NaN.
+fit::PointGrid checked_grid_of_layers(std::vector<int64_t> counts, const Points &values,
+                                      const std::vector<fit::AxisLayers> &layers, uint32_t flags) {
+    int64_t total = 1;
+    fit::PointGrid grid = checked_axes_of_grid(std::move(counts), values.dim, flags, total);
+    grid.points = finite_points("values", values, total, [&](int64_t point) {
+        std::vector<int64_t> place(grid.counts.size());
+        for (size_t k = place.size(); k-- > 0; point /= grid.counts[k]) {
+            place[k] = point % grid.counts[k];
+        }
+        return fit::is_mixed(layers, place);
+    });
     return grid;
 }
 
@@ -130,33 +160,64 @@ Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::PointGrid 
     return axes;
 }
 
-// Parameters that do not decrease, with orders that rise where they are equal.
-std::vector<fit::Condition> checked_conditions(int degree, int64_t n, const double *params,
-                                               const int32_t *orders) {
-    std::vector<fit::Condition> conditions;
-    conditions.reserve(static_cast<size_t>(n));
-    for (int64_t i = 0; i < n; ++i) {
-        const long long at = i;
-        const fit::Condition next{params[i], orders == nullptr ? 0 : orders[i]};
-        if (!std::isfinite(next.param)) {
-            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at,
-                 Number(next.param).text);
-        }
-        if (next.order < 0 || next.order > degree) {
-            fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree", at, next.order, degree);
-        }
-        if (i > 0 && next.param < params[i - 1]) {
-            fail(Status::knots_decreasing, "params[%lld] = %s, expected at least params[%lld] = %s", at,
-                 Number(next.param).text, at - 1, Number(params[i - 1]).text);
-        }
-        if (i > 0 && next.param == params[i - 1] && next.order <= conditions.back().order) {
-            fail(Status::order,
-                 "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
-                 next.order, at - 1, conditions.back().order, Number(next.param).text);
-        }
-        conditions.push_back(next);
+// The condition at i; one of a direction is of order 1.
+fit::Condition condition_at(int64_t i, int degree, const double *params, const int32_t *orders) {
+    const long long at = i;
+    const int32_t order = orders == nullptr ? 0 : orders[i];
+    if (!std::isfinite(params[i])) {
+        fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(params[i]).text);
     }
-    return conditions;
+    if (order == NURBS_ORDER_DIRECTION && degree < 2) {
+        fail(Status::order, "orders[%lld] = %d, a direction, expected a degree of at least 2, not %d", at,
+             order, degree);
+    }
+    if ((order < 0 && order != NURBS_ORDER_DIRECTION) || order > degree) {
+        fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree, or NURBS_ORDER_DIRECTION", at,
+             order, degree);
+    }
+    return {params[i], order == NURBS_ORDER_DIRECTION ? 1 : order};
+}
+
+// Parameters that do not decrease, with orders that rise where they are equal.
+void check_next(const fit::Condition &before, const fit::Condition &next, int64_t i) {
+    const long long at = i;
+    if (next.param < before.param) {
+        fail(Status::knots_decreasing, "params[%lld] = %s, expected at least params[%lld] = %s", at,
+             Number(next.param).text, at - 1, Number(before.param).text);
+    }
+    if (next.param == before.param && next.order <= before.order) {
+        fail(Status::order,
+             "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
+             next.order, at - 1, before.order, Number(next.param).text);
+    }
+}
+
+void check_direction(const fit::CurveConditions &given, int64_t i) {
+    const double *const target = given.targets.data() + i * given.dim;
+    if (std::all_of(target, target + given.dim, [](double x) { return x == 0; })) {
+        fail(Status::direction, "targets[%lld] is 0, expected a direction", static_cast<long long>(i));
+    }
+}
+
+fit::CurveConditions checked_conditions(int degree, int64_t n, const double *params, const int32_t *orders,
+                                        const Points &targets) {
+    require(params, "params");
+    require(targets.data, "targets");
+    check_degree(degree, -1);
+    check_at_least(n, 1, "n");
+    fit::CurveConditions given{{}, {}, targets.dim, finite_points("targets", targets, n)};
+    given.conditions.reserve(static_cast<size_t>(n));
+    for (int64_t i = 0; i < n; ++i) {
+        given.conditions.push_back(condition_at(i, degree, params, orders));
+        if (i > 0) {
+            check_next(given.conditions[static_cast<size_t>(i) - 1], given.conditions.back(), i);
+        }
+        if (orders != nullptr && orders[i] == NURBS_ORDER_DIRECTION) {
+            given.directions.push_back(i);
+            check_direction(given, i);
+        }
+    }
+    return given;
 }
 
 KnotVectorPtr knots_for(int degree, std::span<const double> params, const double *knots, int64_t knot_count,
@@ -219,13 +280,42 @@ nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, const int64
         const std::span<const double> places = checked_params(params, sum_of(grid.counts));
         const std::vector<int> orders = checked_degrees(axes, degrees);
         const std::vector<fit::Ends> at_ends = checked_ends(axes, ends);
+        const std::vector<fit::AxisLayers> layers = fit::layers_by_axis(grid.counts, places);
         if (residual == nullptr) {
-            return give(fit::interpolate(orders, places, std::move(grid), at_ends), out);
+            return give(fit::interpolate(orders, layers, std::move(grid), at_ends), out);
         }
-        SplinePtr made = fit::interpolate(orders, places, grid, at_ends);
+        SplinePtr made = fit::interpolate(orders, layers, grid, at_ends);
         const double miss = fit::largest_miss(*made, places, grid);
         give(std::move(made), out);
         *residual = miss;
+    });
+}
+
+nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                                           const double *params, const int32_t *orders, int32_t dim,
+                                           const double *values, int64_t value_stride,
+                                           int64_t value_component_stride, const int32_t *ends,
+                                           uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        std::vector<int64_t> sizes = checked_counts(axes, counts);
+        require(degrees, "degrees");
+        require(params, "params");
+        require(values, "values");
+        int64_t layer_count = 0;
+        for (const int64_t size : sizes) {
+            layer_count = checked_sum(layer_count, size, "params");
+        }
+        checked_array(layer_count, "params");
+        const std::vector<fit::AxisLayers> layers =
+            fit::layers_by_axis(sizes, checked_params(params, layer_count),
+                                orders == nullptr ? std::span<const int32_t>()
+                                                  : std::span(orders, static_cast<size_t>(layer_count)));
+        fit::PointGrid grid = checked_grid_of_layers(
+            std::move(sizes), {dim, values, value_stride, value_component_stride}, layers, flags);
+        give(fit::interpolate(checked_degrees(axes, degrees), layers, std::move(grid),
+                              checked_ends(axes, ends)),
+             out);
     });
 }
 
@@ -249,14 +339,30 @@ nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *pa
                                      uint32_t flags, nurbs **out) {
     return guard([&] {
         require_out(out);
-        check_degree(degree, -1);
-        check_at_least(n, 1, "n");
-        std::vector<double> values =
-            finite_points("targets", {dim, targets, target_stride, target_component_stride}, n);
-        const std::span<const double> places = checked_params(params, n);
-        const std::vector<fit::Condition> conditions = checked_conditions(degree, n, params, orders);
-        KnotVectorPtr over = knots_for(degree, places, knots, knot_count, flags);
-        give(fit::interpolate_conditions(std::move(over), conditions, dim, std::move(values)), out);
+        fit::CurveConditions given = checked_conditions(
+            degree, n, params, orders, {dim, targets, target_stride, target_component_stride});
+        KnotVectorPtr over = knots_for(degree, checked_params(params, n), knots, knot_count, flags);
+        give(fit::interpolate_conditions(std::move(given), std::move(over)), out);
+    });
+}
+
+nurbs_status nurbs_tangent_lengths(int32_t degree, int64_t n, const double *params, const int32_t *orders,
+                                   int32_t dim, const double *targets, int64_t target_stride,
+                                   int64_t target_component_stride, const double *knots, int64_t knot_count,
+                                   uint32_t flags, double *lengths) {
+    return guard([&] {
+        require(lengths, "lengths");
+        const fit::CurveConditions given = checked_conditions(
+            degree, n, params, orders, {dim, targets, target_stride, target_component_stride});
+        KnotVectorPtr over = knots_for(degree, checked_params(params, n), knots, knot_count, flags);
+        const Records out = output("lengths", lengths, n, 1, 1, 1);
+        check_overlap("lengths", out, "params", input("params", params, n, 1));
+        check_overlap("lengths", out, "targets",
+                      input("targets", targets, n, dim, target_stride, target_component_stride));
+        check_overlap("lengths", out, "knots", input("knots", knots, knot_count, 1));
+        check_overlap("lengths", lengths, n * 8, "orders", orders, orders == nullptr ? 0 : n * 4);
+        const std::vector<double> made = fit::tangent_lengths(given, std::move(over));
+        std::copy(made.begin(), made.end(), lengths);
     });
 }
 

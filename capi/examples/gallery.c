@@ -9,7 +9,7 @@
 #include "gallery/quadrics.h"
 #include "gallery/sweeps.h"
 
-enum { COLUMNS = 7, ROWS = 9 };
+enum { COLUMNS = 7, ROWS = 10 };
 
 int main(int argc, char **argv) {
     static gallery picture;

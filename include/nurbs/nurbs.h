@@ -453,6 +453,11 @@ enum {
 #define NURBS_ENDS_FREE 2    /**< knots averaged from the parameters, nurbs_knots_averaged(); both ends */
 /** @} */
 
+/** \name Orders of derivatives that are no number, for nurbs_curve_interpolate()
+ * @{ */
+#define NURBS_ORDER_DIRECTION (-1) /**< the first derivative has the direction of the target, of any length */
+/** @} */
+
 /** \name How smooth a fit is, for nurbs_fit_options
  * @{ */
 #define NURBS_SMOOTHING_NONE 0        /**< only the data count */
@@ -2288,16 +2293,58 @@ NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t 
                                                     int64_t point_component_stride, uint32_t flags,
                                                     nurbs **out);
 
+/** \brief The spline through points and given derivatives at the ends of axes: a grid in which layers of
+ * derivatives lie beside the layers of points at the first and last parameters of an axis. Layer i of axis k is
+ * of derivative orders[i] along the axis at params[i]; where layers of derivatives of two axes cross stand mixed
+ * derivatives (de Boor 1962). Heights at 3 x 4 places whose slopes at all four borders are known are
+ *
+ *     counts {5, 6}   params {0, 0, 1, 2, 2,  0, 0, 1, 2, 3, 3}   orders {0, 1, 0, 0, 1,  0, 1, 0, 0, 0, 1}
+ *
+ * where mixed derivatives stand in the four corners. One that is NaN is estimated, as the mean over its axes
+ * of the derivatives of polynomials of the degree of the axis through the nearest layers, which keeps
+ * polynomials and the order of the error. Knots are those of nurbs_interpolate(); at an end with m derivatives
+ * only the first degree / 2 - m inner knots are left out. Every polynomial spline over these knots, with these
+ * ends, is found again up to rounding. For an odd degree derivatives of orders 1 to degree / 2 make the
+ * complete spline (of a cubic: slopes), and those of orders (degree + 1) / 2 to degree - 1, if they are 0,
+ * natural ends. Conditions elsewhere than at ends: nurbs_curve_interpolate().
+ * \param[in] axes 1 to 3.
+ * \param[in] degrees [axes].
+ * \param[in] counts [axes] number of layers along each axis. Of those of order 0 there are as many as
+ *   nurbs_interpolate() needs, but for each derivative at an end one less; at least 2.
+ * \param[in] params [sum of counts] along each axis increasing, and equal only where orders rise.
+ * \param[in] orders [sum of counts] or NULL for 0: orders of derivatives, 0 first at each parameter, others only
+ *   at the first and last parameter of an axis that is not periodic: at most degree / 2 at each end, from 1 to
+ *   the degree.
+ * \param[in] dim dimension of the values.
+ * \param[in] values [counts[0]]...[counts[axes-1]][dim] points and derivatives; mixed ones may be NaN; on a
+ *   periodic axis the last layer repeats the first one bit for bit.
+ * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
+ * \param[in] ends [axes][2] or NULL for NURBS_ENDS_NOT_A_KNOT: as for nurbs_interpolate(), 0 where derivatives
+ *   are given, and no NURBS_ENDS_FREE beside these.
+ * \param[in] flags NURBS_PERIODIC for axes that are to be periodic.
+ * \param[out] out the new handle.
+ * \return as for nurbs_interpolate(), and NURBS_ERROR_ORDER for an order that is out of range, does not rise, or
+ *   is not at an end, or for too many of them; _POINT_NOT_FINITE does not name NaN of mixed derivatives.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t *degrees,
+                                                     const int64_t *counts, const double *params,
+                                                     const int32_t *orders, int32_t dim, const double *values,
+                                                     int64_t value_stride, int64_t value_component_stride,
+                                                     const int32_t *ends, uint32_t flags, nurbs **out);
+
 /** \brief The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever
  * orders in whichever places, as long as they determine a curve (Hermite's problem if each parameter has all
  * orders up to its highest one, else Birkhoff's). Clamped ends are derivatives at the first and last
- * parameter.
- * \param[in] degree of the curve.
+ * parameter. With NURBS_ORDER_DIRECTION the first derivative is a positive multiple of the target: of all
+ * lengths of such tangents those are taken for which the integral of |C''|^2 over the pieces of the curve is
+ * smallest, as nurbs_tangent_lengths() tells them. Other lengths are given derivatives, of order 1.
+ * \param[in] degree of the curve; with directions at least 2.
  * \param[in] n number of conditions, and of control points, > degree.
  * \param[in] params [n] that do not decrease, in the domain of the knots.
- * \param[in] orders [n] or NULL for 0: orders of derivatives, 0 to degree, rising where parameters are equal.
+ * \param[in] orders [n] or NULL for 0: orders of derivatives, 0 to degree, or NURBS_ORDER_DIRECTION, which is
+ *   of order 1; rising where parameters are equal.
  * \param[in] dim dimension of the targets.
- * \param[in] targets [n][dim] points and derivatives.
+ * \param[in] targets [n][dim] points, derivatives and directions of any length but 0.
  * \param[in] target_stride,target_component_stride layout of targets, 0 = packed.
  * \param[in] knots [knot_count] or NULL: a full knot vector; NULL for nurbs_knots_averaged() of the
  *   parameters.
@@ -2307,15 +2354,41 @@ NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t 
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE,
  *   _OVERFLOW, _FLAGS, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY,
  *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _ORDER for one that is negative, above
- *   the degree or not more than the one before at the same parameter, _KNOTS_DECREASING for knots or
- *   parameters that decrease, _SCHOENBERG_WHITNEY, _RANK if the conditions do not determine the curve,
- *   _NOT_REPRESENTABLE.
+ *   the degree or not more than the one before at the same parameter, or a direction with a degree below 2,
+ *   _KNOTS_DECREASING for knots or parameters that decrease, _SCHOENBERG_WHITNEY, _RANK if the conditions do
+ *   not determine the curve, or least energy not the lengths, _NOT_REPRESENTABLE; _DIRECTION for one that is 0,
+ *   _TANGENT naming a tangent that comes out against its direction, or with no length (not above 2^-40 of the
+ *   longest one), _NOT_CONVERGED if lengths are not found to 2^-26.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *params,
                                                const int32_t *orders, int32_t dim, const double *targets,
                                                int64_t target_stride, int64_t target_component_stride,
                                                const double *knots, int64_t knot_count, uint32_t flags,
                                                nurbs **out);
+
+/** \brief The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that make
+ * targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by 1, is the same,
+ * bit for bit. Negative ones, which that function refuses, are told too: there the energy is smallest with the
+ * tangent turned round. Lengths that are multiplied by a power of two, or directions, change nothing else.
+ * \param[in] degree as for nurbs_curve_interpolate().
+ * \param[in] n as for nurbs_curve_interpolate().
+ * \param[in] params [n] as for nurbs_curve_interpolate().
+ * \param[in] orders [n] or NULL for 0: as for nurbs_curve_interpolate().
+ * \param[in] dim as for nurbs_curve_interpolate().
+ * \param[in] targets [n][dim] as for nurbs_curve_interpolate().
+ * \param[in] target_stride,target_component_stride layout of targets, 0 = packed.
+ * \param[in] knots [knot_count] or NULL: as for nurbs_curve_interpolate().
+ * \param[in] knot_count as for nurbs_curve_interpolate().
+ * \param[in] flags as for nurbs_curve_interpolate().
+ * \param[out] lengths [n] the factor of each direction; 1 for all other conditions.
+ * \return as for nurbs_curve_interpolate() without _TANGENT, and NURBS_ERROR_OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_tangent_lengths(int32_t degree, int64_t n, const double *params,
+                                             const int32_t *orders, int32_t dim, const double *targets,
+                                             int64_t target_stride, int64_t target_component_stride,
+                                             const double *knots, int64_t knot_count, uint32_t flags,
+                                             double *lengths);
+
 /** \brief Derivatives at the points of a curve, each from a few points near it, so that nurbs_create_hermite()
  * makes a C^1 cubic that changes only near a point that moves. With the chords' slopes d_i = (P_(i+1) - P_i)
  * / h_i the tangent at P_i is

@@ -11,6 +11,17 @@
 
 namespace nrb::fit {
 
+namespace {
+
+void scale_rows(const std::vector<double> &scales, int64_t width, std::vector<double> &values) noexcept {
+    for (size_t i = 0; i < scales.size(); ++i) {
+        std::for_each_n(values.begin() + static_cast<std::ptrdiff_t>(i) * width, width,
+                        [&](double &x) { x *= scales[i]; });
+    }
+}
+
+} // namespace
+
 AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, std::vector<Condition> conditions, int axis)
     : knots_(std::move(knots)), conditions_(std::move(conditions)), axis_(axis) {
     const bool values_only =
@@ -122,10 +133,7 @@ void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const 
     const std::vector<double> start(values.begin(), values.begin() + width),
         end(values.begin() + last, values.end());
     if (direct_.has_value()) {
-        for (size_t i = 0; i < scales_.size(); ++i) {
-            std::for_each_n(values.begin() + static_cast<std::ptrdiff_t>(i) * width, width,
-                            [&](double &x) { x *= scales_[i]; });
-        }
+        scale_rows(scales_, width, values);
         direct_->solve(values.data(), width);
     } else {
         rotate(values, width);
@@ -163,6 +171,56 @@ void AxisInterpolation::rotate(std::vector<double> &values, int64_t width) const
     if (!system.solve(values.data())) {
         fail(Status::rank, "params: the conditions on axis %d do not determine the control points", axis_);
     }
+}
+
+void AxisInterpolation::solve_transposed(std::vector<double> &values, int64_t width) const {
+    if (direct_.has_value()) {
+        direct_->solve_transposed(values.data(), width);
+        return scale_rows(scales_, width, values);
+    }
+    rotate_transposed(values, width);
+}
+
+// An equation for each layer. Conditions of a wrapped function are those at the end of the domain, then those at its start.
+void AxisInterpolation::rotate_transposed(std::vector<double> &values, int64_t width) const {
+    struct Element {
+        int64_t condition;
+        double value;
+    };
+    const int p = knots_->degree();
+    const int64_t columns = conditions();
+    std::vector<std::vector<Element>> functions(static_cast<size_t>(columns + p));
+    std::vector<double> scales;
+    int64_t first = 0;
+    for (int64_t i = 0; i < columns; ++i) {
+        first = next_function(i, first);
+        double row[max_basis];
+        scales.push_back(read_scaled(i, first, row));
+        for (int j = 0; j <= p; ++j) {
+            functions[static_cast<size_t>(first + j)].push_back({i, row[j]});
+        }
+    }
+    for (size_t j = 0; knots_->periodic() && j < static_cast<size_t>(p); ++j) {
+        auto &wrapped = functions[static_cast<size_t>(columns) + j];
+        auto &own = functions[j % static_cast<size_t>(columns)];
+        own.insert(own.begin(), wrapped.begin(), wrapped.end());
+    }
+    int64_t bandwidth = 1;
+    std::for_each_n(functions.begin(), columns,
+                    [&](const auto &own) { bandwidth = std::max(bandwidth, std::ssize(own)); });
+    // Where a function reaches round the whole period its conditions are no neighbours.
+    const int64_t border = !knots_->periodic() ? 0 : 2 * bandwidth > columns ? columns : bandwidth - 1;
+    BandedLeastSquares system(columns, static_cast<int>(bandwidth), static_cast<int>(border), width);
+    for (int64_t j = 0; j < columns; ++j) {
+        for (const Element &element : functions[static_cast<size_t>(j)]) {
+            system.enter(element.condition, element.value);
+        }
+        system.add_entered(values.data() + j * width);
+    }
+    if (!system.solve(values.data())) {
+        fail(Status::rank, "params: the conditions on axis %d do not determine the control points", axis_);
+    }
+    scale_rows(scales, width, values);
 }
 
 } // namespace nrb::fit

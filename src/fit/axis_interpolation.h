@@ -28,9 +28,14 @@ public:
 
     [[nodiscard]] const KnotVectorPtr &knots() const noexcept { return knots_; }
     [[nodiscard]] int64_t conditions() const noexcept { return std::ssize(conditions_); }
+    [[nodiscard]] int order(int64_t i) const noexcept { return conditions_[static_cast<size_t>(i)].order; }
+    [[nodiscard]] double param(int64_t i) const noexcept { return conditions_[static_cast<size_t>(i)].param; }
     // values: [conditions][width], replaced by the layers of control points; a value at a clamped end is its control
     // point bit for bit. Throws Status::rank if the conditions do not determine them.
     void solve(std::vector<double> &values, int64_t width) const;
+    // Multipliers of the conditions from derivatives of something by the layers of control points, [conditions][width]:
+    // its derivatives by the right sides of the conditions, through solve().
+    void solve_transposed(std::vector<double> &values, int64_t width) const;
 
 private:
     // The first of the degree + 1 functions that are active at a condition, if that of the one before is known; and
@@ -44,6 +49,7 @@ private:
     [[nodiscard]] BandedLu empty_band(bool in_support, int64_t &below) const;
     [[noreturn]] void fail_outside_support(int64_t i) const;
     void rotate(std::vector<double> &values, int64_t width) const;
+    void rotate_transposed(std::vector<double> &values, int64_t width) const;
 
     KnotVectorPtr knots_;
     std::vector<Condition> conditions_;

@@ -6,6 +6,8 @@
 #include "base/representable.h"
 #include "base/watch.h"
 #include "eval/evaluate.h"
+#include "fit/mixed_derivatives.h"
+#include "fit/tangent_lengths.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -49,10 +51,20 @@ void scatter(const std::vector<double> &values, const GridLayers &of, int64_t st
     grid.points = std::move(points);
 }
 
+// Whether conditions belong to layers one by one.
+bool in_place(const std::vector<int64_t> &sources) noexcept {
+    for (size_t i = 0; i < sources.size(); ++i) {
+        if (sources[i] != static_cast<int64_t>(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sources, size_t k,
                 PointGrid &grid) {
     const GridLayers of = layers_of(grid, k);
-    if (of.outer == 1 && axis.knots()->count() == of.count && axis.conditions() == of.count) {
+    if (of.outer == 1 && axis.knots()->count() == of.count && in_place(sources)) {
         return axis.solve(grid.points, of.inner); // in place
     }
     std::vector<double> values = gathered(grid, of, sources);
@@ -80,40 +92,6 @@ void check_representable(const PointGrid &grid) {
     require_representable(grid.points, "control points");
 }
 
-// The values at the parameters, and zeros for what natural ends ask for; from which layers of the data they come.
-struct Conditions {
-    std::vector<Condition> conditions;
-    std::vector<int64_t> sources;
-
-    void add(double param, int order, int64_t source) {
-        conditions.push_back({param, order});
-        sources.push_back(source);
-    }
-    void add_natural(double param, End end, int degree) {
-        for (int order = degree - conditions_at(end, degree); order < degree; ++order) {
-            add(param, order, -1);
-        }
-    }
-};
-
-Conditions conditions_of(std::span<const double> params, int degree, Ends ends, bool periodic) {
-    Conditions all;
-    const auto count = params.size() + 2 * static_cast<size_t>(degree);
-    all.conditions.reserve(count);
-    all.sources.reserve(count);
-    const auto last = std::ssize(params) - 1;
-    all.add(params.front(), 0, 0);
-    all.add_natural(params.front(), ends[0], degree);
-    for (int64_t i = 1; i < last; ++i) {
-        all.add(params[static_cast<size_t>(i)], 0, i);
-    }
-    if (!periodic) {
-        all.add_natural(params.back(), ends[1], degree);
-        all.add(params.back(), 0, last);
-    }
-    return all;
-}
-
 void check_inside(double t, Interval domain, size_t k, int64_t index) {
     if (!(t >= domain.lower && t <= domain.upper)) {
         fail(Status::outside_domain, "params[%lld] = %s on axis %zu is outside the domain [%s, %s]",
@@ -137,18 +115,7 @@ void for_each_axis(const std::vector<int64_t> &counts, std::span<const double> p
 
 void check_params(std::span<const double> params, const std::vector<int64_t> &counts) {
     for_each_axis(counts, params, [](size_t k, std::span<const double> own, int64_t offset) {
-        for (size_t i = 0; i < own.size(); ++i) {
-            const long long at = offset + static_cast<long long>(i);
-            if (!std::isfinite(own[i])) {
-                fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at,
-                     Number(own[i]).text);
-            }
-            if (i > 0 && !(own[i] > own[i - 1])) {
-                fail(Status::knots_decreasing,
-                     "params[%lld] = %s on axis %zu, expected more than params[%lld] = %s", at,
-                     Number(own[i]).text, k, at - 1, Number(own[i - 1]).text);
-            }
-        }
+        check_layers({own, {}}, 0, false, k, offset);
     });
 }
 
@@ -160,22 +127,36 @@ void check_closed(const PointGrid &grid) {
     }
 }
 
-SplinePtr interpolate(const std::vector<int> &degrees, std::span<const double> params, PointGrid grid,
-                      const std::vector<Ends> &ends) {
-    check_params(params, grid.counts);
-    Spline::Axes axes(degrees.size());
-    const std::vector<int64_t> counts = grid.counts;
-    for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
-        axes[k] = interpolation_knots(degrees[k], own, ends[k], grid.periodic[k], static_cast<int>(k));
+std::vector<AxisLayers> layers_by_axis(const std::vector<int64_t> &counts, std::span<const double> params,
+                                       std::span<const int32_t> orders) {
+    std::vector<AxisLayers> axes;
+    for_each_axis(counts, params, [&](size_t, std::span<const double> own, int64_t offset) {
+        const auto first = static_cast<size_t>(offset);
+        axes.push_back({own, orders.empty() ? orders : orders.subspan(first, own.size())});
     });
+    return axes;
+}
+
+SplinePtr interpolate(const std::vector<int> &degrees, const std::vector<AxisLayers> &layers, PointGrid grid,
+                      const std::vector<Ends> &ends) {
+    int64_t first = 0;
+    Spline::Axes axes;
+    for (size_t k = 0; k < layers.size(); first += layers[k].count(), ++k) {
+        check_layers(layers[k], degrees[k], grid.periodic[k], k, first);
+    }
+    for (size_t k = 0; k < layers.size(); ++k) {
+        axes.push_back(interpolation_knots(degrees[k], layers[k].sites(), ends[k], grid.periodic[k],
+                                           static_cast<int>(k), layers[k].derivatives()));
+    }
     check_closed(grid);
+    estimate_mixed(layers, degrees, grid);
     Steps steps(std::ssize(axes));
-    for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
-        Conditions all = conditions_of(own, degrees[k], ends[k], grid.periodic[k]);
+    for (size_t k = 0; k < layers.size(); ++k) {
+        AxisConditions all = conditions_of(layers[k], degrees[k], ends[k], grid.periodic[k]);
         solve_axis(AxisInterpolation(axes[k], std::move(all.conditions), static_cast<int>(k)), all.sources, k,
                    grid);
         steps.next();
-    });
+    }
     check_representable(grid);
     return make_result(std::move(axes), grid.dim, Form::polynomial, std::move(grid.points));
 }
@@ -202,18 +183,37 @@ SplinePtr interpolate(const Spline::Axes &axes, std::span<const double> params, 
     return make_result(axes, grid.dim, Form::polynomial, std::move(grid.points));
 }
 
-SplinePtr interpolate_conditions(KnotVectorPtr knots, const std::vector<Condition> &conditions, int dim,
-                                 std::vector<double> targets) {
-    const auto [lower, upper] = knots->domain();
-    for (size_t i = 0; i < conditions.size(); ++i) {
-        check_inside(conditions[i].param, {lower, upper}, 0, static_cast<int64_t>(i));
+namespace {
+
+// Throws Status::outside_domain for a condition outside the knots, and what AxisInterpolation does.
+AxisInterpolation checked_axis(const CurveConditions &given, KnotVectorPtr knots) {
+    for (size_t i = 0; i < given.conditions.size(); ++i) {
+        check_inside(given.conditions[i].param, knots->domain(), 0, static_cast<int64_t>(i));
     }
-    PointGrid grid{{std::ssize(conditions)}, dim, std::move(targets)};
-    std::vector<int64_t> sources(conditions.size());
+    return {std::move(knots), given.conditions, 0};
+}
+
+} // namespace
+
+std::vector<double> tangent_lengths(const CurveConditions &given, KnotVectorPtr knots) {
+    return tangent_lengths(checked_axis(given, std::move(knots)), given.directions, given.dim, given.targets);
+}
+
+SplinePtr interpolate_conditions(CurveConditions given, KnotVectorPtr knots) {
+    const AxisInterpolation axis = checked_axis(given, knots);
+    if (!given.directions.empty()) {
+        const std::vector<double> lengths = tangent_lengths(axis, given.directions, given.dim, given.targets);
+        check_along(given.directions, given.dim, given.targets, lengths);
+        for (size_t i = 0; i < given.targets.size(); ++i) {
+            given.targets[i] *= lengths[i / static_cast<size_t>(given.dim)];
+        }
+    }
+    PointGrid grid{{std::ssize(given.conditions)}, given.dim, std::move(given.targets)};
+    std::vector<int64_t> sources(given.conditions.size());
     std::iota(sources.begin(), sources.end(), 0);
-    solve_axis(AxisInterpolation(knots, conditions, 0), sources, 0, grid);
+    solve_axis(axis, sources, 0, grid);
     check_representable(grid);
-    return make_result({std::move(knots)}, dim, Form::polynomial, std::move(grid.points));
+    return make_result({std::move(knots)}, grid.dim, Form::polynomial, std::move(grid.points));
 }
 
 double largest_miss(const Spline &spline, std::span<const double> params, const PointGrid &grid) {

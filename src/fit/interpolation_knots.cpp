@@ -26,6 +26,20 @@ void check_ends(int degree, Ends ends, bool periodic, int axis) {
     }
 }
 
+void check_derivatives(int degree, Ends ends, std::array<int, 2> derivatives, int axis) {
+    for (size_t e = 0; e < ends.size(); ++e) {
+        if (derivatives[e] > 0 && ends[e] != End::not_a_knot) {
+            fail(Status::rule, "ends[%d][%zu] = %d, expected 0 where derivatives are given", axis, e,
+                 static_cast<int>(ends[e]));
+        }
+        if (derivatives[e] > degree / 2) {
+            fail(Status::order,
+                 "orders: %d derivatives at the %s of axis %d, expected at most %d, half the degree",
+                 derivatives[e], e == 0 ? "start" : "end", axis, degree / 2);
+        }
+    }
+}
+
 void check_count(size_t count, int64_t least, int axis) {
     if (static_cast<int64_t>(count) < least) {
         fail(Status::too_few_points, "counts[%d] = %zu, expected at least %lld for the degree and the ends",
@@ -41,9 +55,10 @@ std::vector<double> middles_of(std::span<const double> params) {
     return middles;
 }
 
-std::vector<double> open_knots(int degree, std::span<const double> params, Ends ends, int axis) {
-    const auto skipped = [&](End end) { return end == End::natural ? 0 : degree / 2; };
-    const int start = skipped(ends[0]), end = skipped(ends[1]);
+std::vector<double> open_knots(int degree, std::span<const double> params, Ends ends,
+                               std::array<int, 2> derivatives, int axis) {
+    const auto skipped = [&](size_t e) { return ends[e] == End::natural ? 0 : degree / 2 - derivatives[e]; };
+    const int start = skipped(0), end = skipped(1);
     check_count(params.size(), std::max<int64_t>(2, start + end + (degree % 2 == 0 ? 1 : 2)), axis);
     const std::vector<double> middles = degree % 2 == 0 ? middles_of(params) : std::vector<double>();
     const std::span<const double> places =
@@ -84,12 +99,14 @@ std::vector<double> closed_knots(int degree, std::span<const double> params, int
 } // namespace
 
 KnotVectorPtr interpolation_knots(int degree, std::span<const double> params, Ends ends, bool periodic,
-                                  int axis) {
+                                  int axis, std::array<int, 2> derivatives) {
     check_degree(degree, axis);
     check_ends(degree, ends, periodic, axis);
-    std::vector<double> knots = periodic                   ? closed_knots(degree, params, axis)
-                                : ends[0] == End::averaged ? averaged(degree, params, axis)
-                                                           : open_knots(degree, params, ends, axis);
+    check_derivatives(degree, ends, derivatives, axis);
+    std::vector<double> knots = periodic ? closed_knots(degree, params, axis)
+                                : ends[0] == End::averaged
+                                    ? averaged(degree, params, axis)
+                                    : open_knots(degree, params, ends, derivatives, axis);
     return make_knot_vector(degree, std::move(knots), periodic, axis);
 }
 

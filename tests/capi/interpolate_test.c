@@ -160,6 +160,139 @@ static void conditions(void) {
         NURBS_ERROR_RANK, "axis 0");
 }
 
+/* One cubic from (0, 0) to (1, 0) that starts along (1, 1) and ends along (1, -1), which are perpendicular: of the energy
+   8 a^2 + 8 b^2 - 12 a - 12 b + 12 of tangents a (1, 1) and b (1, -1) the least one is at a = b = 3/4. In one dimension a
+   direction is a sign, and the energy of slopes a and b is that of a line. */
+static void directions(void) {
+    nurbs *g = NULL;
+    const int32_t orders[] = {0, NURBS_ORDER_DIRECTION, 0, NURBS_ORDER_DIRECTION};
+    const double *at = VALUES(0, 0, 1, 1), *targets = VALUES(0, 0, 1, 1, 1, 0, 4, -4);
+    double lengths[4] = {-7, -7, -7, -7};
+    CHECK_OK(nurbs_tangent_lengths(3, 4, at, orders, 2, targets, 0, 0, NULL, 0, 0, lengths));
+    CHECK_NEAR(lengths, VALUES(1, 0.75, 1, 0.1875), 4, 1e-15);
+    CHECK_OK(nurbs_curve_interpolate(3, 4, at, orders, 2, targets, 0, 0, NULL, 0, 0, &g));
+    CHECK_POINTS(g, VALUES(0, 0, 0.25, 0.25, 0.75, 0.25, 1, 0));
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_tangent_lengths(3, 4, at, orders, 1, VALUES(5, -1, 7, 3), 0, 0, NULL, 0, 0, lengths));
+    CHECK_NEAR(lengths, VALUES(1, -2, 1, 2 / 3.0), 4, 1e-14);
+    CHECK_NO_HANDLE(g,
+                    nurbs_curve_interpolate(3, 4, at, orders, 1, VALUES(5, -1, 7, 3), 0, 0, NULL, 0, 0, &g),
+                    NURBS_ERROR_TANGENT, "targets[1]|-2");
+}
+
+static void refused_directions(void) {
+    nurbs *g = NULL;
+    const int32_t orders[] = {0, -1, 0, -1}, twice[] = {0, 1, -1, 0}, other[] = {0, -2, 0, 0};
+    const double *at = VALUES(0, 0, 1, 1), *targets = VALUES(0, 1, 1, 1);
+    double lengths[4] = {-7, -7, -7, -7};
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, targets, 0, 0, NULL, 0, 0, NULL), NURBS_ERROR_NULL,
+                "lengths");
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, NULL, orders, 1, targets, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_NULL, "params");
+    CHECK_FAILS(nurbs_tangent_lengths(-3, 4, at, orders, 1, NULL, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_NULL, "targets");
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, VALUES(0, 0, 1, 1), 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_DIRECTION, "targets[1]");
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, VALUES(0, 0, 0, 1), twice, 1, targets, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_ORDER, "orders[2]|orders[1]");
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, other, 1, targets, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_ORDER, "orders[1] = -2");
+    CHECK_FAILS(nurbs_tangent_lengths(1, 4, at, orders, 1, targets, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_ORDER, "orders[1] = -1|degree of at least 2");
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, targets, 0, 0, NULL, 3, 0, lengths),
+                NURBS_ERROR_SIZE, "knot_count = 3");
+    CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, lengths, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_OVERLAP, "lengths|targets");
+    CHECK_DOUBLES(lengths, VALUES(-7, -7, -7, -7), 4);
+    CHECK_NO_HANDLE(g, nurbs_curve_interpolate(3, 4, at, orders, 1, VALUES(0, 0, 1, 1), 0, 0, NULL, 0, 0, &g),
+                    NURBS_ERROR_DIRECTION, "targets[1]");
+}
+
+/* A line with a corner where the curve may have one bends nowhere, whatever its slopes. */
+static void directions_beside_a_corner(void) {
+    const int32_t orders[] = {0, -1, -1, -1, 0};
+    double lengths[5] = {-7, -7, -7, -7, -7};
+    CHECK_FAILS(nurbs_tangent_lengths(2, 5, VALUES(0, 0.25, 0.75, 1.25, 2), orders, 1, VALUES(0, 1, 1, 1, 6),
+                                      0, 0, VALUES(0, 0, 0, 1, 1, 2, 2, 2), 8, 0, lengths),
+                NURBS_ERROR_RANK, "lengths of the tangents");
+    CHECK_DOUBLES(lengths, VALUES(-7, -7, -7, -7, -7), 5);
+}
+
+/* x^3 y^2 over [0, 1]^2 from its corners: values, slopes at all borders, mixed derivatives in the corners. Heights at 2 x 2
+   places whose mixed derivatives are not known are those of planes over the borders, here of x + 2 y. */
+static void heights_with_slopes(void) {
+    nurbs *g = NULL;
+    const int32_t degrees[] = {3, 2}, orders[] = {0, 1, 0, 1, 0, 0, 1}, cubics[] = {3, 3},
+                  all[] = {0, 1, 0, 1, 0, 1, 0, 1};
+    const int64_t counts[] = {4, 3}, square[] = {4, 4};
+    const double values[4][3] = {{0, 0, 0}, {0, 0, 0}, {0, 1, 2}, {0, 3, 6}};
+    CHECK_OK(nurbs_interpolate_derivatives(2, degrees, counts, VALUES(0, 0, 1, 1, 0, 1, 1), orders, 1,
+                                           values[0], 0, 0, NULL, 0, &g));
+    CHECK_KNOTS(g, 0, VALUES(0, 0, 0, 0, 1, 1, 1, 1));
+    double made[16], wanted[16];
+    CHECK_OK(nurbs_points(g, 12, made, 0, 0));
+    CHECK_NEAR(made, VALUES(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1), 12, 1e-15);
+    nurbs_destroy(g);
+    const double plane[4][4] = {{0, 2, 2, 2}, {1, NAN, 1, NAN}, {1, 2, 3, 2}, {1, NAN, 1, NAN}};
+    CHECK_OK(nurbs_interpolate_derivatives(2, cubics, square, VALUES(0, 0, 1, 1, 0, 0, 1, 1), all, 1,
+                                           plane[0], 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_points(g, 16, made, 0, 0));
+    for (int i = 0; i < 16; ++i) {
+        wanted[i] = (i / 4 + 2 * (i % 4)) / 3.0;
+    }
+    CHECK_NEAR(made, wanted, 16, 1e-15);
+    nurbs_destroy(g);
+}
+
+static void refused_grids(void) {
+    nurbs *g = NULL;
+    const int32_t degrees[] = {3, 3}, orders[] = {0, 1, 0, 0, 0}, inside[] = {0, 0, 1, 0, 0},
+                  first[] = {1, 0, 0, 0, 0}, many[] = {0, 1, 2, 0, 0}, high[] = {0, 4, 0, 0, 0},
+                  natural[] = {1, 0}, falling[] = {0, 2, 1, 0, 0};
+    const int64_t counts[] = {5, 5};
+    const double *at = VALUES(0, 0, 1, 2, 3), *y = VALUES(1, 2, 3, 4, 1), *three = VALUES(0, 0, 0, 2, 3);
+    CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, NULL, counts, at, orders, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_NULL, "degrees");
+    CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, degrees, NULL, at, orders, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_NULL, "counts");
+    CHECK_NO_HANDLE(g,
+                    nurbs_interpolate_derivatives(1, degrees, counts, NULL, orders, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_NULL, "params");
+    CHECK_NO_HANDLE(g,
+                    nurbs_interpolate_derivatives(1, degrees, counts, at, orders, 1, NULL, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_NULL, "values");
+    CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, degrees, counts, at, NULL, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_KNOTS_DECREASING, "params[1] = 0|params[0] = 0");
+    CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, degrees, counts, at, first, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_ORDER, "orders[0] = 1|first");
+    CHECK_NO_HANDLE(g,
+                    nurbs_interpolate_derivatives(1, degrees, counts, VALUES(0, 1, 1, 2, 3), inside, 1, y, 0,
+                                                  0, NULL, 0, &g),
+                    NURBS_ERROR_ORDER, "orders[2] = 1|end of axis 0");
+    CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, degrees, counts, at, high, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_ORDER, "orders[1] = 4|3, the degree");
+    CHECK_NO_HANDLE(
+        g, nurbs_interpolate_derivatives(1, degrees, counts, three, falling, 1, y, 0, 0, NULL, 0, &g),
+        NURBS_ERROR_ORDER, "orders[2] = 1|orders[1] = 2");
+    CHECK_NO_HANDLE(g,
+                    nurbs_interpolate_derivatives(1, degrees, counts, three, many, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_ORDER, "2 derivatives at the start of axis 0|at most 1");
+    CHECK_NO_HANDLE(g,
+                    nurbs_interpolate_derivatives(1, degrees, counts, at, orders, 1, y, 0, 0, natural, 0, &g),
+                    NURBS_ERROR_RULE, "ends[0][0] = 1");
+    CHECK_NO_HANDLE(
+        g,
+        nurbs_interpolate_derivatives(1, degrees, counts, at, orders, 1, y, 0, 0, NULL, NURBS_PERIODIC, &g),
+        NURBS_ERROR_ORDER, "orders[1] = 1|axis 0");
+    CHECK_NO_HANDLE(g,
+                    nurbs_interpolate_derivatives(1, degrees, counts, at, orders, 1, VALUES(1, NAN, 3, 4, 5),
+                                                  0, 0, NULL, 0, &g),
+                    NURBS_ERROR_POINT_NOT_FINITE, "values[1][0]");
+    const int64_t two = 3;
+    CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, degrees, &two, at, orders, 1, y, 0, 0, NULL, 0, &g),
+                    NURBS_ERROR_TOO_FEW_POINTS, "at least 3");
+}
+
 static void refused_curves(void) {
     nurbs *g = NULL;
     const double *line = VALUES(0, 1, 2, 3), *at = VALUES(0, 1, 2, 3);
@@ -305,6 +438,11 @@ int main(void) {
     a_parabola();
     a_natural_cubic();
     conditions();
+    directions();
+    refused_directions();
+    directions_beside_a_corner();
+    heights_with_slopes();
+    refused_grids();
     refused_curves();
     refused_interpolations();
     the_condition_of_schoenberg_and_whitney();

@@ -1,6 +1,7 @@
 // Interpolation: points come back, mistakes are told, and nothing is written by a refused call.
 #include "fuzz/harness.h"
 
+#include <cmath>
 #include <cstddef>
 
 using fuzz::Input;
@@ -114,6 +115,38 @@ void interpolate(Input &in, const Grid &grid) {
     FUZZ_REQUIRE(made ? residual >= 0 : residual == -7);
 }
 
+// Some layers turned into derivatives, and some values into what may be unknown.
+void derivatives(Input &in, Grid grid) {
+    std::vector<int32_t> orders(grid.params.size(), 0);
+    size_t first = 0;
+    for (const int64_t count : grid.counts) {
+        const size_t last = first + static_cast<size_t>(count) - 1;
+        if (count > 2 && in.coin()) {
+            grid.params[first + 1] = grid.params[first];
+            orders[first + 1] = in.rarely() ? in.bad_int() : 1 + in.below(3);
+        }
+        if (count > 3 && in.coin()) {
+            grid.params[last] = grid.params[last - 1];
+            orders[last] = in.rarely() ? in.bad_int() : 1 + in.below(3);
+        }
+        first = last + 1;
+    }
+    for (double &value : grid.points) {
+        value = in.rarely() ? std::nan("") : value;
+    }
+    std::vector<int32_t> ends;
+    for (int i = 0; i < 2 * grid.axes(); ++i) {
+        ends.push_back(in.rarely() ? in.below(3) : 0);
+    }
+    nurbs *out = fuzz::poison();
+    const fuzz::Handle made(FUZZ_MADE(
+        nurbs_interpolate_derivatives(grid.axes(), grid.degrees.data(), grid.counts.data(),
+                                      grid.params.data(), in.rarely() ? nullptr : orders.data(), grid.dim,
+                                      grid.points.data(), 0, 0, in.coin() ? ends.data() : nullptr,
+                                      in.rarely() ? grid.flags : 0, &out),
+        out));
+}
+
 void over_knots(Input &in, const Grid &grid) {
     std::vector<double> knots;
     for (size_t k = 0; k < grid.counts.size(); ++k) {
@@ -132,6 +165,7 @@ void over_knots(Input &in, const Grid &grid) {
         out));
 }
 
+// Lengths of directions are told, or nothing is written; the curve has no fewer mistakes than they.
 void conditions(Input &in, const Grid &grid) {
     const int64_t n = grid.counts[0];
     std::vector<int32_t> orders;
@@ -141,12 +175,23 @@ void conditions(Input &in, const Grid &grid) {
         params.push_back(again ? params.back() : grid.params[static_cast<size_t>(i)]);
         orders.push_back(in.rarely() ? in.bad_int() : again ? std::min(orders.back(), 40) + 1 : in.below(2));
     }
+    for (int32_t &order : orders) {
+        order = order == 1 && in.coin() ? NURBS_ORDER_DIRECTION : order;
+    }
+    const int32_t *const given = in.below(4) > 0 ? orders.data() : nullptr;
+    const uint32_t flags = in.rarely() ? grid.flags : 0;
     nurbs *out = fuzz::poison();
     const fuzz::Handle made(
-        FUZZ_MADE(nurbs_curve_interpolate(grid.degrees[0], n, params.data(),
-                                          in.coin() ? orders.data() : nullptr, grid.dim, grid.points.data(),
-                                          0, 0, nullptr, 0, in.rarely() ? grid.flags : 0, &out),
+        FUZZ_MADE(nurbs_curve_interpolate(grid.degrees[0], n, params.data(), given, grid.dim,
+                                          grid.points.data(), 0, 0, nullptr, 0, flags, &out),
                   out));
+    std::vector<double> lengths(static_cast<size_t>(n), -7);
+    const bool told =
+        FUZZ_OK(nurbs_tangent_lengths(grid.degrees[0], n, params.data(), given, grid.dim, grid.points.data(),
+                                      0, 0, nullptr, 0, flags, lengths.data()));
+    FUZZ_REQUIRE(told || !made);
+    FUZZ_REQUIRE(std::all_of(lengths.begin(), lengths.end(),
+                             [told](double length) { return told ? std::isfinite(length) : length == -7; }));
 }
 
 } // namespace
@@ -158,6 +203,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     universal(in);
     tangents(in, grid);
     interpolate(in, grid);
+    derivatives(in, grid);
     over_knots(in, grid);
     conditions(in, grid);
     return 0;

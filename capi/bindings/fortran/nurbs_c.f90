@@ -1172,6 +1172,20 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_interpolate_over_knots
+        !> The spline through points and given derivatives at the ends of axes: a grid in which layers of
+        !> derivatives lie beside the layers of points at the first and last parameters of an axis.
+        function nurbs_interpolate_derivatives(axes, degrees, counts, params, orders, dim, values, &
+                value_stride, value_component_stride, ends, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*), values(*)
+            integer(c_int32_t), intent(in), optional :: orders(*), ends(*)
+            integer(c_int64_t), value :: value_stride, value_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_interpolate_derivatives
         !> The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever
         !> orders in whichever places, as long as they determine a curve (Hermite's problem if each parameter
         !> has all orders up to its highest one, else Birkhoff's).
@@ -1186,6 +1200,20 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_interpolate
+        !> The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that
+        !> make targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by
+        !> 1, is the same, bit for bit.
+        function nurbs_tangent_lengths(degree, n, params, orders, dim, targets, target_stride, &
+                target_component_stride, knots, knot_count, flags, lengths) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree, dim, flags
+            integer(c_int64_t), value :: n, target_stride, target_component_stride, knot_count
+            real(c_double), intent(in) :: params(*), targets(*)
+            integer(c_int32_t), intent(in), optional :: orders(*)
+            real(c_double), intent(in), optional :: knots(*)
+            real(c_double), intent(inout) :: lengths(*)
+            integer(c_int32_t) :: r
+        end function nurbs_tangent_lengths
         !> Derivatives at the points of a curve, each from a few points near it, so that
         !> nurbs_create_hermite() makes a C^1 cubic that changes only near a point that moves.
         function nurbs_tangents(rule, n, params, dim, points, point_stride, point_component_stride, flags, &

@@ -225,6 +225,10 @@ module nurbs_constants
     ! knots averaged from the parameters, nurbs_knots_averaged(); both ends
     integer(c_int32_t), parameter :: NURBS_ENDS_FREE = 2
 
+    ! --- Orders of derivatives that are no number, for nurbs_curve_interpolate()
+    ! the first derivative has the direction of the target, of any length
+    integer(c_int32_t), parameter :: NURBS_ORDER_DIRECTION = -1
+
     ! --- How smooth a fit is, for nurbs_fit_options
     integer(c_int32_t), parameter :: NURBS_SMOOTHING_NONE = 0  ! only the data count
     integer(c_int32_t), parameter :: NURBS_SMOOTHING_LAMBDA = 1  ! the factor of the penalty is given

@@ -59,6 +59,49 @@ static void through_conditions(gallery *p) {
     show_curve(p, "curve_interpolate", g);
 }
 
+/* Tangents of which only the directions are known: what least energy makes of their lengths. */
+static void along_directions(gallery *p) {
+    const double params[6] = {0, 0, 1, 1, 2, 2};
+    const int32_t orders[6] = {0, NURBS_ORDER_DIRECTION, 0, NURBS_ORDER_DIRECTION, 0, NURBS_ORDER_DIRECTION};
+    const double targets[6][2] = {{0, 0}, {0, 0.7}, {1, 1}, {0.7, -0.2}, {2, 0}, {0, -0.7}};
+    double lengths[6];
+    nurbs *g;
+    int i;
+    check(nurbs_tangent_lengths(3, 6, params, orders, 2, targets[0], 0, 0, NULL, 0, 0, lengths));
+    check(nurbs_curve_interpolate(3, 6, params, orders, 2, targets[0], 0, 0, NULL, 0, 0, &g));
+    for (i = 0; i < 6; i += 2) {
+        add_given(p, targets[i], targets[i + 1]);
+    }
+    printf("tangents are %g, %g and %g times as long as given\n", lengths[1], lengths[3], lengths[5]);
+    show_curve(p, "curve_interpolate, DIRECTION", g);
+}
+
+/* Heights at 3 x 3 places of a hill whose borders are level: slopes of 0 across them, and mixed derivatives in the corners. */
+static void with_slopes(gallery *p) {
+    const int32_t degrees[2] = {3, 3}, orders[10] = {0, 1, 0, 0, 1, 0, 1, 0, 0, 1};
+    const int64_t counts[2] = {5, 5};
+    const double params[10] = {0, 0, 1, 2, 2, 0, 0, 1, 2, 2};
+    const double at[5] = {0, 1, 1, 2, 1}; /* a place, or how it moves where a layer is of derivatives */
+    const double heights[5][5] = {
+        {0, 0, 0.3, 0, 0}, {0, 0, 0, 0, 0}, {0.3, 0, 1.4, 0.3, 0}, {0, 0, 0.3, 0, 0}, {0, 0, 0, 0, 0}};
+    double values[5][5][3];
+    nurbs *g;
+    int i, j;
+    for (i = 0; i < 5; ++i) {
+        for (j = 0; j < 5; ++j) {
+            values[i][j][0] = orders[j] == 0 ? at[i] : 0;
+            values[i][j][1] = orders[i] == 0 ? at[j] : 0;
+            values[i][j][2] = heights[i][j];
+            if (orders[i] == 0 && orders[j] == 0) {
+                add_dots(p, "given", values[i][j], 1, 3);
+            }
+        }
+    }
+    check(nurbs_interpolate_derivatives(2, degrees, counts, params, orders, 3, values[0][0], 0, 0, NULL, 0,
+                                        &g));
+    show_surface(p, "interpolate_derivatives", g, 24, 24, OPEN);
+}
+
 /* A step, once as it is and once with a swing before it. */
 static void by_tangents(gallery *p) {
     static const char *const labels[] = {"tangents, AKIMA", "tangents, MONOTONE"};
@@ -125,8 +168,10 @@ static void show_fits(gallery *p) {
     over_knots(p);
     over_even_knots(p);
     through_conditions(p);
+    along_directions(p);
     by_tangents(p);
     through_heights(p);
+    with_slopes(p);
 }
 
 #endif

@@ -25,6 +25,9 @@ inline constexpr std::int32_t ends_not_a_knot = NURBS_ENDS_NOT_A_KNOT;
 inline constexpr std::int32_t ends_natural = NURBS_ENDS_NATURAL;
 inline constexpr std::int32_t ends_free = NURBS_ENDS_FREE;
 
+/// Orders of derivatives that are no number.
+inline constexpr std::int32_t order_direction = NURBS_ORDER_DIRECTION;
+
 /// Rules for tangents at points.
 inline constexpr std::int32_t tangents_catmull_rom = NURBS_TANGENTS_CATMULL_ROM;
 inline constexpr std::int32_t tangents_bessel = NURBS_TANGENTS_BESSEL;
@@ -84,6 +87,23 @@ inline Returned<Spline> interpolate_over_knots(View<std::int32_t> degrees, View<
                                 points.data(), points.stride(), points.component_stride(), flags);
 }
 
+/// The spline through layers of points and, at the ends of axes, of derivatives; mixed ones may be NaN.
+inline Returned<Spline> interpolate_derivatives(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                                View<double> params, View<std::int32_t> orders,
+                                                std::int32_t dim, Input values, View<std::int32_t> ends = {},
+                                                std::uint32_t flags = 0) {
+    const std::int64_t axes = detail::length(degrees);
+    detail::require(counts, axes, "counts");
+    detail::require_given(ends, 2 * axes, "ends");
+    const std::int64_t total = detail::sum(counts);
+    detail::require(params, total, "params");
+    detail::require(orders, total, "orders");
+    values.require(detail::product<std::int64_t>(counts), dim, "values");
+    return detail::made<Spline>(nurbs_interpolate_derivatives, detail::axes_of(degrees), degrees.data(),
+                                counts.data(), params.data(), orders.data(), dim, values.data(),
+                                values.stride(), values.component_stride(), detail::pointer(ends), flags);
+}
+
 /// The curve with given points and derivatives; without orders, points; without knots, averaged ones.
 inline Returned<Spline> curve_interpolate(std::int32_t degree, View<double> params, std::int32_t dim,
                                           Input targets, View<std::int32_t> orders = {},
@@ -94,6 +114,21 @@ inline Returned<Spline> curve_interpolate(std::int32_t degree, View<double> para
     return detail::made<Spline>(nurbs_curve_interpolate, degree, n, params.data(), detail::pointer(orders),
                                 dim, targets.data(), targets.stride(), targets.component_stride(),
                                 detail::pointer(knots), detail::length(knots), flags);
+}
+
+/// The factors that make derivatives of targets of which curve_interpolate() is told the directions.
+inline Returned<std::vector<double>> tangent_lengths(std::int32_t degree, View<double> params,
+                                                     std::int32_t dim, Input targets,
+                                                     View<std::int32_t> orders, View<double> knots = {},
+                                                     std::uint32_t flags = 0) {
+    const std::int64_t n = detail::length(params);
+    targets.require(n, dim, "targets");
+    detail::require(orders, n, "orders");
+    std::vector<double> values = detail::room(n);
+    detail::call(nurbs_tangent_lengths, degree, n, params.data(), orders.data(), dim, targets.data(),
+                 targets.stride(), targets.component_stride(), detail::pointer(knots), detail::length(knots),
+                 flags, values.data());
+    return values;
 }
 
 /// Derivatives at the points of a curve from the points near them, as create_hermite() takes them.

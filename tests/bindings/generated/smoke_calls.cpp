@@ -350,14 +350,39 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("interpolate_derivatives");
+        const auto found = n::interpolate_derivatives({3, 2}, {5, 3}, {0.0, 0.0, 0.5, 1.0, 1.0, 0.0, 0.5, 1.0}, {0, 1, 0, 0, 1, 0, 0, 0}, 1, {0.0, 1.0, 2.0, 1.0, 1.0, 1.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 0.0, 0.0, 0.0}, {}, 0u);
+        show("out", found);
+    }
+    {
+        begin("interpolate_derivatives ends");
+        const auto found = n::interpolate_derivatives({3, 3}, {4, 4}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.5, 0.75, 1.0}, {0, 1, 0, 1, 0, 0, 0, 0}, 1, {0.0, 1.0, 2.0, 1.0, 1.0, 1.0, 3.0, 0.5, 5.0, 6.0, 7.0, 8.0, 1.0, 0.0, 0.0, 1.0}, {0, 0, 1, 1}, 0u);
+        show("out", found);
+    }
+    {
         begin("curve_interpolate");
         const auto found = n::curve_interpolate(3, {0.0, 0.0, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0}, {0, 1, 0, 1}, {}, 0u);
+        show("out", found);
+    }
+    {
+        begin("curve_interpolate directions");
+        const auto found = n::curve_interpolate(3, {0.0, 0.0, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0}, {0, -1, 0, -1}, {}, 0u);
         show("out", found);
     }
     {
         begin("curve_interpolate over knots");
         const auto found = n::curve_interpolate(2, {0.0, 0.5, 1.0}, 1, {0.0, 1.0, 0.0}, {}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 0u);
         show("out", found);
+    }
+    {
+        begin("tangent_lengths");
+        const auto found = n::tangent_lengths(3, {0.0, 0.0, 1.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0}, {0, -1, 0, -1}, {}, 0u);
+        show("lengths", found);
+    }
+    {
+        begin("tangent_lengths over knots");
+        const auto found = n::tangent_lengths(2, {0.0, 0.0, 1.0}, 2, {0.0, 0.0, 1.0, 0.0, 2.0, 1.0}, {0, -1, 0}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 0u);
+        show("lengths", found);
     }
     by_hand("data_init");
     {

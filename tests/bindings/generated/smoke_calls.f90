@@ -544,12 +544,39 @@ contains
                 flags=0)
             call show('out', out_found)
         end block
+        call begin('interpolate_derivatives')
+        block
+            type(nurbs_spline) :: out_found
+            call interpolate_derivatives(degrees=[3, 2], counts=[5, 3], params=[0.0d0, 0.0d0, 0.5d0, 1.0d0, 1.0d0, &
+                0.0d0, 0.5d0, 1.0d0], orders=[0, 1, 0, 0, 1, 0, 0, 0], &
+                values=reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0, 3.0d0, 4.0d0, 5.0d0, 6.0d0, 7.0d0, 8.0d0, &
+                0.0d0, 0.0d0, 0.0d0], [15, 1], order=[2, 1]), out=out_found, flags=0)
+            call show('out', out_found)
+        end block
+        call begin('interpolate_derivatives ends')
+        block
+            type(nurbs_spline) :: out_found
+            call interpolate_derivatives(degrees=[3, 3], counts=[4, 4], params=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, &
+                0.5d0, 0.75d0, 1.0d0], orders=[0, 1, 0, 1, 0, 0, 0, 0], &
+                values=reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0, 3.0d0, 0.5d0, 5.0d0, 6.0d0, 7.0d0, 8.0d0, &
+                1.0d0, 0.0d0, 0.0d0, 1.0d0], [16, 1], order=[2, 1]), out=out_found, &
+                ends=reshape([0, 0, 1, 1], [2, 2], order=[2, 1]), flags=0)
+            call show('out', out_found)
+        end block
         call begin('curve_interpolate')
         block
             type(nurbs_spline) :: out_found
             call curve_interpolate(degree=3, params=[0.0d0, 0.0d0, 1.0d0, 1.0d0], &
                 targets=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0], [4, 2], order=[2, 1]), &
                 out=out_found, orders=[0, 1, 0, 1], flags=0)
+            call show('out', out_found)
+        end block
+        call begin('curve_interpolate directions')
+        block
+            type(nurbs_spline) :: out_found
+            call curve_interpolate(degree=3, params=[0.0d0, 0.0d0, 1.0d0, 1.0d0], &
+                targets=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0], [4, 2], order=[2, 1]), &
+                out=out_found, orders=[0, (-1), 0, (-1)], flags=0)
             call show('out', out_found)
         end block
         call begin('curve_interpolate over knots')
@@ -559,6 +586,24 @@ contains
                 targets=reshape([0.0d0, 1.0d0, 0.0d0], [3, 1], order=[2, 1]), out=out_found, knots=[0.0d0, 0.0d0, &
                 0.0d0, 1.0d0, 1.0d0, 1.0d0], flags=0)
             call show('out', out_found)
+        end block
+        call begin('tangent_lengths')
+        block
+            real(c_double), allocatable :: lengths_found(:)
+            allocate (lengths_found(4))
+            call tangent_lengths(degree=3, params=[0.0d0, 0.0d0, 1.0d0, 1.0d0], &
+                targets=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0, 1.0d0, 1.0d0], [4, 2], order=[2, 1]), &
+                orders=[0, (-1), 0, (-1)], lengths=lengths_found, flags=0)
+            call show('lengths', lengths_found)
+        end block
+        call begin('tangent_lengths over knots')
+        block
+            real(c_double), allocatable :: lengths_found(:)
+            allocate (lengths_found(3))
+            call tangent_lengths(degree=2, params=[0.0d0, 0.0d0, 1.0d0], &
+                targets=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 2.0d0, 1.0d0], [3, 2], order=[2, 1]), orders=[0, (-1), &
+                0], lengths=lengths_found, knots=[0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0], flags=0)
+            call show('lengths', lengths_found)
         end block
         call by_hand('data_init')
         call begin('statistics_create')

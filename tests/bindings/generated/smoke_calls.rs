@@ -639,6 +639,38 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("interpolate_derivatives");
+    {
+        let found = Spline::interpolate_derivatives(
+            &[3, 2],
+            &[5, 3],
+            &[0.0, 0.0, 0.5, 1.0, 1.0, 0.0, 0.5, 1.0],
+            &[0, 1, 0, 0, 1, 0, 0, 0],
+            1,
+            &[
+                0.0, 1.0, 2.0, 1.0, 1.0, 1.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 0.0, 0.0, 0.0,
+            ],
+            None,
+            0,
+        )?;
+        show("out", &found);
+    }
+    begin("interpolate_derivatives ends");
+    {
+        let found = Spline::interpolate_derivatives(
+            &[3, 3],
+            &[4, 4],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.5, 0.75, 1.0],
+            &[0, 1, 0, 1, 0, 0, 0, 0],
+            1,
+            &[
+                0.0, 1.0, 2.0, 1.0, 1.0, 1.0, 3.0, 0.5, 5.0, 6.0, 7.0, 8.0, 1.0, 0.0, 0.0, 1.0,
+            ],
+            Some(&[0, 0, 1, 1]),
+            0,
+        )?;
+        show("out", &found);
+    }
     begin("curve_interpolate");
     {
         let found = Spline::curve_interpolate(
@@ -647,6 +679,19 @@ fn data(given: &Given) -> nurbs::Result<()> {
             2,
             &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0],
             &[0, 1, 0, 1],
+            &[],
+            0,
+        )?;
+        show("out", &found);
+    }
+    begin("curve_interpolate directions");
+    {
+        let found = Spline::curve_interpolate(
+            3,
+            &[0.0, 0.0, 1.0, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0],
+            &[0, -1, 0, -1],
             &[],
             0,
         )?;
@@ -664,6 +709,32 @@ fn data(given: &Given) -> nurbs::Result<()> {
             0,
         )?;
         show("out", &found);
+    }
+    begin("tangent_lengths");
+    {
+        let found = nurbs::tangent_lengths(
+            3,
+            &[0.0, 0.0, 1.0, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 1.0, 1.0],
+            &[0, -1, 0, -1],
+            &[],
+            0,
+        )?;
+        show("lengths", &found);
+    }
+    begin("tangent_lengths over knots");
+    {
+        let found = nurbs::tangent_lengths(
+            2,
+            &[0.0, 0.0, 1.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 2.0, 1.0],
+            &[0, -1, 0],
+            &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            0,
+        )?;
+        show("lengths", &found);
     }
     by_hand("data_init");
     begin("statistics_create");

@@ -144,6 +144,9 @@ NURBS_ENDS_NOT_A_KNOT = 0  # the parameters next to the end are no knots
 NURBS_ENDS_NATURAL = 1  # derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
 NURBS_ENDS_FREE = 2  # knots averaged from the parameters, nurbs_knots_averaged(); both ends
 
+# --- Orders of derivatives that are no number, for nurbs_curve_interpolate()
+NURBS_ORDER_DIRECTION = -1  # the first derivative has the direction of the target, of any length
+
 # --- How smooth a fit is, for nurbs_fit_options
 NURBS_SMOOTHING_NONE = 0  # only the data count
 NURBS_SMOOTHING_LAMBDA = 1  # the factor of the penalty is given

@@ -58,6 +58,40 @@ pub fn params_universal(degree: i32, count: usize) -> Result<Vec<f64>> {
     Ok(params)
 }
 
+/// The factors that make derivatives of targets of which `Spline::curve_interpolate` is told the directions.
+pub fn tangent_lengths<'a>(
+    degree: i32,
+    params: &[f64],
+    dim: i32,
+    targets: impl Into<Records<'a>>,
+    orders: &[i32],
+    knots: &[f64],
+    flags: u32,
+) -> Result<Vec<f64>> {
+    let targets = targets.into();
+    let n = params.len();
+    let orders = if_given(orders, n, "orders")?;
+    targets.require(n, positive(dim), "targets")?;
+    let mut lengths = vec![0.0; n];
+    check(unsafe {
+        sys::nurbs_tangent_lengths(
+            degree,
+            n as i64,
+            params.as_ptr(),
+            orders,
+            dim,
+            targets.pointer(),
+            targets.stride(),
+            targets.component_stride(),
+            knots.as_ptr(),
+            knots.len() as i64,
+            flags,
+            lengths.as_mut_ptr(),
+        )
+    })?;
+    Ok(lengths)
+}
+
 /// Derivatives at the points of a curve from the points near them, as `Spline::hermite` takes them.
 pub fn tangents<'a>(
     rule: i32,
@@ -159,6 +193,45 @@ impl Spline {
                 points.pointer(),
                 points.stride(),
                 points.component_stride(),
+                flags,
+                out,
+            )
+        })
+    }
+
+    /// The spline through layers of points and, at the ends of axes, of derivatives; mixed ones may be NaN.
+    pub fn interpolate_derivatives<'a>(
+        degrees: &[i32],
+        counts: &[usize],
+        params: &[f64],
+        orders: &[i32],
+        dim: i32,
+        values: impl Into<Records<'a>>,
+        ends: Option<&[i32]>,
+        flags: u32,
+    ) -> Result<Spline> {
+        let values = values.into();
+        let axes = degrees.len();
+        let counts = counts_of(counts, axes, "counts")?;
+        let ends = optional(ends, 2 * axes, "ends")?;
+        let params = exactly(params, sum(&counts), "params")?;
+        let orders = if_given(orders, sum(&counts), "orders")?;
+        // Another dimension is left to the library to name.
+        if dim > 0 {
+            values.require(product(&counts), positive(dim), "values")?;
+        }
+        Spline::made(|out| unsafe {
+            sys::nurbs_interpolate_derivatives(
+                axes_of(degrees),
+                degrees.as_ptr(),
+                counts.as_ptr(),
+                params,
+                orders,
+                dim,
+                values.pointer(),
+                values.stride(),
+                values.component_stride(),
+                ends,
                 flags,
                 out,
             )

@@ -587,6 +587,10 @@ pub const NURBS_ENDS_NATURAL: i32 = 1;
 /// knots averaged from the parameters, nurbs_knots_averaged(); both ends
 pub const NURBS_ENDS_FREE: i32 = 2;
 
+// --- Orders of derivatives that are no number, for nurbs_curve_interpolate()
+/// the first derivative has the direction of the target, of any length
+pub const NURBS_ORDER_DIRECTION: i32 = -1;
+
 // --- How smooth a fit is, for nurbs_fit_options
 /// only the data count
 pub const NURBS_SMOOTHING_NONE: i32 = 0;
@@ -1641,6 +1645,24 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The spline through points and given derivatives at the ends of axes: a grid in which layers of
+    /// derivatives lie beside the layers of points at the first and last parameters of an axis.
+    ///
+    /// May be null: `orders`, `ends`.
+    pub fn nurbs_interpolate_derivatives(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        params: *const f64,
+        orders: *const i32,
+        dim: i32,
+        values: *const f64,
+        value_stride: i64,
+        value_component_stride: i64,
+        ends: *const i32,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// The curve of given points and derivatives: derivative orders\[i\] at params\[i\] is target i,
     /// whichever orders in whichever places, as long as they determine a curve (Hermite's problem if each
     /// parameter has all orders up to its highest one, else Birkhoff's).
@@ -1659,6 +1681,25 @@ extern "C" {
         knot_count: i64,
         flags: u32,
         out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that make
+    /// targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by 1, is
+    /// the same, bit for bit.
+    ///
+    /// May be null: `orders`, `knots`.
+    pub fn nurbs_tangent_lengths(
+        degree: i32,
+        n: i64,
+        params: *const f64,
+        orders: *const i32,
+        dim: i32,
+        targets: *const f64,
+        target_stride: i64,
+        target_component_stride: i64,
+        knots: *const f64,
+        knot_count: i64,
+        flags: u32,
+        lengths: *mut f64,
     ) -> nurbs_status;
     /// Derivatives at the points of a curve, each from a few points near it, so that nurbs_create_hermite()
     /// makes a C^1 cubic that changes only near a point that moves.

@@ -128,4 +128,22 @@ void BandedLu::solve_some(double *values, int64_t width, Size some) const noexce
     }
 }
 
+void BandedLu::solve_transposed(double *values, int64_t width) const {
+    count_work(rows_ * (below_ + above_ + 1) * width);
+    for (int64_t i = 0; i < rows_; ++i) {
+        const double *const from = band_.data() + i * stride() + below_;
+        double *const source = values + i * width;
+        std::for_each_n(source, width, [inverse = *from](double &x) { x *= inverse; });
+        for (int64_t k = i + 1; k <= std::min(i + above_, rows_ - 1); ++k) {
+            subtract(values + k * width, from[k - i], source, width);
+        }
+    }
+    for (int64_t i = rows_; i-- > 0;) {
+        const double *const from = band_.data() + i * stride() + below_;
+        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
+            subtract(values + k * width, from[k - i], values + i * width, width);
+        }
+    }
+}
+
 } // namespace nrb::inline numeric

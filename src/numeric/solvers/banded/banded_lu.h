@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool factor_checked(double most);
     // values: [rows][width], the right-hand sides, replaced by the solutions.
     void solve(double *values, int64_t width) const;
+    // The same of the transposed matrix.
+    void solve_transposed(double *values, int64_t width) const;
 
 private:
     [[nodiscard]] int64_t stride() const noexcept { return below_ + above_ + 1; }

@@ -337,10 +337,38 @@ const Call group[] = {
          return nurbs_interpolate_over_knots(2, degrees, counts, params, knots, 10, 1, points, 0, 0, 0,
              &o.out);
      }},
+    {"interpolate_derivatives",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3, 2};
+         static constexpr int64_t counts[] = {5, 3};
+         static constexpr double params[] = {0, 0, 0.5, 1, 1, 0, 0.5, 1};
+         static constexpr int32_t orders[] = {0, 1, 0, 0, 1, 0, 0, 0};
+         static constexpr double values[] = {0, 1, 2, 1, 1, 1, 3, 4, 5, 6, 7, 8, 0, 0, 0};
+         return nurbs_interpolate_derivatives(2, degrees, counts, params, orders, 1, values, 0, 0, nullptr, 0,
+             &o.out);
+     }},
+    {"interpolate_derivatives ends",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {3, 3};
+         static constexpr int64_t counts[] = {4, 4};
+         static constexpr double params[] = {0, 0, 1, 1, 0, 0.5, 0.75, 1};
+         static constexpr int32_t orders[] = {0, 1, 0, 1, 0, 0, 0, 0};
+         static constexpr double values[] = {0, 1, 2, 1, 1, 1, 3, 0.5, 5, 6, 7, 8, 1, 0, 0, 1};
+         static constexpr int32_t ends[] = {0, 0, 1, 1};
+         return nurbs_interpolate_derivatives(2, degrees, counts, params, orders, 1, values, 0, 0, ends, 0,
+             &o.out);
+     }},
     {"curve_interpolate",
      [](const Inputs &, Output &o) -> nurbs_status {
          static constexpr double params[] = {0, 0, 1, 1};
          static constexpr int32_t orders[] = {0, 1, 0, 1};
+         static constexpr double targets[] = {0, 0, 1, 0, 2, 1, 1, 1};
+         return nurbs_curve_interpolate(3, 4, params, orders, 2, targets, 0, 0, nullptr, 0, 0, &o.out);
+     }},
+    {"curve_interpolate directions",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1, 1};
+         static constexpr int32_t orders[] = {0, -1, 0, -1};
          static constexpr double targets[] = {0, 0, 1, 0, 2, 1, 1, 1};
          return nurbs_curve_interpolate(3, 4, params, orders, 2, targets, 0, 0, nullptr, 0, 0, &o.out);
      }},
@@ -350,6 +378,21 @@ const Call group[] = {
          static constexpr double targets[] = {0, 1, 0};
          static constexpr double knots[] = {0, 0, 0, 1, 1, 1};
          return nurbs_curve_interpolate(2, 3, params, nullptr, 1, targets, 0, 0, knots, 6, 0, &o.out);
+     }},
+    {"tangent_lengths",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1, 1};
+         static constexpr int32_t orders[] = {0, -1, 0, -1};
+         static constexpr double targets[] = {0, 0, 1, 0, 2, 1, 1, 1};
+         return nurbs_tangent_lengths(3, 4, params, orders, 2, targets, 0, 0, nullptr, 0, 0, o.values);
+     }},
+    {"tangent_lengths over knots",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr double params[] = {0, 0, 1};
+         static constexpr int32_t orders[] = {0, -1, 0};
+         static constexpr double targets[] = {0, 0, 1, 0, 2, 1};
+         static constexpr double knots[] = {0, 0, 0, 1, 1, 1};
+         return nurbs_tangent_lengths(2, 3, params, orders, 2, targets, 0, 0, knots, 6, 0, o.values);
      }},
     {"data_init",
      [](const Inputs &, Output &) -> nurbs_status {
