@@ -4,9 +4,11 @@
 #include "guard.h"
 
 #include "base/checked.h"
+#include "base/finite.h"
 #include "base/representable.h"
 #include "basis/generators.h"
 #include "fit/interpolate.h"
+#include "fit/largest_miss.h"
 #include "fit/mixed_derivatives.h"
 #include "fit/tangents.h"
 #include "outputs.h"
@@ -45,6 +47,9 @@ std::vector<double> finite_points(const char *name, const Points &points, int64_
     check_dimension(points.dim);
     std::vector<double> values =
         packed(input(name, points.data, count, points.dim, points.stride, points.component_stride));
+    if (all_finite(values)) {
+        return values;
+    }
     for (size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]) &&
             !(std::isnan(values[i]) && may_be_unknown(static_cast<int64_t>(i) / points.dim))) {

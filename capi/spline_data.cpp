@@ -19,6 +19,10 @@ std::vector<double> packed(ConstRecords view) {
     const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));
     std::vector<double> values;
     values.reserve(size + Spline::padding); // so that a spline need not move them
+    if (view.component_stride == 1 && (view.stride == view.width || view.count == 1)) {
+        values.assign(view.data, view.data + size);
+        return values;
+    }
     values.resize(size);
     auto next = values.begin();
     for (int64_t i = 0; i < view.count; ++i) {

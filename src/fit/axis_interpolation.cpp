@@ -34,12 +34,13 @@ AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, std::vector<Condition>
 int64_t AxisInterpolation::next_function(int64_t i, int64_t first) const noexcept {
     const double t = conditions_[static_cast<size_t>(i)].param;
     const int p = knots_->degree();
+    const double *const knots = knots_->knots().data();
     int64_t span = first + p;
     const int64_t last = knots_->count() - 1;
-    while (span < last && ((*knots_)[span + 1] <= t || (*knots_)[span + 1] == (*knots_)[span])) {
+    while (span < last && (knots[span + 1] <= t || knots[span + 1] == knots[span])) {
         ++span;
     }
-    while (span > p && (*knots_)[span] == (*knots_)[span + 1]) { // the end of the domain
+    while (span > p && knots[span] == knots[span + 1]) { // the end of the domain
         --span;
     }
     return span - p;
@@ -67,16 +68,43 @@ void AxisInterpolation::fail_outside_support(int64_t i) const {
          static_cast<long long>(end), static_cast<long long>(i));
 }
 
+// At a knot of some multiplicity as many functions vanish.
+AxisInterpolation::Row AxisInterpolation::row_of_values(int64_t i, int64_t &first) const noexcept {
+    const double t = conditions_[static_cast<size_t>(i)].param;
+    const int p = knots_->degree();
+    first = next_function(i, first);
+    const double *const span = knots_->knots().data() + first + p;
+    int begin = 0, end = p + 1;
+    while (end > 1 && span[end - p - 1] == t) {
+        --end;
+    }
+    while (begin < p && span[begin + 1] == t) {
+        ++begin;
+    }
+    return {static_cast<int32_t>(i - first), static_cast<int16_t>(begin), static_cast<int16_t>(end)};
+}
+
+std::vector<AxisInterpolation::Row> AxisInterpolation::rows_of_values() const {
+    std::vector<Row> rows;
+    rows.reserve(conditions_.size());
+    int64_t first = 0;
+    for (int64_t i = 0; i < conditions(); ++i) {
+        const Row row = row_of_values(i, first);
+        if (row.before < row.begin || row.before >= row.end) {
+            fail_outside_support(i);
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 // Wide enough for all conditions.
-BandedLu AxisInterpolation::empty_band(bool in_support, int64_t &below) const {
+BandedLu AxisInterpolation::empty_band(int64_t &below) const {
     const int p = knots_->degree();
     int64_t above = 0, first = 0;
     below = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
         first = next_function(i, first);
-        if (in_support && (i < first || i > first + p)) {
-            fail_outside_support(i);
-        }
         below = std::max(below, i - first);
         above = std::max(above, first + p - i);
     }
@@ -86,19 +114,28 @@ BandedLu AxisInterpolation::empty_band(bool in_support, int64_t &below) const {
 // A function is 0 at the first knot of its support, but for the first one of a clamped end.
 void AxisInterpolation::factor() {
     const int p = knots_->degree();
-    int64_t below = 0, first = 0;
-    direct_.emplace(empty_band(true, below));
+    const std::vector<Row> rows = rows_of_values();
+    int below = 0, above = 0;
+    for (const Row &row : rows) {
+        below = std::max(below, row.before - row.begin);
+        above = std::max(above, row.end - 1 - row.before);
+    }
+    direct_.emplace(conditions(), below, above);
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{4} * (p + 1) * (p + 1));
-        first = next_function(i, first);
-        double *const row = direct_->row(i);
-        read(i, first, row + (first - (i - below)));
-        if (!(row[below] > 0)) {
+        const Row row = rows[static_cast<size_t>(i)];
+        double values[max_basis], *const diagonal = direct_->row(i) + below;
+        read(i, i - row.before, values);
+        for (int j = row.begin; j < row.end; ++j) { // few
+            diagonal[j - row.before] = values[j];
+        }
+        if (!(*diagonal > 0)) {
             fail_outside_support(i);
         }
-    }
-    if (!direct_->factor()) {
-        fail(Status::rank, "params: the interpolation on axis %d is singular to working precision", axis_);
+        if (!direct_->factor_row(i)) {
+            fail(Status::rank, "params: the interpolation on axis %d is singular to working precision",
+                 axis_);
+        }
     }
 }
 
@@ -106,7 +143,7 @@ void AxisInterpolation::factor_derivatives() {
     constexpr double most = 16; // rows of values of a B-spline of some degree have as much
     const int p = knots_->degree();
     int64_t below = 0, first = 0;
-    direct_.emplace(empty_band(false, below));
+    direct_.emplace(empty_band(below));
     scales_.reserve(conditions_.size());
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{8} * (p + 1) * (p + 1));

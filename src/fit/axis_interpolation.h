@@ -46,7 +46,14 @@ private:
     double read_scaled(int64_t i, int64_t first, double *values) const noexcept;
     void factor();
     void factor_derivatives();
-    [[nodiscard]] BandedLu empty_band(bool in_support, int64_t &below) const;
+    // Of a row of values: its diagonal is `before` functions behind the first one of the span; those that do not vanish.
+    struct Row {
+        int32_t before;
+        int16_t begin, end;
+    };
+    [[nodiscard]] Row row_of_values(int64_t i, int64_t &first) const noexcept;
+    [[nodiscard]] BandedLu empty_band(int64_t &below) const;
+    [[nodiscard]] std::vector<Row> rows_of_values() const;
     [[noreturn]] void fail_outside_support(int64_t i) const;
     void rotate(std::vector<double> &values, int64_t width) const;
     void rotate_transposed(std::vector<double> &values, int64_t width) const;

@@ -47,14 +47,16 @@ void check_order(const AxisLayers &layers, int64_t i, int degree, bool periodic,
 
 } // namespace
 
-std::vector<double> AxisLayers::sites() const {
-    std::vector<double> result;
+std::span<const double> AxisLayers::sites(std::vector<double> &room) const {
+    if (orders.empty()) {
+        return params;
+    }
     for (int64_t i = 0; i < count(); ++i) {
         if (order(i) == 0) {
-            result.push_back(param(i));
+            room.push_back(param(i));
         }
     }
-    return result;
+    return room;
 }
 
 std::array<int, 2> AxisLayers::derivatives() const noexcept {
@@ -78,11 +80,6 @@ void check_layers(const AxisLayers &layers, int degree, bool periodic, size_t ax
         }
         check_order(layers, i, degree, periodic, axis, first);
     }
-}
-
-void AxisConditions::add(double param, int order, int64_t source) {
-    conditions.push_back({param, order});
-    sources.push_back(source);
 }
 
 AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic) {

@@ -22,8 +22,8 @@ struct AxisLayers {
         return orders.empty() ? 0 : orders[static_cast<size_t>(i)];
     }
     [[nodiscard]] double param(int64_t i) const noexcept { return params[static_cast<size_t>(i)]; }
-    // Those of values.
-    [[nodiscard]] std::vector<double> sites() const;
+    // Those of values, in `room` where they are not all.
+    [[nodiscard]] std::span<const double> sites(std::vector<double> &room) const;
     // How many derivatives there are at the start and at the end.
     [[nodiscard]] std::array<int, 2> derivatives() const noexcept;
 };
@@ -38,7 +38,10 @@ struct AxisConditions {
     std::vector<Condition> conditions;
     std::vector<int64_t> sources;
 
-    void add(double param, int order, int64_t source);
+    void add(double param, int order, int64_t source) {
+        conditions.push_back({param, order});
+        sources.push_back(source);
+    }
 };
 
 // The conditions on an axis over interpolation_knots(), by rising parameters: those of the layers, but for the last one of a

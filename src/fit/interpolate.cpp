@@ -5,10 +5,8 @@
 #include "base/numbers.h"
 #include "base/representable.h"
 #include "base/watch.h"
-#include "eval/evaluate.h"
 #include "fit/mixed_derivatives.h"
 #include "fit/tangent_lengths.h"
-#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +143,8 @@ SplinePtr interpolate(const std::vector<int> &degrees, const std::vector<AxisLay
         check_layers(layers[k], degrees[k], grid.periodic[k], k, first);
     }
     for (size_t k = 0; k < layers.size(); ++k) {
-        axes.push_back(interpolation_knots(degrees[k], layers[k].sites(), ends[k], grid.periodic[k],
+        std::vector<double> room;
+        axes.push_back(interpolation_knots(degrees[k], layers[k].sites(room), ends[k], grid.periodic[k],
                                            static_cast<int>(k), layers[k].derivatives()));
     }
     check_closed(grid);
@@ -214,27 +213,6 @@ SplinePtr interpolate_conditions(CurveConditions given, KnotVectorPtr knots) {
     solve_axis(axis, sources, 0, grid);
     check_representable(grid);
     return make_result({std::move(knots)}, grid.dim, Form::polynomial, std::move(grid.points));
-}
-
-double largest_miss(const Spline &spline, std::span<const double> params, const PointGrid &grid) {
-    std::array<ConstRecords, max_axes> axes{};
-    for_each_axis(grid.counts, params, [&](size_t k, std::span<const double> own, int64_t) {
-        axes[k] = {own.data(), std::ssize(own)};
-    });
-    eval::AxisRules rules{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        rules[static_cast<size_t>(k)].outside =
-            spline.axis(k).periodic() ? eval::Outside::wrap : eval::Outside::refuse;
-    }
-    std::vector<double> values(grid.points.size());
-    const int64_t dim = grid.dim, count = std::ssize(values) / dim;
-    eval::evaluate_grid(spline, rules, 0, axes, {values.data(), count, dim, dim});
-    double largest = 0;
-    for (int64_t i = 0; i < count; ++i) {
-        largest =
-            std::max(largest, distance(values.data() + i * dim, grid.points.data() + i * dim, grid.dim));
-    }
-    return largest;
 }
 
 } // namespace nrb::fit

@@ -40,7 +40,4 @@ SplinePtr interpolate_conditions(CurveConditions given, KnotVectorPtr knots);
 // The factors that make derivatives of all targets.
 std::vector<double> tangent_lengths(const CurveConditions &given, KnotVectorPtr knots);
 
-// The largest distance of the points from the spline at their parameters.
-double largest_miss(const Spline &spline, std::span<const double> params, const PointGrid &grid);
-
 } // namespace nrb::fit

@@ -12,9 +12,11 @@ namespace nrb::inline numeric {
 namespace {
 
 constexpr int64_t work_of_a_pivot = 8;
-constexpr int64_t rows_between_counts = 64;
 // Right-hand sides that are solved together: as many as keep a band of layers in the cache.
 constexpr int64_t most_together = 256;
+
+// Bands of two beside the diagonal, of cubic splines, have loops of their own.
+using Two = std::integral_constant<int64_t, 2>;
 
 // target -= factor * source
 template <class Size>
@@ -30,16 +32,21 @@ BandedLu::BandedLu(int64_t rows, int below, int above) : rows_(rows), below_(bel
     grow_watched(band_, static_cast<size_t>(rows * stride()));
 }
 
-bool BandedLu::factor() {
-    for (int64_t i = 0; i < rows_; ++i) {
-        if (i % rows_between_counts == 0) {
-            count_work(rows_between_counts * (int64_t{below_} * above_ + work_of_a_pivot));
-        }
-        if (!eliminate(i)) {
-            return false;
-        }
+bool BandedLu::factor_row(int64_t i) noexcept {
+    const bool shorter = i < below_ || i + above_ > rows_; // than the band is wide
+    return shorter || below_ != Two() || above_ != Two() ? eliminate(i) : eliminate_within(i, Two(), Two());
+}
+
+template <class Below, class Above>
+bool BandedLu::eliminate_within(int64_t i, Below below, Above above) noexcept {
+    double *const target = band_.data() + i * (below + above + 1) + below;
+    for (int64_t k = -below; k < 0; ++k) {
+        const double *const pivot = target + k * (below + above + 1);
+        target[k] *= *pivot;
+        subtract(target + k + 1, target[k], pivot + 1, above);
     }
-    return true;
+    *target = 1 / *target;
+    return std::isfinite(*target);
 }
 
 // Row i of both factors; false if the pivot is 0 or not finite.
@@ -110,16 +117,25 @@ void BandedLu::solve(double *values, int64_t width) const {
 
 template <class Size>
 void BandedLu::solve_some(double *values, int64_t width, Size some) const noexcept {
+    if (below_ == Two() && above_ == Two()) {
+        return solve_band(values, width, some, Two(), Two());
+    }
+    solve_band(values, width, some, int64_t{below_}, int64_t{above_});
+}
+
+template <class Below, class Above, class Size>
+void BandedLu::solve_band(double *values, int64_t width, Size some, Below below, Above above) const noexcept {
+    const int64_t stride = below + above + 1;
     for (int64_t i = 0; i < rows_; ++i) {
-        const double *const from = band_.data() + i * stride() + below_;
-        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
+        const double *const from = band_.data() + i * stride + below;
+        for (int64_t k = std::max<int64_t>(i - below, 0); k < i; ++k) {
             subtract(values + i * width, from[k - i], values + k * width, some);
         }
     }
     for (int64_t i = rows_; i-- > 0;) {
-        const double *const from = band_.data() + i * stride() + below_;
+        const double *const from = band_.data() + i * stride + below;
         double *const target = values + i * width;
-        const int64_t last = std::min<int64_t>(i + above_, rows_ - 1);
+        const int64_t last = std::min<int64_t>(i + above, rows_ - 1);
         for (int64_t k = i + 1; k <= last; ++k) {
             subtract(target, from[k - i], values + k * width, some);
         }

@@ -19,8 +19,9 @@ public:
 
     // Its first entry, and the next ones; 0 at first.
     [[nodiscard]] double *row(int64_t i) noexcept { return band_.data() + i * stride(); }
-    // False if a pivot is 0 or not finite.
-    [[nodiscard]] bool factor();
+    // Row i of the factors, after those before it; a processor then reads the next row while it waits for this pivot. False if
+    // the pivot is 0 or not finite.
+    [[nodiscard]] bool factor_row(int64_t i) noexcept;
     // The same for a matrix that is not totally positive, whose rows have a largest entry of 1: false too if |L| |U| has an
     // entry above `most`, which tells how much larger the backward error is than that of rounding the matrix.
     [[nodiscard]] bool factor_checked(double most);
@@ -31,15 +32,19 @@ public:
 
 private:
     [[nodiscard]] int64_t stride() const noexcept { return below_ + above_ + 1; }
+    template <class Below, class Above>
+    [[nodiscard]] bool eliminate_within(int64_t i, Below below, Above above) noexcept;
     [[nodiscard]] bool eliminate(int64_t i) noexcept;
     [[nodiscard]] double largest_of_upper(int64_t i) const noexcept;
     template <class Size>
     void solve_some(double *values, int64_t width, Size some) const noexcept;
+    template <class Below, class Above, class Size>
+    void solve_band(double *values, int64_t width, Size some, Below below, Above above) const noexcept;
 
     int64_t rows_;
     int below_;
     int above_;
-    std::vector<double> band_; // after factor(): L, the inverses of the pivots, and U
+    std::vector<double> band_; // afterwards: L, the inverses of the pivots, and U
 };
 
 } // namespace nrb::inline numeric

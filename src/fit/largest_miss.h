@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How well a spline goes through its data.
+#pragma once
+
+#include "fit/parameters.h"
+#include "spline/spline.h"
+
+#include <span>
+
+namespace nrb::fit {
+
+// The largest distance of the points on a grid from the polynomial spline at the parameters of all axes, which are in its
+// domain and rise on each.
+double largest_miss(const Spline &spline, std::span<const double> params, const PointGrid &grid);
+
+} // namespace nrb::fit
