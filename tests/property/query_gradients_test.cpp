@@ -342,6 +342,22 @@ TEST(QueryGradients, lengths_change_as_their_gradients_say) {
     });
 }
 
+// A control point of weight 0 has a gradient by its weight from where it lies.
+TEST(QueryGradients, lengths_change_with_a_weight_of_0) {
+    const SplineData arch{
+        {4}, {5}, {{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}}, 2, {0, 0, 0, 1, 0.25, 7, 2, 1, 3, 0}, {1, 1, 0, 1, 1}, 0};
+    const LengthGradients got = length_adjoint(arch);
+    const auto grown = [&](double w) {
+        SplineData curve = arch;
+        curve.weights[2] = w;
+        return length(curve);
+    };
+    EXPECT_GT(got.weights[2], 0.5);
+    // By three values, since no weight is negative: errors h^2, and roundings over h.
+    const double h = 1e-5, expected = (4 * grown(h) - 3 * grown(0) - grown(2 * h)) / (2 * h);
+    EXPECT_NEAR(got.weights[2], expected, 1e-7);
+}
+
 // Moved and turned curves have the same length, scaled ones one in proportion; all weights times a number
 // change nothing.
 void check_length_laws(const SplineData &curve, double tolerance, const std::string &message) {
