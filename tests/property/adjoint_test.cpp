@@ -304,6 +304,48 @@ TEST(Adjoint, pieces_of_a_batch_accumulate_to_the_same_bits) {
     });
 }
 
+// Cubic curves in space, whose batches have a loop of their own, of so many control points that single parameters are
+// added without it: sorted and unsorted parameters, some at knots, some outside.
+TEST(Adjoint, single_parameters_of_long_curves_accumulate_to_the_same_bits) {
+    for_each_case(99600000, 40, [](Random &random, uint64_t seed) {
+        Recipe recipe;
+        recipe.axes.push_back(AxisRecipe{3});
+        recipe.axes[0].spans = 150;
+        recipe.dim = 3;
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        Case it;
+        it.data = random_spline(random, recipe);
+        it.order = 0;
+        it.slots = graded_indices(1, 0);
+        it.n = 200;
+        it.params = random_params(random, it.data, static_cast<int>(it.n));
+        if (random.chance(50)) {
+            std::sort(it.params.begin(), it.params.end());
+        }
+        it.params[77] = it.data.knots[0].back() + 1;
+        for (size_t i = 0; i < it.n * it.dim(); ++i) {
+            it.cotangents.push_back(random.chance(90) ? random.between(-1, 1) : -0.0);
+        }
+        const auto g = create(it.data);
+        Gradients whole = zeros(it.data, it.n), pieces = whole;
+        add_adjoint(g.get(), 0, it.params, 1, it.cotangents, whole, 0, NURBS_NAN);
+        for (size_t i = 0; i < it.n; ++i) {
+            const auto own = it.cotangents.begin() + static_cast<std::ptrdiff_t>(3 * i);
+            add_adjoint(g.get(), 0, {it.params[i]}, 1, {own, own + 3}, pieces, i,
+                        NURBS_NAN | NURBS_ACCUMULATE);
+        }
+        ASSERT_TRUE(std::isnan(whole.params[77]));
+        ASSERT_TRUE(same_bits(pieces.points, whole.points)) << where(seed, it.data);
+        ASSERT_TRUE(same_bits(pieces.weights, whole.weights)) << where(seed, it.data);
+        ASSERT_TRUE(same_bits(pieces.params, whole.params)) << where(seed, it.data);
+        const std::vector<double> points = whole.points;
+        require_ok(nurbs_eval_adjoint(g.get(), 0, static_cast<int64_t>(it.n), it.params.data(), 0, 0,
+                                      it.cotangents.data(), 0, 0, whole.points.data(), 0, 0, nullptr, 0,
+                                      nullptr, 0, 0, NURBS_NAN));
+        ASSERT_TRUE(same_bits(whole.points, points)) << where(seed, it.data);
+    });
+}
+
 // The shape does not change when all weights are multiplied by a number: sum of w_i dL/dw_i = 0.
 TEST(Adjoint, weights_have_no_common_gradient) {
     for_each_case(99500000, 300, [](Random &random, uint64_t seed) {

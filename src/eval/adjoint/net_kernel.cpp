@@ -5,62 +5,11 @@
 
 #include <hwy/foreach_target.h>
 
-#include "eval/adjoint/net_kernel.h"
-#include "eval/kernels/axis-inl.h"
+#include "eval/adjoint/net_sums-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
-
-// A function that is alone is exactly 1, and the others are 0.
-static HWY_NOINLINE void mend_alone(const AxisSource &source, const AxisPoint *points, int64_t count,
-                                    int64_t size, double *values) {
-    for (int64_t i = 0; i < count; ++i) {
-        if (points[i].valid() && points[i].sole >= 0) {
-            double *own = values + i * size;
-            std::fill_n(own, source.degree + 1, 0.0);
-            own[points[i].sole] = 1;
-        }
-    }
-}
-
-template <int kOrders>
-HWY_INLINE bool axis_bases(const AxisSource &source, const double *params, int64_t stride, int64_t count,
-                           AxisPoint *points, double *values) {
-    return source.degree == 3
-               ? axis_block<kOrders, 3>(source, kOrders - 1, params, stride, count, points, values)
-               : axis_block<kOrders, -1>(source, kOrders - 1, params, stride, count, points, values);
-}
-
-bool find_bases(const NetJob &job, const ConstRecords &params) {
-    bool special = false;
-    for (int k = 0; k < job.axes; ++k) {
-        const auto at = static_cast<size_t>(k);
-        const AxisSource &source = job.sources[at];
-        const double *first = params.data + k * params.component_stride;
-        const auto bases = job.order == 0 ? &axis_bases<1> : &axis_bases<2>;
-        if (bases(source, first, params.stride, params.count, job.points[at], job.values[at])) {
-            mend_alone(source, job.points[at], params.count, source.values_size(job.order), job.values[at]);
-            special = true;
-        }
-    }
-    return special;
-}
-
-using Vector = hn::Vec<Vec4>;
-
-// The arrays of a job, in registers where there are enough.
-struct NetArrays {
-    explicit NetArrays(const NetJob &job)
-        : size(job.size), weights(job.weights), coordinates(job.coordinates), grad_points(job.grad_points),
-          grad_weights(job.grad_weights) {}
-
-    int64_t size;
-    const double *HWY_RESTRICT weights;
-    const double *HWY_RESTRICT coordinates;
-    double *HWY_RESTRICT grad_points;
-    double *HWY_RESTRICT grad_weights;
-};
 
 // A vector of the space with each component in all lanes. The constructors are written out, because one added
 // by the compiler is not compiled for the instruction set.
@@ -105,11 +54,6 @@ public:
           orders_(job.order + 1) {}
 
     void run(int64_t first, int64_t end) const {
-        if constexpr (kAxes == 1 && kDim == 3 && kFunctions == 4) {
-            if (job_.whole) {
-                return run_cubic(first, end);
-            }
-        }
         for (int64_t i = first; i < end; ++i) {
             if (valid(i)) {
                 run_one(i);
@@ -119,7 +63,6 @@ public:
 
 private:
     using Space = Spread<kDim>;
-    static constexpr int parts = 4 / vec4_lanes;
 
     // The last axis.
     [[nodiscard]] HWY_INLINE size_t last() const {
@@ -231,23 +174,6 @@ private:
         }
     }
 
-    struct Pair {
-        double first;
-        double second;
-    };
-    // The sums of the lanes of two vectors.
-    [[nodiscard]] static HWY_INLINE Pair sums_of(Vector a, Vector b) {
-#if HWY_MAX_BYTES >= 32
-        const Vec4 d;
-        const hn::CappedTag<double, 2> half;
-        const auto both = hn::Add(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
-        const auto sums = hn::Add(hn::LowerHalf(half, both), hn::UpperHalf(half, both));
-        return {hn::GetLane(sums), hn::ExtractLane(sums, 1)};
-#else
-        return {hn::GetLane(hn::SumOfLanes(Vec4(), a)), hn::GetLane(hn::SumOfLanes(Vec4(), b))};
-#endif
-    }
-
     HWY_INLINE void sum_row(const Place &place, const RowFactors &factors, int64_t row,
                             Totals &totals) const {
         const Vec4 d;
@@ -336,73 +262,6 @@ private:
         }
     }
 
-    // Cubic curves in space: the sums of a span stay in registers while parameters stay in it.
-    struct Sums {
-        Vector points[3][parts];
-        Vector weights[parts];
-
-        HWY_INLINE Sums() {}
-    };
-    HWY_NOINLINE void run_cubic(int64_t first, int64_t end) const {
-        const AxisPoint *points = job_.points[0];
-        for (int64_t i = first; i < end;) {
-            if (!points[i].valid()) {
-                ++i;
-                continue;
-            }
-            const int64_t start = points[i].first;
-            Sums sums;
-            load(start, sums);
-            do {
-                add_cubic(i, start, sums);
-            } while (++i < end && points[i].first == start);
-            store(start, sums);
-        }
-    }
-    HWY_INLINE void load(int64_t start, Sums &sums) const {
-        const Vec4 d;
-        for (int part = 0; part < parts; ++part) {
-            const int64_t at = start + part * vec4_lanes;
-            for (int c = 0; c < 3; ++c) {
-                sums.points[c][part] = arrays_.grad_points != nullptr
-                                           ? hn::LoadU(d, arrays_.grad_points + c * arrays_.size + at)
-                                           : hn::Zero(d);
-            }
-            sums.weights[part] = kProducts && arrays_.grad_weights != nullptr
-                                     ? hn::LoadU(d, arrays_.grad_weights + at)
-                                     : hn::Zero(d);
-        }
-    }
-    HWY_INLINE void store(int64_t start, const Sums &sums) const {
-        const Vec4 d;
-        for (int part = 0; part < parts; ++part) {
-            const int64_t at = start + part * vec4_lanes;
-            for (int c = 0; arrays_.grad_points != nullptr && c < 3; ++c) {
-                hn::StoreU(sums.points[c][part], d, arrays_.grad_points + c * arrays_.size + at);
-            }
-            if (kProducts && arrays_.grad_weights != nullptr) {
-                hn::StoreU(sums.weights[part], d, arrays_.grad_weights + at);
-            }
-        }
-    }
-    HWY_INLINE void add_cubic(int64_t i, int64_t start, Sums &sums) const {
-        const Vec4 d;
-        Place place(*this, i, start);
-        finish_sums(place, [&](Totals &totals) HWY_ATTR { sum_row(place, RowFactors(), start, totals); });
-        for (int part = 0; part < parts; ++part) {
-            const int64_t at = start + part * vec4_lanes;
-            const auto function = divided(place, hn::LoadU(d, place.values + part * vec4_lanes));
-            const auto share = kRational ? hn::Mul(function, hn::LoadU(d, arrays_.weights + at)) : function;
-            for (int c = 0; c < 3; ++c) {
-                sums.points[c][part] = hn::MulAdd(share, place.cotangent[c], sums.points[c][part]);
-            }
-            if constexpr (kProducts) {
-                sums.weights[part] = hn::MulAdd(
-                    function, hn::Sub(product_of(place, at), hn::Set(d, place.mean)), sums.weights[part]);
-            }
-        }
-    }
-
     const NetJob &job_;
     const ConstRecords &cotangents_;
     NetArrays arrays_;
@@ -422,12 +281,9 @@ HWY_INLINE void run_kernel(const NetJob &job, const ConstRecords &cotangents, in
     }
 }
 
-// The most frequent shapes have loops of their own; what they compute is the same.
+// The most frequent shape has a loop of its own; what it computes is the same.
 void add_cotangents(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) {
-    const bool cubic = job.dim == 3 && job.sources[job.axes - 1].degree == 3;
-    if (cubic && job.axes == 1) {
-        run_kernel<1, 3, 4>(job, cotangents, first, first + count);
-    } else if (cubic && job.axes == 2) {
+    if (job.axes == 2 && job.dim == 3 && job.sources[1].degree == 3) {
         run_kernel<2, 3, 4>(job, cotangents, first, first + count);
     } else {
         run_kernel<-1, -1, -1>(job, cotangents, first, first + count);
@@ -441,15 +297,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-NURBS_FORMS(find_bases);
 NURBS_FORMS(add_cotangents);
 
-bool find_net_bases(const NetJob &job, const ConstRecords &params) noexcept {
-    return NURBS_BEST(find_bases)(job, params);
-}
-
 void add_to_net(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept {
-    NURBS_BEST(add_cotangents)(job, cotangents, first, count);
+    if (job.whole && job.axes == 1 && job.dim == 3 && job.sources[0].degree == 3) {
+        add_to_cubic(job, cotangents, first, count);
+    } else {
+        NURBS_BEST(add_cotangents)(job, cotangents, first, count);
+    }
 }
 
 } // namespace nrb::eval

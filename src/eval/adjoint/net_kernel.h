@@ -42,5 +42,7 @@ bool find_net_bases(const NetJob &job, const ConstRecords &params) noexcept;
 // where h = q (sum of N_i w_i d_i). The first two are added one after the other; slopes are overwritten, but
 // for parameters that give NaN.
 void add_to_net(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept;
+// The same bits, faster, of cubic curves in space with whole arrays.
+void add_to_cubic(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept;
 
 } // namespace nrb::eval
