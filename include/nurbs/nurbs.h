@@ -5637,8 +5637,14 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * of the exact sum, where E_s[R_i] is the magnitude of the derivative of R_i in the preamble (tested).
  * grad_weights[i] is within 1 / w_i times twice as much, with n + dim for n, and the magnitudes of the
  * products R_i P_i and R_i C instead of E_s[R_i]. grad_params are products with the results of
- * nurbs_eval_derivs(); at order 0 they are made from the same sums as the other gradients, and are as
- * accurate as such products.
+ * nurbs_eval_derivs(): bit for bit if order > 0, added up in the order of the slots and, in each, of the
+ * coordinates; to rounding at order 0, where they are made from the sums of the other gradients. There
+ * grad_params[k][a] is within
+ *
+ *     eps * (2 (c + 2) + dim) * sum over the coordinates of |G[k][0]| E_(e_a)[C]
+ *
+ * of the exact product, as the product with the results of nurbs_eval_derivs() is, so that the two differ by at
+ * most twice that (tested).
  * \param[in] g a spline.
  * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
  * \param[in] n number of parameters.

@@ -7,6 +7,9 @@
 
 #include "eval/adjoint/net_sums-inl.h"
 
+#include <algorithm>
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
@@ -90,8 +93,8 @@ private:
         return job_.values[k] + i * orders_ * job_.sources[k].lanes;
     }
 
-    // One parameter with its cotangent g. Products are those with P_i - P, where P is the first active point:
-    // so neither they nor the sums of derivatives, in which P cancels, depend on where the shape lies.
+    // One parameter with its cotangent g. Products are those with P_i - P, where P is an active point: so neither
+    // they nor the sums of derivatives, in which P cancels, depend on where the shape lies.
     struct Place {
         int64_t i;
         int64_t start;
@@ -105,29 +108,49 @@ private:
             : i(index), start(first), values(kernel.values(kernel.last(), index)),
               cotangent(kernel.cotangents_.record(index), kernel.cotangents_.component_stride, kernel.dim(),
                         kernel.job_.work),
-              base(kProducts ? kernel.arrays_.coordinates + first : kernel.cotangents_.record(index),
+              base(kProducts ? kernel.arrays_.coordinates + kernel.base_of(index, first)
+                             : kernel.cotangents_.record(index),
                    kProducts ? kernel.arrays_.size : 0, kernel.dim(), kernel.job_.work + kernel.dim()) {}
     };
+
+    // P is the first active point, unless that may hardly count and lie anywhere: then the one that counts most.
+    [[nodiscard]] HWY_INLINE int64_t base_of(int64_t i, int64_t start) const {
+        return kRational && !job_.even ? heaviest(i, start) : start;
+    }
+    [[nodiscard]] HWY_NOINLINE int64_t heaviest(int64_t i, int64_t start) const {
+        const double *own = values(last(), i);
+        double most = 0;
+        int64_t found = start;
+        for_each_row(i, start, [&](const RowFactors &factors, int64_t row) HWY_ATTR {
+            for (int l = 0; l < functions(); ++l) {
+                const double share = std::abs(factors.value * own[l] * arrays_.weights[row + l]);
+                found = share > most ? row + l : found;
+                most = std::max(most, share);
+            }
+        });
+        return found;
+    }
 
     HWY_INLINE void run_one(int64_t i) const {
         Place place(*this, i, start_of(i));
         finish_sums(place, [&](Totals &totals) HWY_ATTR {
-            for_each_row(place, [&](const RowFactors &factors, int64_t row)
-                                    HWY_ATTR { sum_row(place, factors, row, totals); });
+            for_each_row(place.i, place.start, [&](const RowFactors &factors, int64_t row) HWY_ATTR {
+                sum_row(place, factors, row, totals);
+            });
         });
-        for_each_row(place, [&](const RowFactors &factors, int64_t row)
-                                HWY_ATTR { add_row(place, factors.value, row); });
+        for_each_row(place.i, place.start, [&](const RowFactors &factors, int64_t row) HWY_ATTR {
+            add_row(place, factors.value, row);
+        });
     }
 
     // visit(factors, first control point of the row)
     template <class Visit>
-    HWY_INLINE void for_each_row(const Place &place, Visit &&visit) const {
-        int64_t row = place.start;
+    HWY_INLINE void for_each_row(int64_t i, int64_t row, Visit &&visit) const {
         if (last() == 0) {
             return visit(RowFactors(), row);
         }
         const AxisSource *sources = job_.sources;
-        const double *u = values(0, place.i), *du = u + (orders_ - 1) * sources[0].lanes;
+        const double *u = values(0, i), *du = u + (orders_ - 1) * sources[0].lanes;
         const int64_t stride = job_.strides[0];
         if (last() == 1) {
             for (int a = 0; a <= sources[0].degree; ++a, row += stride) {
@@ -135,7 +158,7 @@ private:
             }
             return;
         }
-        const double *v = values(1, place.i), *dv = v + (orders_ - 1) * sources[1].lanes;
+        const double *v = values(1, i), *dv = v + (orders_ - 1) * sources[1].lanes;
         for (int a = 0; a <= sources[0].degree; ++a, row += stride) {
             for (int b = 0; b <= sources[1].degree; ++b) {
                 visit(RowFactors{u[a] * v[b], {du[a] * v[b], u[a] * dv[b]}}, row + b * job_.strides[1]);
@@ -300,7 +323,8 @@ namespace nrb::eval {
 NURBS_FORMS(add_cotangents);
 
 void add_to_net(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept {
-    if (job.whole && job.axes == 1 && job.dim == 3 && job.sources[0].degree == 3) {
+    const bool cubic = job.axes == 1 && job.dim == 3 && job.sources[0].degree == 3;
+    if (cubic && job.whole && (job.even || job.coordinates == nullptr)) {
         add_to_cubic(job, cotangents, first, count);
     } else {
         NURBS_BEST(add_cotangents)(job, cotangents, first, count);
