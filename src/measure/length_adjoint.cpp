@@ -90,15 +90,16 @@ public:
 private:
     // Between neighbouring derivatives; one that vanishes has no direction.
     [[nodiscard]] double least_cosine(const std::vector<double> &derivs) const noexcept {
-        const size_t dim = static_cast<size_t>(dim_);
         double least = 1;
-        for (size_t i = 3 * dim; i < derivs.size(); i += 2 * dim) {
-            double sum = 0;
-            for (size_t c = 0; c < dim; ++c) {
-                sum += derivs[i + c] * derivs[i + c - 2 * dim];
+        const double *before = derivs.data() + dim_;
+        for (const double *next = before + 2 * dim_; next < derivs.data() + derivs.size(); next += 2 * dim_) {
+            const double size = norm(next, dim_), other = norm(before, dim_);
+            double cosine = 0;
+            for (int c = 0; c < dim_; ++c) {
+                cosine += next[c] / size * (before[c] / other);
             }
-            const double sizes = norm(derivs.data() + i, dim_) * norm(derivs.data() + i - 2 * dim, dim_);
-            least = sizes > 0 ? std::min(least, sum / sizes) : least;
+            least = size > 0 && other > 0 ? std::min(least, cosine) : least;
+            before = next;
         }
         return least;
     }

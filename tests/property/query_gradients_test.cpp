@@ -405,6 +405,27 @@ TEST(QueryGradients, lengths_of_curves_that_nearly_have_a_cusp) {
     }
 }
 
+TEST(QueryGradients, lengths_of_curves_of_any_size) {
+    for (const double e : {0.25, 1e-5}) {
+        const SplineData curve{{3},          {4}, {{0, 0, 0, 0, 1, 1, 1, 1}}, 2, {0, 0, 1, 1, 0, 1 + e, 1, 0},
+                               {1, 2, 3, 1}, 0};
+        const LengthGradients one = length_adjoint(curve, 1e-4);
+        for (const double unit : {0x1p-664, 0x1p664}) {
+            SplineData other = curve;
+            for (double &x : other.points) {
+                x *= unit;
+            }
+            const LengthGradients got = length_adjoint(other, 1e-4);
+            for (size_t i = 0; i < got.points.size(); ++i) {
+                ASSERT_NEAR(got.points[i], one.points[i], 1e-13) << e << ' ' << unit;
+            }
+            for (size_t i = 0; i < got.weights.size(); ++i) {
+                ASSERT_NEAR(got.weights[i] / unit, one.weights[i], 1e-13) << e << ' ' << unit;
+            }
+        }
+    }
+}
+
 // The tangent of a curve with a cusp jumps.
 TEST(QueryGradients, lengths_of_curves_with_a_cusp) {
     const SplineData cusp{{3}, {4}, {{0, 0, 0, 0, 1, 1, 1, 1}}, 2, {0, 0, 1, 1, 0, 1, 1, 0}, {}, 0};
