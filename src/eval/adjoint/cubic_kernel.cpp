@@ -135,11 +135,22 @@ private:
                 products.store(products_ + 4 * i);
                 const Quad functions = weighted(Quad(values + i * size), active);
                 const Quad derivatives = slopes ? weighted(Quad(values + i * size + 4), active) : functions;
-                sums_of_four(lanes_of(functions), lanes_of(functions, products), lanes_of(derivatives),
-                             lanes_of(derivatives, products), sums_ + 4 * i);
+                store_sums(lanes_of(functions, products), lanes_of(derivatives, products), functions,
+                           derivatives, sums_ + 4 * i);
             } while (goes_on(++i, start));
             return i;
         });
+    }
+    // Those of products, and of weights if there are any.
+    static HWY_INLINE void store_sums(Vector products, Vector slopes, const Quad &functions,
+                                      const Quad &derivatives, double *HWY_RESTRICT out) {
+        if constexpr (kRational) {
+            sums_of_four(products, slopes, lanes_of(functions), lanes_of(derivatives), out);
+        } else {
+            const Pair pair = sums_of(products, slopes);
+            out[0] = pair.first;
+            out[1] = pair.second;
+        }
     }
     static HWY_INLINE Quad weighted(const Quad &functions, const Active &active) {
         return kRational ? times(functions, active.weights) : functions;
@@ -150,11 +161,11 @@ private:
         for (int64_t i = first_; i < end_; ++i) {
             if (points_[i].valid()) {
                 const double *sums = sums_ + 4 * i;
-                inverses_[i] = kRational ? 1 / sums[0] : 1;
-                means_[i] = sums[1] * inverses_[i];
+                inverses_[i] = kRational ? 1 / sums[2] : 1;
+                means_[i] = sums[0] * inverses_[i];
                 if (job_.slopes != nullptr) {
-                    const double moved = kRational ? means_[i] * sums[2] : 0;
-                    job_.slopes[i] = (sums[3] - moved) * inverses_[i];
+                    const double moved = kRational ? means_[i] * sums[3] : 0;
+                    job_.slopes[i] = (sums[1] - moved) * inverses_[i];
                 }
             }
         }

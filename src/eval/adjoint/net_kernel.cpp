@@ -117,7 +117,7 @@ private:
     [[nodiscard]] HWY_INLINE int64_t base_of(int64_t i, int64_t start) const {
         return kRational && !job_.even ? heaviest(i, start) : start;
     }
-    [[nodiscard]] HWY_NOINLINE int64_t heaviest(int64_t i, int64_t start) const {
+    [[nodiscard]] HWY_INLINE int64_t heaviest(int64_t i, int64_t start) const {
         const double *own = values(last(), i);
         double most = 0;
         int64_t found = start;
@@ -304,9 +304,12 @@ HWY_INLINE void run_kernel(const NetJob &job, const ConstRecords &cotangents, in
     }
 }
 
-// The most frequent shape has a loop of its own; what it computes is the same.
+// The most frequent shapes have loops of their own; what they compute is the same.
 void add_cotangents(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) {
-    if (job.axes == 2 && job.dim == 3 && job.sources[1].degree == 3) {
+    const bool cubic = job.dim == 3 && job.sources[job.axes - 1].degree == 3;
+    if (cubic && job.axes == 1) {
+        run_kernel<1, 3, 4>(job, cotangents, first, first + count);
+    } else if (cubic && job.axes == 2) {
         run_kernel<2, 3, 4>(job, cotangents, first, first + count);
     } else {
         run_kernel<-1, -1, -1>(job, cotangents, first, first + count);
