@@ -118,8 +118,8 @@ HWY_INLINE bool between(const double *HWY_RESTRICT params, int64_t stride, int64
     return rest;
 }
 
-// The power span that holds all of `count` parameters strictly inside, and its first layer; null if none does, or without
-// a look at the others if the last one is not in the span of the first.
+// The power span that holds all of `count` parameters strictly inside, and its first layer; null if none does, or
+// without a look at the others if the last one is not in the span of the first.
 static HWY_NOINLINE HWY_MAYBE_UNUSED const double *locate_together(const AxisSource &source,
                                                                    const double *HWY_RESTRICT params,
                                                                    int64_t stride, int64_t count,
