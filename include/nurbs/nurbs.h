@@ -5710,8 +5710,14 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * of the exact sum, where E_s[R_i] is the magnitude of the derivative of R_i in the preamble (tested).
  * grad_weights[i] is within 1 / w_i times twice as much, with n + dim for n, and the magnitudes of the
  * products R_i P_i and R_i C instead of E_s[R_i]. grad_params are products with the results of
- * nurbs_eval_derivs(); at order 0 they are made from the same sums as the other gradients, and are as
- * accurate as such products.
+ * nurbs_eval_derivs(): bit for bit if order > 0, added up in the order of the slots and, in each, of the
+ * coordinates; to rounding at order 0, where they are made from the sums of the other gradients. There
+ * grad_params[k][a] is within
+ *
+ *     eps * (2 (c + 2) + dim) * sum over the coordinates of |G[k][0]| E_(e_a)[C]
+ *
+ * of the exact product, as the product with the results of nurbs_eval_derivs() is, so that the two differ by at
+ * most twice that (tested).
  * \param[in] g a spline.
  * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
  * \param[in] n number of parameters.
@@ -5783,17 +5789,22 @@ NURBS_API nurbs_status nurbs_eval_adjoint_knots(const nurbs *g, int32_t axis, in
  *     dL/dx = -v,   dL/dC(u) = g_f + v,   dL/dC_a(u) = lambda_a r,
  *
  * and the last two go through nurbs_eval_adjoint(): one small system for each point, and no search. An axis is
- * not free where the foot lies at an end of the domain and the axis is not periodic, nor at a knot of
- * multiplicity >= degree where < r, C_a > is not 0, a kink that holds it: lambda_a is 0 there. At
- * the edge of a `range` inside the domain the foot counts as free, which it is not; leave such feet out. The
- * params are taken as they are: those of a foot that was not found exactly give the gradient of Newton's step
- * from there. Derivatives at a knot are those of the side that NURBS_LEFT chooses.
+ * not free where the foot lies at an end of the domain and the axis is not periodic, nor if its degree is 0,
+ * nor at a knot of multiplicity >= degree where < r, C_a > is not 0 (to 2^-30 |r| |C_a|), a kink that holds
+ * it: lambda_a is 0 there. At the edge of a `range` inside the domain the foot counts as free, which it is
+ * not; leave such feet out. The params are taken as they are: those of a foot that was not found exactly give
+ * the gradient of Newton's step from there. Derivatives at a knot are those of the side that NURBS_LEFT
+ * chooses. No squares of lengths are made: coordinates may have any size at which the results are numbers.
  *
- * Where H is singular to rounding (an eigenvalue below 256 eps after every axis is scaled by the square root
- * of |C_a|^2 + |r| |C_aa|), as at a centre of curvature, and where a distance of 0 has a cotangent other than
- * 0, the status has NURBS_CLOSEST_SINGULAR, the foot adds nothing and its grad_queries are 0. With NURBS_NAN_POINTS a query
- * point or foot that is not finite, as those of nurbs_closest_points() are for such points, has
- * NURBS_CLOSEST_INVALID and adds nothing, and its grad_queries are NaN.
+ * Where something is not determined the status has NURBS_CLOSEST_SINGULAR. There are two cases. H may be
+ * singular to rounding (an eigenvalue below 256 eps after every axis is scaled by the square root of |C_a|^2
+ * + |r| |C_aa|), as at a centre of curvature: the foot adds nothing, and its grad_queries are 0. Or g_d is
+ * not 0, and |r| is not longer than what rounding may add to it, eps times the sum over the axes of sqrt(dim)
+ * (7 p + 2) hull (nurbs_hull_size()) and |u_a| |C_a|: the point lies on the spline, as far as doubles tell,
+ * and r / |r| is any direction. Then g_d counts as 0, the shortest subgradient of the distance, and all else
+ * is as the formulas say. With NURBS_NAN_POINTS a query point or foot that is not finite, as those of
+ * nurbs_closest_points() are for such points, has NURBS_CLOSEST_INVALID and adds nothing, and its
+ * grad_queries are NaN.
  * \param[in] g a spline.
  * \param[in] n number of points.
  * \param[in] points [n][dim] the query points, packed.

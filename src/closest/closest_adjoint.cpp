@@ -3,6 +3,8 @@
 
 #include "base/checked.h"
 #include "base/numbers.h"
+#include "closest/stops.h"
+#include "eval/active.h"
 #include "eval/adjoint/adjoint.h"
 #include "eval/blocks.h"
 #include "eval/kernels/slots.h"
@@ -21,14 +23,6 @@ namespace {
 // Eigenvalues of the scaled equations below this are rounding.
 constexpr double singular_eigenvalue = 256 * eps;
 
-double dot(const double *a, const double *b, int dim) noexcept {
-    double sum = 0;
-    for (int c = 0; c < dim; ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
-}
-
 // The foot u of a query x solves F_a = <r, C_a> = 0 with r = C(u) - x, on the axes where it is free: not at
 // an end of the domain, nor held by a kink. With H_ab = <C_a, C_b> + <r, C_ab>
 //   H du = -(<dC - dx, C_a> + <r, dC_a>)_a,
@@ -36,15 +30,22 @@ double dot(const double *a, const double *b, int dim) noexcept {
 // and the distance d by <r, dC - dx> / d. So, with H lambda = -(g_u + <g_f, C_a>)_a, the cotangents of C
 // and C_a are
 //   g_f + g_d r / d + sum of lambda_a C_a   and   lambda_a r,
-// and dL/dx = -(g_d r / d + sum of lambda_a C_a).
+// and dL/dx = -(g_d r / d + sum of lambda_a C_a). Where r is of the size of its rounding r / d is any direction: 0, the
+// shortest subgradient of the distance, takes its place.
+//
+// No product of two lengths is made, so that shapes of any size have gradients: the unknowns are lambda_a s_a, with the
+// tangents C_a / s_a, s_a^2 = |C_a|^2 + |r| |C_aa|.
 class ClosestAdjoint final : public eval::BlockSink {
 public:
-    ClosestAdjoint(const Spline &spline, const FootCotangents &in)
+    ClosestAdjoint(const Spline &spline, const eval::AxisRules &rules, const FootCotangents &in)
         : spline_(spline), in_(in), axes_(spline.axes()), dim_(spline.dim()),
-          width_(int64_t{1 + axes_} * dim_), residual_(static_cast<size_t>(dim_)),
+          width_(int64_t{1 + axes_} * dim_), direction_(static_cast<size_t>(dim_)),
+          tangents_(static_cast<size_t>(axes_ * dim_)), hulls_(static_cast<size_t>(in.queries.count)),
           cotangents_(static_cast<size_t>(checked_product(in.queries.count, width_, "cotangents"))),
           queries_(static_cast<size_t>(checked_product(in.queries.count, dim_, "gradients"))),
-          status_(static_cast<size_t>(in.queries.count)) {}
+          status_(static_cast<size_t>(in.queries.count)) {
+        eval::hull_sizes(spline, rules, in.feet, {hulls_.data(), in.queries.count, 1, 1, 1});
+    }
     virtual ~ClosestAdjoint() = default;
 
     [[nodiscard]] ConstRecords cotangents() const noexcept {
@@ -78,92 +79,132 @@ private:
 
     void solve(int64_t i, const double *derivs) noexcept {
         int32_t &status = status_[static_cast<size_t>(i)];
-        if (!find_residual(i, derivs)) {
+        if (!find_direction(i, derivs)) {
             status = closest_invalid;
             std::fill_n(queries_.begin() + i * dim_, dim_, std::numeric_limits<double>::quiet_NaN());
             return;
         }
-        const double distance = norm(residual_.data(), dim_);
-        const double of_distance = value(in_.distances, i, 0);
+        double of_distance = value(in_.distances, i, 0);
+        const bool meets = !(distance_ > noise(i, derivs));
+        if (meets && of_distance != 0) {
+            status |= closest_singular;
+            of_distance = 0;
+        }
+        status |= find_free(i, derivs, meets) < axes_ ? closest_boundary : 0;
+        find_tangents(derivs);
         AxisVector lambda{};
-        if ((of_distance != 0 && distance == 0) || !find_lambda(i, derivs, distance, status, lambda)) {
+        if (!find_lambda(i, derivs, lambda)) {
             status |= closest_singular;
             return;
         }
-        write(i, derivs, of_distance != 0 ? of_distance / distance : 0, lambda);
+        write(i, of_distance, lambda);
     }
 
-    bool find_residual(int64_t i, const double *derivs) noexcept {
-        bool finite = true;
+    // r = distance_ direction_; false if it is not finite.
+    bool find_direction(int64_t i, const double *derivs) noexcept {
         for (int c = 0; c < dim_; ++c) {
-            residual_[static_cast<size_t>(c)] = derivs[c] - in_.queries(i, c);
-            finite = finite && std::isfinite(residual_[static_cast<size_t>(c)]);
+            direction_[static_cast<size_t>(c)] = derivs[c] - in_.queries(i, c);
         }
-        return finite;
+        distance_ = norm(direction_.data(), dim_);
+        for (double &x : direction_) {
+            x = distance_ > 0 ? x / distance_ : 0;
+        }
+        return std::isfinite(distance_);
     }
 
-    [[nodiscard]] bool at_end(int64_t i, int a) const noexcept {
-        const KnotVector &axis = spline_.axis(a);
-        const Interval domain = axis.domain();
-        const double t = in_.feet(i, a);
-        return !axis.periodic() && (t == domain.lower || t == domain.upper);
-    }
-
-    // Whether the foot is at a knot where the tangent may jump, and is no place where the derivative of the distance vanishes:
-    // then it stays there.
-    [[nodiscard]] bool held_by_kink(int64_t i, const double *derivs, double distance, int a) const noexcept {
-        constexpr double stationary = 0x1p-30;
-        const KnotVector &axis = spline_.axis(a);
-        const auto [first, last] = std::equal_range(axis.knots().begin(), axis.knots().end(), in_.feet(i, a));
-        const double *tangent = slope(derivs, a);
-        return last - first >= axis.degree() && axis.degree() > 0 &&
-               std::abs(dot(residual_.data(), tangent, dim_)) > stationary * distance * norm(tangent, dim_);
-    }
-
-    // False if the equations are singular to rounding. Each axis is measured by the size of its terms.
-    bool find_lambda(int64_t i, const double *derivs, double distance, int32_t &status,
-                     AxisVector &lambda) const noexcept {
-        std::array<int, max_axes> free{};
-        int n = 0;
+    // What r may be off by: the bound of C(u), see axis-inl.h, and the rounding of u.
+    [[nodiscard]] double noise(int64_t i, const double *derivs) const noexcept {
+        double roundings = 0, moved = 0;
         for (int a = 0; a < axes_; ++a) {
-            const bool held = at_end(i, a) || held_by_kink(i, derivs, distance, a);
-            status |= held ? closest_boundary : 0;
-            if (!held) {
-                free[static_cast<size_t>(n++)] = a;
-            }
+            roundings += 7 * spline_.axis(a).degree() + 2;
+            moved += std::abs(in_.feet(i, a)) * norm(slope(derivs, a), dim_);
         }
-        AxisMatrix matrix{};
-        AxisVector right{}, size{};
-        for (size_t r = 0; r < static_cast<size_t>(n); ++r) {
-            const double *own = slope(derivs, free[r]);
-            size[r] =
-                std::sqrt(dot(own, own, dim_) + distance * norm(second(derivs, free[r], free[r]), dim_));
-        }
-        for (size_t r = 0; r < static_cast<size_t>(n); ++r) {
-            if (!(size[r] > 0)) {
-                return false;
-            }
-            right[r] = -cotangent_of(i, derivs, free[r]) / size[r];
-            for (size_t c = 0; c < static_cast<size_t>(n); ++c) {
-                matrix[r][c] = (dot(slope(derivs, free[r]), slope(derivs, free[c]), dim_) +
-                                dot(residual_.data(), second(derivs, free[r], free[c]), dim_)) /
-                               size[r] / size[c];
-            }
-        }
-        return solve(n, matrix, right, size, free, lambda);
+        return eps * roundings * std::sqrt(dim_) * hulls_[static_cast<size_t>(i)] + eps * moved +
+               underflow_noise;
     }
 
-    // g_u + <g_f, C_a>
-    [[nodiscard]] double cotangent_of(int64_t i, const double *derivs, int a) const noexcept {
-        double sum = value(in_.params, i, a);
-        for (int c = 0; c < dim_; ++c) {
-            sum += value(in_.points, i, c) * slope(derivs, a)[c];
+    // The axes on which the foot is free; returns their number. It is held where <r, C_a> need not be 0 and is not.
+    int find_free(int64_t i, const double *derivs, bool meets) noexcept {
+        constexpr double stationary = 0x1p-30;
+        free_count_ = 0;
+        for (int a = 0; a < axes_; ++a) {
+            const KnotVector &axis = spline_.axis(a);
+            const double t = in_.feet(i, a);
+            const auto vanishes = [&] {
+                const double *tangent = slope(derivs, a);
+                const double length = norm(tangent, dim_);
+                return meets || !(std::abs(along(direction_.data(), tangent, length)) > stationary);
+            };
+            const bool stays = axis.degree() == 0 || is_end(axis, t);
+            if (!stays && (!may_hold_foot(axis, t) || vanishes())) {
+                free_[static_cast<size_t>(free_count_++)] = a;
+            }
+        }
+        return free_count_;
+    }
+
+    // <x, y / length>, 0 if y is 0.
+    [[nodiscard]] double along(const double *x, const double *y, double length) const noexcept {
+        double sum = 0;
+        for (int c = 0; c < dim_ && length > 0; ++c) {
+            sum += x[c] * (y[c] / length);
         }
         return sum;
     }
 
-    static bool solve(int n, const AxisMatrix &matrix, const AxisVector &right, const AxisVector &size,
-                      const std::array<int, max_axes> &free, AxisVector &lambda) noexcept {
+    // s_a and C_a / s_a of the free axes.
+    void find_tangents(const double *derivs) noexcept {
+        for (size_t f = 0; f < static_cast<size_t>(free_count_); ++f) {
+            const double *own = slope(derivs, free_[f]);
+            sizes_[f] = std::hypot(norm(own, dim_), mean(norm(second(derivs, free_[f], free_[f]), dim_)));
+            for (int c = 0; c < dim_; ++c) {
+                tangent(f)[c] = own[c] / sizes_[f];
+            }
+        }
+    }
+    [[nodiscard]] double *tangent(size_t f) noexcept {
+        return tangents_.data() + f * static_cast<size_t>(dim_);
+    }
+    // The geometric mean of the distance and another length.
+    [[nodiscard]] double mean(double length) const noexcept {
+        return std::sqrt(distance_) * std::sqrt(length);
+    }
+
+    // H_ab / (s_a s_b)
+    [[nodiscard]] double entry(const double *derivs, size_t f, size_t g) noexcept {
+        const double *both = second(derivs, free_[f], free_[g]);
+        const double length = norm(both, dim_), size = mean(length);
+        return dot(tangent(f), tangent(g), dim_) +
+               along(direction_.data(), both, length) * (size / sizes_[f]) * (size / sizes_[g]);
+    }
+
+    // lambda_a s_a; false if the equations are singular to rounding.
+    bool find_lambda(int64_t i, const double *derivs, AxisVector &lambda) noexcept {
+        const auto n = static_cast<size_t>(free_count_);
+        AxisMatrix matrix{};
+        AxisVector right{};
+        for (size_t f = 0; f < n; ++f) {
+            if (!(sizes_[f] > 0)) {
+                return false;
+            }
+            right[f] = -cotangent_of(i, f);
+            for (size_t g = 0; g < n; ++g) {
+                matrix[f][g] = entry(derivs, f, g);
+            }
+        }
+        return solve(free_count_, matrix, right, lambda);
+    }
+
+    // (g_u + <g_f, C_a>) / s_a
+    [[nodiscard]] double cotangent_of(int64_t i, size_t f) noexcept {
+        double sum = value(in_.params, i, free_[f]) / sizes_[f];
+        for (int c = 0; c < dim_; ++c) {
+            sum += value(in_.points, i, c) * tangent(f)[c];
+        }
+        return sum;
+    }
+
+    static bool solve(int n, const AxisMatrix &matrix, const AxisVector &right, AxisVector &lambda) noexcept {
         if (n == 0) {
             return true;
         }
@@ -174,24 +215,21 @@ private:
             return false;
         }
         for (size_t r = 0; r < static_cast<size_t>(n); ++r) {
-            double sum = 0;
             for (size_t c = 0; c < static_cast<size_t>(n); ++c) {
-                sum += (*solved)[r][c] * right[c];
+                lambda[r] += (*solved)[r][c] * right[c];
             }
-            lambda[static_cast<size_t>(free[r])] = sum / size[r];
         }
         return true;
     }
 
-    // of_distance: g_d / d.
-    void write(int64_t i, const double *derivs, double of_distance, const AxisVector &lambda) noexcept {
+    void write(int64_t i, double of_distance, const AxisVector &lambda) noexcept {
         double *out = cotangents_.data() + i * width_;
         for (int c = 0; c < dim_; ++c) {
-            const double rest = residual_[static_cast<size_t>(c)];
-            double moved = of_distance * rest;
-            for (int a = 0; a < axes_; ++a) {
-                moved += lambda[static_cast<size_t>(a)] * slope(derivs, a)[c];
-                out[(1 + a) * dim_ + c] = lambda[static_cast<size_t>(a)] * rest;
+            const double unit = direction_[static_cast<size_t>(c)];
+            double moved = of_distance * unit;
+            for (size_t f = 0; f < static_cast<size_t>(free_count_); ++f) {
+                moved += lambda[f] * tangent(f)[c];
+                out[(1 + free_[f]) * dim_ + c] = lambda[f] * (distance_ / sizes_[f]) * unit;
             }
             out[c] = value(in_.points, i, c) + moved;
             queries_[static_cast<size_t>(i * dim_ + c)] = -moved;
@@ -203,9 +241,15 @@ private:
     int axes_;
     int dim_;
     int64_t width_;
-    std::vector<double> residual_;
-    std::vector<double> cotangents_; // [count][1 + axes][dim]; 0 for a foot that is not determined
-    std::vector<double> queries_;    // [count][dim]
+    std::vector<double> direction_; // of r, and its length
+    double distance_ = 0;
+    int free_count_ = 0;
+    std::array<int, max_axes> free_{}; // the free axes
+    AxisVector sizes_{};               // s_a of each
+    std::vector<double> tangents_;     // C_a / s_a of each, [dim]
+    std::vector<double> hulls_;        // of the control points about each foot
+    std::vector<double> cotangents_;   // [count][1 + axes][dim]; 0 for a foot that is not determined
+    std::vector<double> queries_;      // [count][dim]
     std::vector<int32_t> status_;
 };
 
@@ -213,7 +257,7 @@ private:
 
 void closest_adjoint(const Spline &spline, const eval::AxisRules &rules, const FootCotangents &in,
                      const FootGradients &out) {
-    ClosestAdjoint adjoint(spline, in);
+    ClosestAdjoint adjoint(spline, rules, in);
     eval::evaluate_points(spline, rules, 2, in.feet, adjoint);
     eval::evaluate_adjoint(spline, rules, 1, in.feet, adjoint.cotangents(), false,
                            {out.points, out.weights, {}});

@@ -8,6 +8,7 @@
 #include "eval/evaluate.h"
 #include "numeric/nested_rule.h"
 #include "numeric/norm.h"
+#include "spline/active_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,24 +23,6 @@ constexpr int64_t parts_at_least = 20000, parts_for_a_span = 256;
 constexpr double rounding = 64 * eps;
 // Of a tolerance below rounding, which asks for the best.
 constexpr double loosest = 1e-3;
-
-// One span of a curve as a spline of its own: the window of its knots and control points.
-SplinePtr span_curve(const Spline &curve, int64_t span) {
-    const KnotVector &axis = curve.axis(0);
-    const int64_t p = axis.degree(), width = curve.stored_width();
-    const auto knots = axis.knots().begin() + (span - p);
-    const auto points = curve.points().begin() + (span - p) * width;
-    std::vector<double> weights;
-    if (curve.form() == Form::rational) {
-        const auto first = curve.weights().begin() + (span - p);
-        weights.assign(first, first + p + 1);
-    }
-    auto own =
-        std::make_shared<const KnotVector>(axis.degree(), std::vector<double>(knots, knots + 2 * p + 2));
-    return std::make_shared<const Spline>(Spline::Axes{std::move(own)}, curve.dim(), curve.form(),
-                                          std::vector<double>(points, points + (p + 1) * width),
-                                          std::move(weights));
-}
 
 // What a rule gives for a part of a span.
 struct RuleGradient {
@@ -58,7 +41,7 @@ struct Scale {
 class SpanGradients {
 public:
     SpanGradients(const Spline &curve, int64_t span)
-        : curve_(span_curve(curve, span)), count_(curve_->point_count()), dim_(curve_->dim()) {}
+        : curve_(active_part(curve, {span})), count_(curve_->point_count()), dim_(curve_->dim()) {}
 
     [[nodiscard]] int64_t count() const noexcept { return count_; }
     [[nodiscard]] double weight(int64_t i) const noexcept { return curve_->weight(i); }
@@ -107,15 +90,16 @@ public:
 private:
     // Between neighbouring derivatives; one that vanishes has no direction.
     [[nodiscard]] double least_cosine(const std::vector<double> &derivs) const noexcept {
-        const size_t dim = static_cast<size_t>(dim_);
         double least = 1;
-        for (size_t i = 3 * dim; i < derivs.size(); i += 2 * dim) {
-            double sum = 0;
-            for (size_t c = 0; c < dim; ++c) {
-                sum += derivs[i + c] * derivs[i + c - 2 * dim];
+        const double *before = derivs.data() + dim_;
+        for (const double *next = before + 2 * dim_; next < derivs.data() + derivs.size(); next += 2 * dim_) {
+            const double size = norm(next, dim_), other = norm(before, dim_);
+            double cosine = 0;
+            for (int c = 0; c < dim_; ++c) {
+                cosine += next[c] / size * (before[c] / other);
             }
-            const double sizes = norm(derivs.data() + i, dim_) * norm(derivs.data() + i - 2 * dim, dim_);
-            least = sizes > 0 ? std::min(least, sum / sizes) : least;
+            least = size > 0 && other > 0 ? std::min(least, cosine) : least;
+            before = next;
         }
         return least;
     }

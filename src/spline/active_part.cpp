@@ -28,8 +28,7 @@ std::vector<int64_t> active_places(const Spline &spline, const std::array<int64_
 
 } // namespace
 
-SplinePtr active_part(const Spline &given, const std::array<int64_t, max_axes> &spans) {
-    const Spline &spline = given.effective();
+SplinePtr active_part(const Spline &spline, const std::array<int64_t, max_axes> &spans) {
     Spline::Axes axes;
     for (int k = 0; k < spline.axes(); ++k) {
         axes.push_back(knots_around(spline.axis(k), spans[static_cast<size_t>(k)]));

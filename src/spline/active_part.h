@@ -7,7 +7,7 @@
 namespace nrb::inline spline {
 
 // The spline of the control points that are active on these spans and of the knots that their functions have
-// there: its domain is the spans. Points without influence are replaced as by effective().
-SplinePtr active_part(const Spline &given, const std::array<int64_t, max_axes> &spans);
+// there: its domain is the spans.
+SplinePtr active_part(const Spline &spline, const std::array<int64_t, max_axes> &spans);
 
 } // namespace nrb::inline spline

@@ -38,7 +38,7 @@ static void foot_of_a_segment(void) {
     nurbs_destroy(g);
 }
 
-/* No single foot at the centre of a circle, and no gradient of the distance 0. */
+/* No single foot at the centre of a circle, and no gradient of the distance 0, but of all else. */
 static void singular(void) {
     static const double centre[] = {0, 0}, on_it[] = {0.5, 0}, param = 0.125, quarter = 0.25, one = 1;
     nurbs *g = make(circle());
@@ -54,6 +54,11 @@ static void singular(void) {
     CHECK_OK(
         nurbs_closest_adjoint(g, 1, on_it, &quarter, &one, NULL, NULL, points, weights, queries, status, 0));
     CHECK(status[0] == 0);
+    CHECK_DOUBLES(queries, ((const double[]){0.5, 0}), 2);
+    /* the parameter moves all the same */
+    CHECK_OK(
+        nurbs_closest_adjoint(g, 1, on_it, &quarter, &one, NULL, &one, points, weights, queries, status, 0));
+    CHECK(status[0] == NURBS_CLOSEST_SINGULAR);
     CHECK_DOUBLES(queries, ((const double[]){0.5, 0}), 2);
     nurbs_destroy(g);
 }

@@ -192,6 +192,112 @@ TEST(QueryGradients, feet_at_kinks_stay_there) {
     }
 }
 
+// A point on the curve, to rounding, has no direction to its foot; foot and parameter move as if nothing were asked of
+// the distance.
+TEST(QueryGradients, distances_of_rounding_size_have_no_direction) {
+    int64_t moved_off = 0;
+    for_each_case(114000000, 200, [&](Random &random, uint64_t seed) {
+        const int axes = random.whole(1, 2), dim = random.whole(axes + 1, 3);
+        const SplineData data = tame_spline(random, axes, dim, 2);
+        std::vector<double> params(static_cast<size_t>(queries * axes)),
+            points(static_cast<size_t>(queries * dim));
+        for (size_t i = 0; i < params.size(); ++i) {
+            const std::vector<double> &knots = data.knots[i % static_cast<size_t>(axes)];
+            params[i] = random.between(knots.front(), knots.back());
+        }
+        require_ok(nurbs_eval(create(data).get(), queries, params.data(), 0, 0, points.data(), 0, 0, 0));
+        const Feet feet = feet_from(data, points, nullptr);
+        const Loss loss(random, feet);
+        Loss rest = loss;
+        std::fill(rest.cotangents.distances.begin(), rest.cotangents.distances.end(), 0.0);
+        const Gradients got = closest_adjoint(data, points, feet, loss);
+        const Gradients expected = closest_adjoint(data, points, feet, rest);
+        for (size_t i = 0; i < queries; ++i) {
+            moved_off += feet.distances[i] > 0 ? 1 : 0;
+            ASSERT_EQ(got.status[i], expected.status[i] | NURBS_CLOSEST_SINGULAR) << where(seed, data) << i;
+        }
+        ASSERT_EQ(got.points, expected.points) << where(seed, data);
+        ASSERT_EQ(got.weights, expected.weights) << where(seed, data);
+        ASSERT_EQ(got.queries, expected.queries) << where(seed, data);
+    });
+    EXPECT_GE(moved_off, of_whole_run(100)); // by rounding
+}
+
+// A distance a hundred times as long as its rounding has a direction within a few hundredths of the normal.
+TEST(QueryGradients, short_distances_have_the_direction_of_the_normal) {
+    const SplineData line{{1}, {2}, {{0, 0, 1, 1}}, 2, {0, 0, 3, 4}, {}, 0};
+    const double d = 100 * 9 * std::sqrt(2) * 4 * 0x1p-52, param = 0.5, one = 1;
+    const double point[] = {1.5 - 0.8 * d, 2 + 0.6 * d};
+    double points[4], of_query[2];
+    int32_t status = 0;
+    require_ok(nurbs_closest_adjoint(create(line).get(), 1, point, &param, nullptr, nullptr, &one, points,
+                                     nullptr, of_query, &status, 0));
+    EXPECT_EQ(status, 0);
+    EXPECT_NEAR(of_query[0], -0.8, 0.03);
+    EXPECT_NEAR(of_query[1], 0.6, 0.03);
+}
+
+// Everything is measured in another unit: points of the same gradients, weights and queries of scaled ones.
+TEST(QueryGradients, closest_points_of_shapes_of_any_size) {
+    for_each_case(115000000, 100, [&](Random &random, uint64_t seed) {
+        const int axes = random.whole(1, 2), dim = random.whole(axes + 1, 3);
+        const SplineData data = tame_spline(random, axes, dim, 2);
+        const std::vector<double> points = random_vector(random, static_cast<size_t>(queries * dim));
+        const Feet feet = feet_from(data, points, nullptr);
+        const Loss loss(random, feet);
+        const Gradients one = closest_adjoint(data, points, feet, loss);
+        for (const double unit : {0x1p-664, 0x1p664}) {
+            const auto scaled = [&](std::vector<double> x) {
+                std::transform(x.begin(), x.end(), x.begin(), [&](double value) { return unit * value; });
+                return x;
+            };
+            SplineData other = data;
+            other.points = scaled(data.points);
+            Loss same = loss;
+            same.cotangents.params = scaled(loss.cotangents.params);
+            const Gradients got = closest_adjoint(other, scaled(points), feet, same);
+            ASSERT_EQ(got.status, one.status) << where(seed, data) << unit;
+            const auto compare = [&](const std::vector<double> &a, const std::vector<double> &b,
+                                     double size) {
+                for (size_t i = 0; i < a.size(); ++i) {
+                    // Equations that are nearly singular make more of roundings.
+                    ASSERT_NEAR(a[i] / size, b[i], 1e-9 * (1 + std::sqrt(dot(b, b))))
+                        << where(seed, data) << i;
+                }
+            };
+            compare(got.points, one.points, 1);
+            compare(got.weights, one.weights, unit);
+            compare(got.queries, one.queries, 1);
+        }
+    });
+}
+
+// Nothing moves along an axis of degree 0: steps, and a surface of segments.
+TEST(QueryGradients, feet_on_axes_of_degree_0_stay) {
+    const SplineData steps{{0}, {2}, {{0, 1, 2}}, 2, {0, 0, 4, 0}, {}, 0};
+    const double point[] = {4, 3}, param = 1.5, one = 1, along[] = {5, 7};
+    double points[4], of_query[2];
+    int32_t status = 0;
+    require_ok(nurbs_closest_adjoint(create(steps).get(), 1, point, &param, &one, along, &one, points,
+                                     nullptr, of_query, &status, 0));
+    EXPECT_EQ(status, NURBS_CLOSEST_BOUNDARY);
+    EXPECT_EQ(std::vector<double>(points, points + 4), (std::vector<double>{0, 0, 5, 6}));
+    EXPECT_EQ(std::vector<double>(of_query, of_query + 2), (std::vector<double>{0, 1}));
+
+    const SplineData segments{{0, 1}, {2, 2}, {{0, 1, 2}, {0, 0, 1, 1}}, 2, {0, 9, 1, 9, 0, 0, 2, 0}, {}, 0};
+    const double above[] = {0.5, 1}, at[] = {1.5, 0.25}, of_params[] = {1, 1};
+    double net[8];
+    require_ok(nurbs_closest_adjoint(create(segments).get(), 1, above, at, of_params, nullptr, &one, net,
+                                     nullptr, of_query, &status, 0));
+    EXPECT_EQ(status, NURBS_CLOSEST_BOUNDARY);
+    const double expected[] = {0, 0, 0, 0, -0.375, -1, -0.125, 0};
+    for (size_t i = 0; i < 8; ++i) {
+        EXPECT_NEAR(net[i], expected[i], 1e-15) << i;
+    }
+    EXPECT_NEAR(of_query[0], 0.5, 1e-15);
+    EXPECT_NEAR(of_query[1], 1, 1e-15);
+}
+
 struct LengthGradients {
     std::vector<double> points;
     std::vector<double> weights;
@@ -236,6 +342,22 @@ TEST(QueryGradients, lengths_change_as_their_gradients_say) {
     });
 }
 
+// A control point of weight 0 has a gradient by its weight from where it lies.
+TEST(QueryGradients, lengths_change_with_a_weight_of_0) {
+    const SplineData arch{
+        {4}, {5}, {{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}}, 2, {0, 0, 0, 1, 0.25, 7, 2, 1, 3, 0}, {1, 1, 0, 1, 1}, 0};
+    const LengthGradients got = length_adjoint(arch);
+    const auto grown = [&](double w) {
+        SplineData curve = arch;
+        curve.weights[2] = w;
+        return length(curve);
+    };
+    EXPECT_GT(got.weights[2], 0.5);
+    // By three values, since no weight is negative: errors h^2, and roundings over h.
+    const double h = 1e-5, expected = (4 * grown(h) - 3 * grown(0) - grown(2 * h)) / (2 * h);
+    EXPECT_NEAR(got.weights[2], expected, 1e-7);
+}
+
 // Moved and turned curves have the same length, scaled ones one in proportion; all weights times a number
 // change nothing.
 void check_length_laws(const SplineData &curve, double tolerance, const std::string &message) {
@@ -267,7 +389,6 @@ TEST(QueryGradients, lengths_of_moved_scaled_and_turned_curves) {
     });
 }
 
-// The tangent of a curve with a cusp jumps.
 // A tangent that turns within some e^2 of the domain lies between the nodes of every rule, and is not missed.
 TEST(QueryGradients, lengths_of_curves_that_nearly_have_a_cusp) {
     for (const double e : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
@@ -284,6 +405,28 @@ TEST(QueryGradients, lengths_of_curves_that_nearly_have_a_cusp) {
     }
 }
 
+TEST(QueryGradients, lengths_of_curves_of_any_size) {
+    for (const double e : {0.25, 1e-5}) {
+        const SplineData curve{{3},          {4}, {{0, 0, 0, 0, 1, 1, 1, 1}}, 2, {0, 0, 1, 1, 0, 1 + e, 1, 0},
+                               {1, 2, 3, 1}, 0};
+        const LengthGradients one = length_adjoint(curve, 1e-4);
+        for (const double unit : {0x1p-664, 0x1p664}) {
+            SplineData other = curve;
+            for (double &x : other.points) {
+                x *= unit;
+            }
+            const LengthGradients got = length_adjoint(other, 1e-4);
+            for (size_t i = 0; i < got.points.size(); ++i) {
+                ASSERT_NEAR(got.points[i], one.points[i], 1e-13) << e << ' ' << unit;
+            }
+            for (size_t i = 0; i < got.weights.size(); ++i) {
+                ASSERT_NEAR(got.weights[i] / unit, one.weights[i], 1e-13) << e << ' ' << unit;
+            }
+        }
+    }
+}
+
+// The tangent of a curve with a cusp jumps.
 TEST(QueryGradients, lengths_of_curves_with_a_cusp) {
     const SplineData cusp{{3}, {4}, {{0, 0, 0, 0, 1, 1, 1, 1}}, 2, {0, 0, 1, 1, 0, 1, 1, 0}, {}, 0};
     check_length_laws(cusp, 1e-9, "cusp");

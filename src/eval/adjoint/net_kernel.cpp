@@ -5,62 +5,14 @@
 
 #include <hwy/foreach_target.h>
 
-#include "eval/adjoint/net_kernel.h"
-#include "eval/kernels/axis-inl.h"
+#include "eval/adjoint/net_sums-inl.h"
+
+#include <algorithm>
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
-
-// A function that is alone is exactly 1, and the others are 0.
-static HWY_NOINLINE void mend_alone(const AxisSource &source, const AxisPoint *points, int64_t count,
-                                    int64_t size, double *values) {
-    for (int64_t i = 0; i < count; ++i) {
-        if (points[i].valid() && points[i].sole >= 0) {
-            double *own = values + i * size;
-            std::fill_n(own, source.degree + 1, 0.0);
-            own[points[i].sole] = 1;
-        }
-    }
-}
-
-template <int kOrders>
-HWY_INLINE bool axis_bases(const AxisSource &source, const double *params, int64_t stride, int64_t count,
-                           AxisPoint *points, double *values) {
-    return source.degree == 3
-               ? axis_block<kOrders, 3>(source, kOrders - 1, params, stride, count, points, values)
-               : axis_block<kOrders, -1>(source, kOrders - 1, params, stride, count, points, values);
-}
-
-bool find_bases(const NetJob &job, const ConstRecords &params) {
-    bool special = false;
-    for (int k = 0; k < job.axes; ++k) {
-        const auto at = static_cast<size_t>(k);
-        const AxisSource &source = job.sources[at];
-        const double *first = params.data + k * params.component_stride;
-        const auto bases = job.order == 0 ? &axis_bases<1> : &axis_bases<2>;
-        if (bases(source, first, params.stride, params.count, job.points[at], job.values[at])) {
-            mend_alone(source, job.points[at], params.count, source.values_size(job.order), job.values[at]);
-            special = true;
-        }
-    }
-    return special;
-}
-
-using Vector = hn::Vec<Vec4>;
-
-// The arrays of a job, in registers where there are enough.
-struct NetArrays {
-    explicit NetArrays(const NetJob &job)
-        : size(job.size), weights(job.weights), coordinates(job.coordinates), grad_points(job.grad_points),
-          grad_weights(job.grad_weights) {}
-
-    int64_t size;
-    const double *HWY_RESTRICT weights;
-    const double *HWY_RESTRICT coordinates;
-    double *HWY_RESTRICT grad_points;
-    double *HWY_RESTRICT grad_weights;
-};
 
 // A vector of the space with each component in all lanes. The constructors are written out, because one added
 // by the compiler is not compiled for the instruction set.
@@ -105,11 +57,6 @@ public:
           orders_(job.order + 1) {}
 
     void run(int64_t first, int64_t end) const {
-        if constexpr (kAxes == 1 && kDim == 3 && kFunctions == 4) {
-            if (job_.whole) {
-                return run_cubic(first, end);
-            }
-        }
         for (int64_t i = first; i < end; ++i) {
             if (valid(i)) {
                 run_one(i);
@@ -119,7 +66,6 @@ public:
 
 private:
     using Space = Spread<kDim>;
-    static constexpr int parts = 4 / vec4_lanes;
 
     // The last axis.
     [[nodiscard]] HWY_INLINE size_t last() const {
@@ -147,8 +93,8 @@ private:
         return job_.values[k] + i * orders_ * job_.sources[k].lanes;
     }
 
-    // One parameter with its cotangent g. Products are those with P_i - P, where P is the first active point:
-    // so neither they nor the sums of derivatives, in which P cancels, depend on where the shape lies.
+    // One parameter with its cotangent g. Products are those with P_i - P, where P is an active point: so neither
+    // they nor the sums of derivatives, in which P cancels, depend on where the shape lies.
     struct Place {
         int64_t i;
         int64_t start;
@@ -162,29 +108,49 @@ private:
             : i(index), start(first), values(kernel.values(kernel.last(), index)),
               cotangent(kernel.cotangents_.record(index), kernel.cotangents_.component_stride, kernel.dim(),
                         kernel.job_.work),
-              base(kProducts ? kernel.arrays_.coordinates + first : kernel.cotangents_.record(index),
+              base(kProducts ? kernel.arrays_.coordinates + kernel.base_of(index, first)
+                             : kernel.cotangents_.record(index),
                    kProducts ? kernel.arrays_.size : 0, kernel.dim(), kernel.job_.work + kernel.dim()) {}
     };
+
+    // P is the first active point, unless that may hardly count and lie anywhere: then the one that counts most.
+    [[nodiscard]] HWY_INLINE int64_t base_of(int64_t i, int64_t start) const {
+        return kRational && !job_.even ? heaviest(i, start) : start;
+    }
+    [[nodiscard]] HWY_INLINE int64_t heaviest(int64_t i, int64_t start) const {
+        const double *own = values(last(), i);
+        double most = 0;
+        int64_t found = start;
+        for_each_row(i, start, [&](const RowFactors &factors, int64_t row) HWY_ATTR {
+            for (int l = 0; l < functions(); ++l) {
+                const double share = std::abs(factors.value * own[l] * arrays_.weights[row + l]);
+                found = share > most ? row + l : found;
+                most = std::max(most, share);
+            }
+        });
+        return found;
+    }
 
     HWY_INLINE void run_one(int64_t i) const {
         Place place(*this, i, start_of(i));
         finish_sums(place, [&](Totals &totals) HWY_ATTR {
-            for_each_row(place, [&](const RowFactors &factors, int64_t row)
-                                    HWY_ATTR { sum_row(place, factors, row, totals); });
+            for_each_row(place.i, place.start, [&](const RowFactors &factors, int64_t row) HWY_ATTR {
+                sum_row(place, factors, row, totals);
+            });
         });
-        for_each_row(place, [&](const RowFactors &factors, int64_t row)
-                                HWY_ATTR { add_row(place, factors.value, row); });
+        for_each_row(place.i, place.start, [&](const RowFactors &factors, int64_t row) HWY_ATTR {
+            add_row(place, factors.value, row);
+        });
     }
 
     // visit(factors, first control point of the row)
     template <class Visit>
-    HWY_INLINE void for_each_row(const Place &place, Visit &&visit) const {
-        int64_t row = place.start;
+    HWY_INLINE void for_each_row(int64_t i, int64_t row, Visit &&visit) const {
         if (last() == 0) {
             return visit(RowFactors(), row);
         }
         const AxisSource *sources = job_.sources;
-        const double *u = values(0, place.i), *du = u + (orders_ - 1) * sources[0].lanes;
+        const double *u = values(0, i), *du = u + (orders_ - 1) * sources[0].lanes;
         const int64_t stride = job_.strides[0];
         if (last() == 1) {
             for (int a = 0; a <= sources[0].degree; ++a, row += stride) {
@@ -192,7 +158,7 @@ private:
             }
             return;
         }
-        const double *v = values(1, place.i), *dv = v + (orders_ - 1) * sources[1].lanes;
+        const double *v = values(1, i), *dv = v + (orders_ - 1) * sources[1].lanes;
         for (int a = 0; a <= sources[0].degree; ++a, row += stride) {
             for (int b = 0; b <= sources[1].degree; ++b) {
                 visit(RowFactors{u[a] * v[b], {du[a] * v[b], u[a] * dv[b]}}, row + b * job_.strides[1]);
@@ -229,23 +195,6 @@ private:
                     (slopes.second - moved) * place.inverse;
             }
         }
-    }
-
-    struct Pair {
-        double first;
-        double second;
-    };
-    // The sums of the lanes of two vectors.
-    [[nodiscard]] static HWY_INLINE Pair sums_of(Vector a, Vector b) {
-#if HWY_MAX_BYTES >= 32
-        const Vec4 d;
-        const hn::CappedTag<double, 2> half;
-        const auto both = hn::Add(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
-        const auto sums = hn::Add(hn::LowerHalf(half, both), hn::UpperHalf(half, both));
-        return {hn::GetLane(sums), hn::ExtractLane(sums, 1)};
-#else
-        return {hn::GetLane(hn::SumOfLanes(Vec4(), a)), hn::GetLane(hn::SumOfLanes(Vec4(), b))};
-#endif
     }
 
     HWY_INLINE void sum_row(const Place &place, const RowFactors &factors, int64_t row,
@@ -336,73 +285,6 @@ private:
         }
     }
 
-    // Cubic curves in space: the sums of a span stay in registers while parameters stay in it.
-    struct Sums {
-        Vector points[3][parts];
-        Vector weights[parts];
-
-        HWY_INLINE Sums() {}
-    };
-    HWY_NOINLINE void run_cubic(int64_t first, int64_t end) const {
-        const AxisPoint *points = job_.points[0];
-        for (int64_t i = first; i < end;) {
-            if (!points[i].valid()) {
-                ++i;
-                continue;
-            }
-            const int64_t start = points[i].first;
-            Sums sums;
-            load(start, sums);
-            do {
-                add_cubic(i, start, sums);
-            } while (++i < end && points[i].first == start);
-            store(start, sums);
-        }
-    }
-    HWY_INLINE void load(int64_t start, Sums &sums) const {
-        const Vec4 d;
-        for (int part = 0; part < parts; ++part) {
-            const int64_t at = start + part * vec4_lanes;
-            for (int c = 0; c < 3; ++c) {
-                sums.points[c][part] = arrays_.grad_points != nullptr
-                                           ? hn::LoadU(d, arrays_.grad_points + c * arrays_.size + at)
-                                           : hn::Zero(d);
-            }
-            sums.weights[part] = kProducts && arrays_.grad_weights != nullptr
-                                     ? hn::LoadU(d, arrays_.grad_weights + at)
-                                     : hn::Zero(d);
-        }
-    }
-    HWY_INLINE void store(int64_t start, const Sums &sums) const {
-        const Vec4 d;
-        for (int part = 0; part < parts; ++part) {
-            const int64_t at = start + part * vec4_lanes;
-            for (int c = 0; arrays_.grad_points != nullptr && c < 3; ++c) {
-                hn::StoreU(sums.points[c][part], d, arrays_.grad_points + c * arrays_.size + at);
-            }
-            if (kProducts && arrays_.grad_weights != nullptr) {
-                hn::StoreU(sums.weights[part], d, arrays_.grad_weights + at);
-            }
-        }
-    }
-    HWY_INLINE void add_cubic(int64_t i, int64_t start, Sums &sums) const {
-        const Vec4 d;
-        Place place(*this, i, start);
-        finish_sums(place, [&](Totals &totals) HWY_ATTR { sum_row(place, RowFactors(), start, totals); });
-        for (int part = 0; part < parts; ++part) {
-            const int64_t at = start + part * vec4_lanes;
-            const auto function = divided(place, hn::LoadU(d, place.values + part * vec4_lanes));
-            const auto share = kRational ? hn::Mul(function, hn::LoadU(d, arrays_.weights + at)) : function;
-            for (int c = 0; c < 3; ++c) {
-                sums.points[c][part] = hn::MulAdd(share, place.cotangent[c], sums.points[c][part]);
-            }
-            if constexpr (kProducts) {
-                sums.weights[part] = hn::MulAdd(
-                    function, hn::Sub(product_of(place, at), hn::Set(d, place.mean)), sums.weights[part]);
-            }
-        }
-    }
-
     const NetJob &job_;
     const ConstRecords &cotangents_;
     NetArrays arrays_;
@@ -441,15 +323,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::eval {
 
-NURBS_FORMS(find_bases);
 NURBS_FORMS(add_cotangents);
 
-bool find_net_bases(const NetJob &job, const ConstRecords &params) noexcept {
-    return NURBS_BEST(find_bases)(job, params);
-}
-
 void add_to_net(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept {
-    NURBS_BEST(add_cotangents)(job, cotangents, first, count);
+    const bool cubic = job.axes == 1 && job.dim == 3 && job.sources[0].degree == 3;
+    if (cubic && job.whole && (job.even || job.coordinates == nullptr)) {
+        add_to_cubic(job, cotangents, first, count);
+    } else {
+        NURBS_BEST(add_cotangents)(job, cotangents, first, count);
+    }
 }
 
 } // namespace nrb::eval

@@ -26,6 +26,7 @@ struct NetJob {
     std::array<int64_t, max_axes> strides{}; // between layers of each axis
     int64_t size = 0;                        // between components
     const double *weights = nullptr;         // null: all 1
+    bool even = true;                        // no weight is more than 4 times another
     const double *coordinates = nullptr;     // [dim], or null: only gradients of points are wanted
     double *grad_points = nullptr;           // [dim], or null: not wanted
     double *grad_weights = nullptr;          // or null
@@ -42,5 +43,7 @@ bool find_net_bases(const NetJob &job, const ConstRecords &params) noexcept;
 // where h = q (sum of N_i w_i d_i). The first two are added one after the other; slopes are overwritten, but
 // for parameters that give NaN.
 void add_to_net(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept;
+// The same bits, faster, of cubic curves in space with whole arrays and, where products are made, even weights.
+void add_to_cubic(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) noexcept;
 
 } // namespace nrb::eval

@@ -25,6 +25,7 @@ public:
         job_.axes = from.spline.axes();
         job_.dim = from.spline.dim();
         job_.order = order_;
+        job_.even = !(from.spline.all_weights().largest > 4 * from.spline.all_weights().smallest);
         job_.sources = sources_.data();
         for (size_t k = 0; k < axes(); ++k) {
             sources_[k].take_work(scratch_);

@@ -294,7 +294,7 @@ private:
         if (spans[0] < 0) {
             return run_copy(spline_, {}, first, count);
         }
-        const SplinePtr part = active_part(spline_, spans);
+        const SplinePtr part = active_part(spline_.effective(), spans);
         const Powers powers = powers_of_part(*part);
         run_copy(*scaled(*part, powers), powers, first, count);
     }

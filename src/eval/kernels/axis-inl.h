@@ -101,6 +101,43 @@ static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const
     return ordinary;
 }
 
+// Whether parameters lie strictly between two bounds; NaN does not.
+HWY_INLINE bool between(const double *HWY_RESTRICT params, int64_t stride, int64_t count, double lower,
+                        double upper) {
+    const Vec8 d;
+    auto all = hn::Eq(hn::Zero(d), hn::Zero(d));
+    int64_t i = 0;
+    for (; stride == 1 && i + vec8_lanes <= count; i += vec8_lanes) {
+        const auto t = hn::LoadU(d, params + i);
+        all = hn::And(all, hn::And(hn::Lt(hn::Set(d, lower), t), hn::Lt(t, hn::Set(d, upper))));
+    }
+    bool rest = hn::AllTrue(d, all);
+    for (; i < count; ++i) {
+        rest &= params[i * stride] > lower && params[i * stride] < upper;
+    }
+    return rest;
+}
+
+// The power span that holds all of `count` parameters strictly inside, and its first layer; null if none does, or
+// without a look at the others if the last one is not in the span of the first.
+static HWY_NOINLINE HWY_MAYBE_UNUSED const double *locate_together(const AxisSource &source,
+                                                                   const double *HWY_RESTRICT params,
+                                                                   int64_t stride, int64_t count,
+                                                                   int64_t &first_layer) {
+    const double start = params[0], end = params[(count - 1) * stride];
+    if (!(start > source.domain.lower && start < source.domain.upper)) {
+        return nullptr;
+    }
+    const int64_t number = source.spans->finder().number_inside(start);
+    const double *power_span = (*source.power_spans)[number];
+    const double lower = power_span[PowerSpan::lower], upper = power_span[PowerSpan::upper];
+    if (!(end > lower && end < upper && between(params, stride, count, lower, upper))) {
+        return nullptr;
+    }
+    first_layer = source.spans->indices()[static_cast<size_t>(number)] - source.degree;
+    return power_span;
+}
+
 // axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials.
 // Record i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a
 // function that is alone.
@@ -108,6 +145,18 @@ template <int kOrders, int kDegree>
 HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride,
                            int64_t count, AxisPoint *points, double *values) {
     const int64_t size = source.values_size(order);
+    const int lanes = kDegree == 3 ? 4 : source.lanes;
+    int64_t first = 0;
+    const double *const power_span =
+        source.power_spans != nullptr ? locate_together(source, params, stride, count, first) : nullptr;
+    if (power_span != nullptr) {
+        for (int64_t i = 0; i < count; ++i) {
+            points[i] = {first, -1};
+            horner_record<kOrders, kDegree>(order, power_span, source.degree, lanes, params[i * stride],
+                                            values + i * size);
+        }
+        return false;
+    }
     const double *found[axis_block_size];
     if (source.power_spans == nullptr || !locate(source, params, stride, count, points, found)) {
         bool special = false;
@@ -118,8 +167,8 @@ HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *pa
         return special;
     }
     for (int64_t i = 0; i < count; ++i) {
-        horner_record<kOrders, kDegree>(order, found[i], source.degree, kDegree == 3 ? 4 : source.lanes,
-                                        params[i * stride], values + i * size);
+        horner_record<kOrders, kDegree>(order, found[i], source.degree, lanes, params[i * stride],
+                                        values + i * size);
     }
     return false;
 }

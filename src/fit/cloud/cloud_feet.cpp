@@ -4,6 +4,7 @@
 #include "base/finite.h"
 #include "base/watch.h"
 #include "closest/closest.h"
+#include "closest/stops.h"
 #include "eval/evaluate.h"
 #include "eval/functions/axis_basis.h"
 #include "numeric/norm.h"
@@ -123,7 +124,6 @@ double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {
 }
 
 void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations) {
-    const Stops stops(spline.knot_vectors());
     const auto axes = static_cast<size_t>(spline.axes());
     FootDerivatives derivatives(spline, feet);
     FootFunctions functions(spline);
@@ -137,7 +137,7 @@ void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet,
         std::array<bool, max_axes> stays{};
         for (size_t k = 0; k < axes; ++k) {
             const double param = feet.params[static_cast<size_t>(i) * axes + k];
-            stays[k] = stops.at(k, param);
+            stays[k] = closest::may_hold_foot(spline.axis(static_cast<int>(k)), param);
             functions.set(k, param, is_left(feet.status[static_cast<size_t>(i)], k));
         }
         model.set(at, stays, r.data());

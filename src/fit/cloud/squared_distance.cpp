@@ -7,23 +7,6 @@
 
 namespace nrb::fit {
 
-Stops::Stops(const Spline::Axes &axes) {
-    for (const KnotVectorPtr &axis : axes) {
-        std::vector<double> &stops = params_.emplace_back();
-        const Interval domain = axis->domain();
-        for (const auto &[knot, multiplicity] : distinct_knots(axis->knots())) {
-            const bool end = !axis->periodic() && (knot == domain.lower || knot == domain.upper);
-            if (end || multiplicity >= axis->degree()) {
-                stops.push_back(knot);
-            }
-        }
-    }
-}
-
-bool Stops::at(size_t axis, double param) const noexcept {
-    return std::ranges::binary_search(params_[axis], param);
-}
-
 SquaredDistance::SquaredDistance(int axes, int dim)
     : axes_(axes), dim_(dim), frame_(static_cast<size_t>(axes * dim)),
       matrix_(static_cast<size_t>(dim * (dim + 1) / 2)), force_(static_cast<size_t>(dim)) {}

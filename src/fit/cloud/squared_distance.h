@@ -4,21 +4,10 @@
 
 #include "eval/kernels/slots.h"
 #include "numeric/solvers/small_systems.h"
-#include "spline/spline.h"
 
 #include <vector>
 
 namespace nrb::fit {
-
-// Where a foot stays when the spline moves a little: at ends of an axis, and at knots where the spline may have a kink.
-class Stops {
-public:
-    explicit Stops(const Spline::Axes &axes);
-    [[nodiscard]] bool at(size_t axis, double param) const noexcept;
-
-private:
-    std::vector<std::vector<double>> params_;
-};
 
 // A quadratic model of the squared distance. For a point at r from its foot s, where the spline moves by m: if the foot
 // slides along by dt, |r - m - s_a dt_a|^2 - r.s_ab dt_a dt_b is least at H dt = -m.s_a with H = s_a.s_b - r.s_ab (what m

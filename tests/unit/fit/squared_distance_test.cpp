@@ -9,7 +9,6 @@ namespace squared_distance_test {
 
 using namespace nrb;
 using fit::SquaredDistance;
-using fit::Stops;
 
 namespace {
 
@@ -60,18 +59,6 @@ TEST(SquaredDistance, pulls_by_what_it_weighs) {
     model.set(parabola, {}, r);
     EXPECT_NEAR(model.force()[0], 0.25, 1e-15);
     EXPECT_EQ(model.force()[1], -2);
-}
-
-TEST(Stops, are_ends_and_kinks) {
-    const Stops stops({make_knot_vector(2, {0, 0, 0, 1, 2, 2, 3, 3, 3})});
-    for (const double t : {0.0, 2.0, 3.0}) {
-        EXPECT_TRUE(stops.at(0, t)) << t;
-    }
-    for (const double t : {0.5, 1.0, 2.5}) {
-        EXPECT_FALSE(stops.at(0, t)) << t;
-    }
-    const Stops seamless({make_knot_vector(2, {-2, -1, 0, 1, 2, 3, 4, 5}, true)});
-    EXPECT_FALSE(seamless.at(0, 0));
 }
 
 } // namespace

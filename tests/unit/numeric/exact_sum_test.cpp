@@ -68,7 +68,7 @@ TEST(ExactSum, is_exact_in_any_order) {
             one.add(Int128::product(a, b), shift);
             sum += one;
             less -= one;
-            expected += Whole(a) * b * (Whole(1) << shift);
+            expected += (Whole(a) * b) << shift;
         }
         ASSERT_EQ(whole_of(sum), expected);
         ASSERT_EQ(whole_of(less), -expected);
