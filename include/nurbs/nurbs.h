@@ -2369,7 +2369,9 @@ NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const 
 /** \brief The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that make
  * targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by 1, is the same,
  * bit for bit. Negative ones, which that function refuses, are told too: there the energy is smallest with the
- * tangent turned round. Lengths that are multiplied by a power of two, or directions, change nothing else.
+ * tangent turned round. A direction that is multiplied by a power of two only divides its factor. The lengths
+ * are those of linear equations, solved by conjugate gradients in a time that grows with n; degrees above 5,
+ * of which least energy says less, take many times as long as cubics.
  * \param[in] degree as for nurbs_curve_interpolate().
  * \param[in] n as for nurbs_curve_interpolate().
  * \param[in] params [n] as for nurbs_curve_interpolate().

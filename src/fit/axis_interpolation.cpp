@@ -218,7 +218,7 @@ void AxisInterpolation::solve_transposed(std::vector<double> &values, int64_t wi
     rotate_transposed(values, width);
 }
 
-// An equation for each layer. Conditions of a wrapped function are those at the end of the domain, then those at its start.
+// An equation for each layer. Of a wrapped function the conditions at the end of the domain are in the border.
 void AxisInterpolation::rotate_transposed(std::vector<double> &values, int64_t width) const {
     struct Element {
         int64_t condition;
@@ -240,7 +240,7 @@ void AxisInterpolation::rotate_transposed(std::vector<double> &values, int64_t w
     for (size_t j = 0; knots_->periodic() && j < static_cast<size_t>(p); ++j) {
         auto &wrapped = functions[static_cast<size_t>(columns) + j];
         auto &own = functions[j % static_cast<size_t>(columns)];
-        own.insert(own.begin(), wrapped.begin(), wrapped.end());
+        own.insert(own.end(), wrapped.begin(), wrapped.end());
     }
     int64_t bandwidth = 1;
     std::for_each_n(functions.begin(), columns,

@@ -47,6 +47,46 @@ def penalty(degree, knots, order):
     return derivatives.T @ (weights[:, None] * derivatives)
 
 
+class Interpolation(unittest.TestCase):
+    x, y = np.linspace(0, 1, 5), np.array([0, 0.5, 1.25, 2])
+    start, end = nurbs.NURBS_START, nurbs.NURBS_END
+
+    def heights(self, i=0, j=0):
+        """Derivatives of (x^3 + 1) (y^2 - y) on the grid."""
+        u = np.polynomial.Polynomial([1, 0, 0, 1]).deriv(i) if i else np.polynomial.Polynomial([1, 0, 0, 1])
+        v = np.polynomial.Polynomial([0, -1, 1]).deriv(j) if j else np.polynomial.Polynomial([0, -1, 1])
+        return (u(self.x)[:, None] * v(self.y))[..., None]
+
+    def test_slopes_at_borders(self):
+        slopes = {(0, self.start): self.heights(1)[:1], (0, self.end): self.heights(1)[-1:],
+                  (1, self.end): self.heights(0, 1)[:, -1][None]}
+        spline, residual = nurbs.interpolate([3, 3], [self.x, self.y], self.heights(), derivatives=slopes)
+        self.assertEqual(spline.counts, (7, 5))
+        self.assertLess(residual, 16 * EPS)
+        near(spline.eval_grid_derivs(self.x, self.y, order=1)[:, :, 1], self.heights(1), 1e-13)
+        near(spline.eval_grid_derivs(self.x, self.y, order=1)[:, :, 2], self.heights(0, 1), 1e-13)
+
+    def test_slopes_of_curves_and_other_ends(self):
+        curve, _ = nurbs.interpolate(3, self.x, self.heights()[:, 1], ends=(0, nurbs.NURBS_ENDS_NATURAL),
+                                     derivatives={(0, self.start): [[7.0]]})
+        near(curve.eval_derivs([0.0, 1.0], 2)[..., 0], [[-0.25, 7, curve.eval_derivs(0.0, 2)[2, 0]],
+                                                         [-0.5, curve.eval_derivs(1.0, 1)[1, 0], 0]], 1e-12)
+
+    def test_wrong_slopes(self):
+        for key, values, told in (((1, 0), [[1.0]], "axis below 1"), ((0, 2), [[1.0]], "NURBS_END"),
+                                  ((0, 0), [[1.0, 2.0]], r"shape \(1, 2\) at \(0, 0\)")):
+            self.assertRaisesRegex(ValueError, told, nurbs.interpolate, 3, self.x, self.heights()[:, 1],
+                                   derivatives={key: values})
+        self.assertRaisesRegex(ValueError, "orders", nurbs.interpolate_derivatives, 3, self.x, [0, 0],
+                               self.heights()[:, 1])
+
+    def test_directions(self):
+        orders = [0, nurbs.NURBS_ORDER_DIRECTION] * 2
+        given = (3, [0, 0, 1, 1], [[0, 0], [1, 1], [1, 0], [4, -4]], orders)
+        near(nurbs.tangent_lengths(*given), [1, 0.75, 1, 0.1875], 1e-15)
+        near(nurbs.curve_interpolate(*given).points, [[0, 0], [0.25, 0.25], [0.75, 0.25], [1, 0]], 1e-15)
+
+
 class Shapes(unittest.TestCase):
     t, y, exact = noisy()
 

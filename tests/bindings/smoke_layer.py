@@ -176,7 +176,7 @@ class LayerCall:
         """The shape of an array of the control points of a new spline, or nothing."""
         counts = self.numbers("counts") or [degree + 1 for degree in self.numbers("degrees")]
         of_data = bool(value.extents) and (value.extents[0].op, value.extents[0].name) == ("call", "product")
-        if value.name not in ("points", "weights") or not counts or not (self.step.method.made or of_data):
+        if value.name not in ("points", "weights", "values") or not counts or not (self.step.method.made or of_data):
             return None
         return counts if value.name == "weights" else [*counts, -1]
 

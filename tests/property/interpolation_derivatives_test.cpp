@@ -214,6 +214,42 @@ TEST(InterpolationDerivatives, gives_splines_back) {
     EXPECT_GE(met, of_whole_run(500));
 }
 
+// The layers value, slope, value, slope of a cubic between two parameters at distance h, into its control points.
+std::vector<Rational> hermite(const std::vector<Rational> &data, const Rational &h) {
+    return {data[0], data[0] + h * data[1] / 3, data[2] - h * data[3] / 3, data[2]};
+}
+
+// Ferguson's patch: all that is known at four corners, in exact arithmetic.
+TEST(InterpolationDerivatives, of_four_corners_are_the_exact_patch) {
+    for_each_case(976000, 300, [](Random &random, uint64_t seed) {
+        Grid grid;
+        std::vector<Rational> steps;
+        for (int k = 0; k < 2; ++k) {
+            Axis axis;
+            const double from = random.between(-1, 1);
+            axis.sites = {from, from + random.magnitude(1e-3, 1e3)};
+            axis.at_start = axis.at_end = {1};
+            steps.push_back(reference::exact(axis.sites[1]) - reference::exact(axis.sites[0]));
+            grid.axes.push_back(axis);
+        }
+        std::vector<std::vector<Rational>> rows(4);
+        for (int i = 0; i < 16; ++i) {
+            grid.values.push_back(random.between(-1, 1));
+            rows[static_cast<size_t>(i / 4)].push_back(reference::exact(grid.values.back()));
+        }
+        std::ranges::transform(rows, rows.begin(), [&](const auto &row) { return hermite(row, steps[1]); });
+        const SplineData found = read_back(spline(grid).get());
+        const double unit = eps * extent(found);
+        for (size_t j = 0; j < 4; ++j) {
+            const auto column = hermite({rows[0][j], rows[1][j], rows[2][j], rows[3][j]}, steps[0]);
+            for (size_t i = 0; i < 4; ++i) {
+                ASSERT_LE(size_of(reference::exact(found.points[4 * i + j]) - column[i]), 16 * unit)
+                    << "seed " << seed << " control point " << i << ' ' << j;
+            }
+        }
+    });
+}
+
 // Along one axis it is the curve that nurbs_curve_interpolate() makes of the same conditions, over the same knots.
 TEST(InterpolationDerivatives, of_one_axis_are_those_of_curves) {
     for_each_case(971000, 300, [](Random &random, uint64_t seed) {

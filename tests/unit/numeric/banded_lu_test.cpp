@@ -84,6 +84,37 @@ TEST(BandedLu, solves_and_treats_every_column_alike) {
     }
 }
 
+// Entry (i, j) of a matrix that is not symmetric, 2 below and 1 above its diagonal.
+double entry(int64_t i, int64_t j) {
+    return j < i - 2 || j > i + 1 ? 0 : i == j ? 5 : static_cast<double>((3 * i + 5 * j) % 7) / 4;
+}
+
+TEST(BandedLu, solves_the_transposed_equations) {
+    constexpr int64_t rows = 30, width = 3;
+    BandedLu matrix(rows, 2, 1);
+    for (int64_t i = 0; i < rows; ++i) {
+        for (int64_t j = std::max<int64_t>(0, i - 2); j <= std::min<int64_t>(rows - 1, i + 1); ++j) {
+            matrix.row(i)[j - i + 2] = entry(i, j);
+        }
+    }
+    ASSERT_TRUE(factor(matrix, rows));
+    const auto solution = [](int64_t i, int64_t c) { return static_cast<double>((i * 7 + c * 3) % 11) - 5; };
+    std::vector<double> values;
+    for (int64_t j = 0; j < rows; ++j) {
+        for (int64_t c = 0; c < width; ++c) {
+            double sum = 0;
+            for (int64_t i = 0; i < rows; ++i) {
+                sum += entry(i, j) * solution(i, c);
+            }
+            values.push_back(sum);
+        }
+    }
+    matrix.solve_transposed(values.data(), width);
+    for (int64_t i = 0; i < rows * width; ++i) {
+        ASSERT_NEAR(values[static_cast<size_t>(i)], solution(i / width, i % width), 1e-13) << i;
+    }
+}
+
 TEST(BandedLu, refuses_what_it_cannot_solve) {
     BandedLu zero(2, 1, 1);
     zero.row(0)[1] = 0;
