@@ -5,7 +5,6 @@
 #include "base/watch.h"
 #include "closest/closest.h"
 #include "eval/evaluate.h"
-#include "eval/functions/axis_basis.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -18,6 +17,8 @@ namespace {
 
 constexpr int order = 2; // of derivatives
 constexpr int64_t block = 64;
+// Looked at for a foot in a round, and on the average of all points for the last proofs.
+constexpr int64_t usual_pieces = 24, proving_pieces = 100;
 
 bool is_left(int32_t status, size_t axis) noexcept {
     return (status & closest::closest_left << axis) != 0;
@@ -62,71 +63,103 @@ private:
     std::vector<double> values_;
 };
 
-// The functions of each axis at a foot.
-class FootFunctions {
-public:
-    explicit FootFunctions(const Spline &spline) {
-        for (int k = 0; k < spline.axes(); ++k) {
-            for (const bool left : {false, true}) {
-                axes_[static_cast<size_t>(k)].push_back({spline.axis(k), {left}, 0});
-            }
-            values_[static_cast<size_t>(k)].resize(static_cast<size_t>(spline.axis(k).degree() + 1));
-        }
+// Finds the feet of points, as many as records are set.
+void find_feet(const Spline &spline, const std::vector<double> &points, int64_t budget, double *params,
+               double *distances, int32_t *status) {
+    const int64_t dim = spline.dim(), axes = spline.axes(), n = std::ssize(points) / dim;
+    const closest::Query query{nullptr, nullptr, 0, budget};
+    closest::closest_points(spline, {points.data(), n, dim, dim, 1}, query,
+                            {{params, n, axes, axes, 1}, {}, {distances, n, 1, 1, 1}, status});
+    require_work();
+}
+
+// Of rounding, for coordinates of size 1.
+double relative_noise(const Spline &spline) noexcept {
+    double functions = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        functions += spline.axis(k).degree() + 1;
     }
-
-    void set(size_t axis, double param, bool left) noexcept {
-        eval::AxisBasis basis;
-        basis.values = values_[axis].data();
-        (void)axes_[axis][left ? 1 : 0](param, basis);
-        first[axis] = basis.first;
-        functions[axis] = values_[axis];
-    }
-
-    Index first{};
-    std::array<std::span<const double>, max_axes> functions;
-
-private:
-    std::array<std::vector<eval::AxisEvaluator>, max_axes> axes_; // from the right and from the left
-    std::array<std::vector<double>, max_axes> values_;
-};
+    return 2 * (64 * functions + 2 * spline.dim()) * std::numeric_limits<double>::epsilon();
+}
 
 } // namespace
 
 CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud)
     : params(static_cast<size_t>(cloud.size() * spline.axes())), distances(static_cast<size_t>(cloud.size())),
       status(static_cast<size_t>(cloud.size())) {
-    const int64_t n = cloud.size(), axes = spline.axes(), dim = cloud.dim;
-    const closest::Query query{nullptr, nullptr, 0, closest::usual_budget(spline)};
-    closest::closest_points(
-        spline, {cloud.points.data(), n, dim, dim, 1}, query,
-        {{params.data(), n, axes, axes, 1}, {}, {distances.data(), n, 1, 1, 1}, status.data()});
-    require_work();
+    find_feet(spline, cloud.points, usual_pieces, params.data(), distances.data(), status.data());
+    set_squares(cloud);
+}
+
+void CloudFeet::set_squares(const Cloud &cloud) {
     DoubleDouble sum;
     for (size_t i = 0; i < distances.size(); ++i) {
         sum = sum + DoubleDouble(cloud.weights[i] * distances[i] * distances[i]);
     }
     squares = sum.high;
-    count_work(8 * n);
+    count_work(8 * cloud.size());
+}
+
+void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
+    std::vector<size_t> open;
+    std::vector<double> points;
+    for (size_t i = 0; i < status.size(); ++i) {
+        if ((status[i] & closest::closest_certified) == 0) {
+            const double *const point = cloud.point(static_cast<int64_t>(i));
+            open.push_back(i);
+            points.insert(points.end(), point, point + cloud.dim);
+        }
+    }
+    if (open.empty()) {
+        return;
+    }
+    const auto axes = static_cast<size_t>(spline.axes());
+    std::vector<double> own_params(open.size() * axes), own_distances(open.size());
+    std::vector<int32_t> own_status(open.size());
+    const int64_t share = proving_pieces * cloud.size() / std::ssize(open);
+    find_feet(spline, points, std::min(share, closest::usual_budget(spline)), own_params.data(),
+              own_distances.data(), own_status.data());
+    for (size_t j = 0; j < open.size(); ++j) {
+        const size_t i = open[j];
+        std::copy_n(own_params.data() + j * axes, axes, params.data() + i * axes);
+        distances[i] = own_distances[j];
+        status[i] = own_status[j];
+    }
+    set_squares(cloud);
+}
+
+void CloudFeet::measure_given(const Spline &spline, const Cloud &cloud) {
+    FootDerivatives derivatives(spline, *this);
+    for (int64_t i = 0; i < cloud.size(); ++i) {
+        const double *const foot = derivatives.at(i), *const point = cloud.point(i);
+        distances[static_cast<size_t>(i)] = norm_of(cloud.dim, [&](int c) {
+            const auto at = static_cast<size_t>(c);
+            return std::ldexp(cloud.given(point[c], at) - foot[c], -cloud.exponent);
+        });
+    }
+    set_squares(cloud);
 }
 
 double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    double functions = 0, farthest = 0;
-    for (int k = 0; k < spline.axes(); ++k) {
-        functions += spline.axis(k).degree() + 1;
-    }
+    double farthest = 0;
     for (int64_t i = 0; i < cloud.size(); ++i) {
         farthest = std::max(farthest, norm(cloud.point(i), cloud.dim));
     }
     const double size = std::sqrt(cloud.dim) * largest_magnitude(spline.effective().points());
-    return 2 * (64 * functions + 2 * cloud.dim) * eps * (size + farthest);
+    return relative_noise(spline) * (size + farthest);
+}
+
+double given_noise(const Spline &spline, const Cloud &cloud) noexcept {
+    const double away = norm(cloud.origin.data(), cloud.dim);
+    return std::ldexp(distance_noise(spline, cloud), cloud.exponent) +
+           relative_noise(spline) * (1 + std::sqrt(cloud.dim)) * away;
 }
 
 void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations) {
     const Stops stops(spline.knot_vectors());
     const auto axes = static_cast<size_t>(spline.axes());
     FootDerivatives derivatives(spline, feet);
-    FootFunctions functions(spline);
+    ActiveFunctions functions(spline.knot_vectors());
     SquaredDistance model(spline.axes(), cloud.dim);
     std::vector<double> r(static_cast<size_t>(cloud.dim));
     for (int64_t i = 0; i < cloud.size(); ++i) {
@@ -138,10 +171,12 @@ void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet,
         for (size_t k = 0; k < axes; ++k) {
             const double param = feet.params[static_cast<size_t>(i) * axes + k];
             stays[k] = stops.at(k, param);
-            functions.set(k, param, is_left(feet.status[static_cast<size_t>(i)], k));
+            const bool left = is_left(feet.status[static_cast<size_t>(i)], k);
+            functions.set(k, spline.axis(static_cast<int>(k)).spans().find(param, left), param);
         }
         model.set(at, stays, r.data());
-        equations.add(functions.first, functions.functions, cloud.weights[static_cast<size_t>(i)], model);
+        functions.multiply();
+        equations.add(functions, cloud.weights[static_cast<size_t>(i)], model);
         count_work(400);
     }
 }
