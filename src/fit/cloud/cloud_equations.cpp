@@ -6,6 +6,8 @@
 #include "numeric/norm.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace nrb::fit {
@@ -27,8 +29,13 @@ std::vector<int64_t> natural_order(int64_t size) {
 // --- The penalty ---
 
 CloudPenalty::CloudPenalty(const Spline::Axes &axes, int order)
-    : form_(penalty(axes, possible_order(axes, order))),
+    : order_(possible_order(axes, order)), form_(penalty(axes, order_)),
       columns_(form_.columns(natural_order(form_.size()))) {}
+
+// Of bars with free ends, (-1)^m y^(2m) = least y on [0, 1]: exact for m = 1, within 2% for m = 2.
+double CloudPenalty::least() const noexcept {
+    return std::pow((order_ + 1) * std::numbers::pi / 2, 2 * order_);
+}
 
 std::vector<double> CloudPenalty::times(const std::vector<double> &x) const {
     constexpr int work_of_a_product = 8; // with twice the precision

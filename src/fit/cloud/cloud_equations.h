@@ -22,6 +22,8 @@ public:
 
     [[nodiscard]] const StencilPattern &pattern() const noexcept { return form_.pattern(); }
     [[nodiscard]] int64_t size() const noexcept { return form_.size(); }
+    // About what a function of mean square 1 pays that is orthogonal to those that pay nothing.
+    [[nodiscard]] double least() const noexcept;
     // Of x [unknowns][dim].
     [[nodiscard]] double of(const std::vector<double> &x) const;
     // P x: what x rounds away is not in it, so that polynomials pay nothing beside data for large factors either.
@@ -47,6 +49,7 @@ private:
         }
     }
 
+    int order_;
     StencilMatrix form_;
     ColumnsOf<DoubleDouble> columns_;
 };

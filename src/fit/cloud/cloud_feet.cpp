@@ -5,6 +5,7 @@
 #include "base/watch.h"
 #include "closest/closest.h"
 #include "eval/evaluate.h"
+#include "fit/least_squares/fit_points.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ namespace {
 
 constexpr int order = 2; // of derivatives
 constexpr int64_t block = 64;
-// Looked at for a foot in a round, and on the average of all points for the last proofs.
+// Looked at for a foot in a round, and on the average of all points, or of a few ones, for the last proofs.
 constexpr int64_t usual_pieces = 24, proving_pieces = 100;
+constexpr int64_t few = 1000; // points, for which these cost next to nothing
 
 bool is_left(int32_t status, size_t axis) noexcept {
     return (status & closest::closest_left << axis) != 0;
@@ -86,7 +88,7 @@ double relative_noise(const Spline &spline) noexcept {
 
 CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud)
     : params(static_cast<size_t>(cloud.size() * spline.axes())), distances(static_cast<size_t>(cloud.size())),
-      status(static_cast<size_t>(cloud.size())) {
+      status(static_cast<size_t>(cloud.size())), exponent(cloud.exponent) {
     find_feet(spline, cloud.points, usual_pieces, params.data(), distances.data(), status.data());
     set_squares(cloud);
 }
@@ -116,7 +118,7 @@ void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
     const auto axes = static_cast<size_t>(spline.axes());
     std::vector<double> own_params(open.size() * axes), own_distances(open.size());
     std::vector<int32_t> own_status(open.size());
-    const int64_t share = proving_pieces * cloud.size() / std::ssize(open);
+    const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
     find_feet(spline, points, std::min(share, closest::usual_budget(spline)), own_params.data(),
               own_distances.data(), own_status.data());
     for (size_t j = 0; j < open.size(); ++j) {
@@ -129,12 +131,14 @@ void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
 }
 
 void CloudFeet::measure_given(const Spline &spline, const Cloud &cloud) {
+    constexpr int widest = 500; // so that squares of rounding amid the largest coordinates do not overflow
     FootDerivatives derivatives(spline, *this);
+    exponent = std::max(exponent, exponent_above(largest_magnitude(cloud.origin)) - widest);
     for (int64_t i = 0; i < cloud.size(); ++i) {
         const double *const foot = derivatives.at(i), *const point = cloud.point(i);
         distances[static_cast<size_t>(i)] = norm_of(cloud.dim, [&](int c) {
             const auto at = static_cast<size_t>(c);
-            return std::ldexp(cloud.given(point[c], at) - foot[c], -cloud.exponent);
+            return std::ldexp(cloud.given(point[c], at) - foot[c], -exponent);
         });
     }
     set_squares(cloud);
@@ -150,9 +154,10 @@ double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {
 }
 
 double given_noise(const Spline &spline, const Cloud &cloud) noexcept {
-    const double away = norm(cloud.origin.data(), cloud.dim);
-    return std::ldexp(distance_noise(spline, cloud), cloud.exponent) +
-           relative_noise(spline) * (1 + std::sqrt(cloud.dim)) * away;
+    const double factor = relative_noise(spline) * (1 + std::sqrt(cloud.dim));
+    const double of_origin =
+        norm_of(cloud.dim, [&](int c) { return factor * cloud.origin[static_cast<size_t>(c)]; });
+    return std::ldexp(distance_noise(spline, cloud), cloud.exponent) + of_origin;
 }
 
 void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations) {

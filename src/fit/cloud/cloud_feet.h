@@ -15,13 +15,14 @@ struct CloudFeet {
     std::vector<double> distances; // [size]
     std::vector<int32_t> status;   // [size], closest_ bits
     double squares = 0;            // sum w d^2
+    int exponent;                  // distances are in units of 2^exponent
 
     // For the spline in the units of the cloud. Feet have a few pieces each, which is enough to prove those of shapes with a
     // tangent space: on others whole arcs are equally near, to rounding, which takes 1000 times as long to tell.
     CloudFeet(const Spline &spline, const Cloud &cloud);
     // Looks longer for a proof of those that have none, but altogether not much longer than a round takes at most.
     void prove(const Spline &spline, const Cloud &cloud);
-    // The distances from the spline in the units of the caller, whose control points are rounded there, at the same feet.
+    // The distances from the spline of the caller, whose control points are rounded, at the same feet.
     void measure_given(const Spline &spline, const Cloud &cloud);
 
 private:

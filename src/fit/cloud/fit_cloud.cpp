@@ -60,11 +60,11 @@ public:
 
 private:
     // What lambda is divided by in a round at most. Relative to the weight of all points, the smallest one that smooths
-    // anything, the largest one that is tried (a bend of the whole domain pays some 500 times its square), the one beyond which
-    // bends are less than 2^-23 of those without a penalty, so that larger ones are the same and only lose digits, and the
-    // quotient of squares and penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
-    static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4, limit = 0x1p20,
-                            shapeless = 0x1p-10;
+    // anything, the largest one that is tried (a bend of the whole domain pays some 500 times its square), and the quotient of
+    // squares and penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
+    static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4, shapeless = 0x1p-10;
+    // How many times the weight of all points what pays least pays, where it is gone: larger factors only lose digits.
+    static constexpr double stiffest = 0x1p26;
     static constexpr double most_freedom = 0.25; // of the points
     static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, most_mu = 0x1p60,
                             mu_ratio = 8;
@@ -133,7 +133,7 @@ private:
         return squares < most * now_.bend ? squares / now_.bend : most;
     }
     [[nodiscard]] double in_units(double lambda) const noexcept {
-        return std::min(limit * weight_, std::ldexp(lambda, -cloud_.weight_exponent));
+        return std::min(stiffest * weight_ / penalty_.least(), std::ldexp(lambda, -cloud_.weight_exponent));
     }
     // Whether the distances are those of rounding.
     [[nodiscard]] bool is_exact() const noexcept {
@@ -217,10 +217,10 @@ int64_t count_of(const CloudFeet &feet, int32_t bit, int32_t value) noexcept {
 void tell_distances(const CloudFeet &feet, const Cloud &cloud, CloudFit &fit) {
     fit.data_count = cloud.size();
     fit.weight = std::ldexp(cloud.weight(), cloud.weight_exponent);
-    fit.squares = std::ldexp(feet.squares, cloud.weight_exponent + 2 * cloud.exponent);
-    fit.rms = std::ldexp(std::sqrt(feet.squares / cloud.weight()), cloud.exponent);
+    fit.squares = std::ldexp(feet.squares, cloud.weight_exponent + 2 * feet.exponent);
+    fit.rms = std::ldexp(std::sqrt(feet.squares / cloud.weight()), feet.exponent);
     const auto farthest = std::ranges::max_element(feet.distances);
-    fit.largest = std::ldexp(*farthest, cloud.exponent);
+    fit.largest = std::ldexp(*farthest, feet.exponent);
     fit.largest_index = cloud.indices[static_cast<size_t>(farthest - feet.distances.begin())];
     fit.on_boundary = count_of(feet, closest::closest_boundary, closest::closest_boundary);
     fit.uncertified = count_of(feet, closest::closest_certified, 0);

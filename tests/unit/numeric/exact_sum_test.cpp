@@ -2,7 +2,14 @@
 
 #include "support/generators.h"
 
+#if defined(__GNUC__) && !defined(__clang__) // it takes a union for uninitialised, or not, as it inlines
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <boost/multiprecision/cpp_int.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 #include <gtest/gtest.h>
 
 namespace exact_sum_test {
