@@ -2385,7 +2385,8 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * 2^-53 of its scale, of a parameter to 2^-53 of its cell, and of products of basis functions to 2^-62; the
  * equations are then solved with twice the precision, so that the error of a fit is about that of
  * orthogonal methods up to degree 15 or so. Where the data determine a control point no better than rounding
- * does, that is NURBS_ERROR_RANK.
+ * does, that is NURBS_ERROR_RANK. A lambda beside which 2^-64 of the sums would be left of the data, on average
+ * of the control points, acts as the one where that begins: polynomials of degree m - 1 are left.
  *
  * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
  * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)). There sigma is the
@@ -2858,7 +2859,7 @@ NURBS_API nurbs_status nurbs_cloud_start(int32_t axes, const int32_t *degrees, c
  * for as well. Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_cloud_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
-    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1, at most the highest degree; 2 */
+    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; at most the highest degree counts; 2 */
     int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; 100 */
     double lambda;         /**< the factor of the penalty; below 0: found; -1 */
     double first_lambda;   /**< the factor to begin with, which falls to lambda; below 0: found; -1 */
@@ -2886,7 +2887,7 @@ typedef struct nurbs_cloud_report {
     double noise;     /**< receives a bound of how far a d_i is from the true distance, if it is certified */
     int64_t boundary; /**< receives the number of points whose nearest point is on an end or an edge */
     int64_t uncertified; /**< receives the number of points whose nearest point is not proven to be that */
-    int32_t rounds;      /**< receives the number of searches for the nearest points */
+    int32_t rounds;      /**< receives the number of searches for the nearest points of all points */
     int32_t bits;        /**< receives a sum of NURBS_CLOUD_ bits */
 } nurbs_cloud_report;
 
@@ -2919,7 +2920,13 @@ typedef struct nurbs_cloud_report {
  *
  * Distances are those of the stored result, as it is evaluated. None is below the true one by more than
  * noise; where uncertified is 0 none is above it by more either, so that largest and rms are proven to within
- * noise.
+ * noise. Proofs are looked for as long as the nearest points of a shape with tangents need. On one that has
+ * collapsed, to a curve or a point, whole lines of parameters are as near: there, points may stay uncertified.
+ *
+ * Points far from 0 beside their extent are fitted about their middle, with no loss: only the control points of
+ * the result, and its distances, are rounded as coordinates of that size are. Where lambda is so large that
+ * bends are less than 2^-26 of what they are without it, it acts as where that begins: polynomials of degree
+ * m - 1 are left, and smaller bends would only lose digits.
  * \param[in] g where to begin, polynomial, of a dimension above its number of axes; for example from
  *   nurbs_cloud_start().
  * \param[in] n number of points, at least 1 of a weight above 0.

@@ -65,7 +65,8 @@ void standard_errors(const Statistics &statistics, const std::vector<KnotVectorP
     const StencilMatrix form = penalty(axes, penalty_order);
     const int exponent = statistics.form().weight_exponent;
     PenalisedSystem system(equations, &form);
-    if (const int64_t unsure = system.try_factorise_surely(std::ldexp(lambda, -exponent)); unsure >= 0) {
+    if (const int64_t unsure = system.try_factorise_surely(system.limited(std::ldexp(lambda, -exponent)));
+        unsure >= 0) {
         system.fail_rank(unsure);
     }
     ErrorForm at(axes, equations.matrix, system);

@@ -1,15 +1,8 @@
 #include "numeric/exact_sum.h"
 
+#include "reference/number.h"
 #include "support/generators.h"
 
-#if defined(__GNUC__) && !defined(__clang__) // it takes a union for uninitialised, or not, as it inlines
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <boost/multiprecision/cpp_int.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
 #include <gtest/gtest.h>
 
 namespace exact_sum_test {
