@@ -2859,7 +2859,7 @@ NURBS_API nurbs_status nurbs_cloud_start(int32_t axes, const int32_t *degrees, c
  * for as well. Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_cloud_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
-    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; at most the highest degree counts; 2 */
+    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1, at most the highest degree; 2 */
     int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; 100 */
     double lambda;         /**< the factor of the penalty; below 0: found; -1 */
     double first_lambda;   /**< the factor to begin with, which falls to lambda; below 0: found; -1 */
@@ -2896,13 +2896,14 @@ typedef struct nurbs_cloud_report {
  *
  *     sum_i w_i min_t |x_i - s(t)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
  *
- * with x_k the parameter of axis k as a part of its domain. Each round finds the nearest point of s for each
- * x_i, with a proof, as nurbs_closest_points() does. Then the squared distance to a spline that moves is taken
- * as (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to
- * s, W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side,
- * and 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to
- * the tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the
- * true sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
+ * with x_k the parameter of axis k as a part of its domain, and the highest degree for an m above it. Each
+ * round finds the nearest point of s for each x_i, with a proof if a few pieces are enough for one, as
+ * nurbs_closest_points() does. Then the squared distance to a spline that moves is taken as
+ * (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to s,
+ * W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side, and
+ * 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to the
+ * tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the true
+ * sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
  *
  * lambda falls between rounds, at most by a factor of 8, from first_lambda to lambda. If these are to be found,
  * it begins, for a start without a shape of its own, as a line or a plane, where it allows next to none, and
@@ -2940,8 +2941,8 @@ typedef struct nurbs_cloud_report {
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _STRIDE, _OVERFLOW, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE,
  *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of axes,
- *   _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda that is
- *   negative or not finite, or a first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
+ *   _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda or
+ *   first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_cloud(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
                                        int64_t point_component_stride, const double *weights,

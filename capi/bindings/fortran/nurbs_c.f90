@@ -88,7 +88,7 @@ module nurbs_c
     !> as well. Fields are only ever appended. \since 1.1
     type, bind(c) :: nurbs_cloud_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        ! m, the derivative that is penalised, >= 1; at most the highest degree counts; 2
+        ! m, the derivative that is penalised, >= 1, at most the highest degree; 2
         integer(c_int32_t) :: penalty_order
         integer(c_int32_t) :: rounds  ! most searches for the nearest points of all points, >= 1; 100
         real(c_double) :: lambda  ! the factor of the penalty; below 0: found; -1

@@ -67,17 +67,6 @@ std::vector<int64_t> order_of(const Cloud &cloud) {
     return order;
 }
 
-Cloud permuted(const Cloud &cloud, const std::vector<int64_t> &order) {
-    Cloud result{cloud.dim, cloud.exponent, cloud.weight_exponent, cloud.origin, {}, {}, {}};
-    result.points.reserve(cloud.points.size());
-    for (const int64_t i : order) {
-        result.points.insert(result.points.end(), cloud.point(i), cloud.point(i) + cloud.dim);
-        result.weights.push_back(cloud.weights[static_cast<size_t>(i)]);
-        result.indices.push_back(cloud.indices[static_cast<size_t>(i)]);
-    }
-    return result;
-}
-
 struct Extent {
     std::vector<double> middle;
     double size = 0; // the largest of a coordinate
@@ -133,6 +122,17 @@ void place(Cloud &cloud, std::span<const double> start) {
 
 } // namespace
 
+Cloud Cloud::part(const std::vector<int64_t> &which) const {
+    Cloud result{dim, exponent, weight_exponent, origin, {}, {}, {}};
+    result.points.reserve(which.size() * static_cast<size_t>(dim));
+    for (const int64_t i : which) {
+        result.points.insert(result.points.end(), point(i), point(i) + dim);
+        result.weights.push_back(weights[static_cast<size_t>(i)]);
+        result.indices.push_back(indices[static_cast<size_t>(i)]);
+    }
+    return result;
+}
+
 bool Cloud::moved() const noexcept {
     return std::ranges::any_of(origin, [](double x) { return x != 0; });
 }
@@ -151,7 +151,7 @@ Cloud cloud_of(const ConstRecords &points, const ConstRecords &weights, std::spa
         weight = std::ldexp(weight, -cloud.weight_exponent);
     }
     count_work(64 * cloud.size());
-    return permuted(cloud, order_of(cloud));
+    return cloud.part(order_of(cloud));
 }
 
 } // namespace nrb::fit

@@ -34,6 +34,8 @@ struct Cloud {
     [[nodiscard]] double own(double x, size_t c) const noexcept {
         return std::ldexp(x - origin[c], -exponent);
     }
+    // Some of the points, in that order.
+    [[nodiscard]] Cloud part(const std::vector<int64_t> &which) const;
     // Whether coordinates are not those from 0.
     [[nodiscard]] bool moved() const noexcept;
 };

@@ -65,16 +65,6 @@ private:
     std::vector<double> values_;
 };
 
-// Finds the feet of points, as many as records are set.
-void find_feet(const Spline &spline, const std::vector<double> &points, int64_t budget, double *params,
-               double *distances, int32_t *status) {
-    const int64_t dim = spline.dim(), axes = spline.axes(), n = std::ssize(points) / dim;
-    const closest::Query query{nullptr, nullptr, 0, budget};
-    closest::closest_points(spline, {points.data(), n, dim, dim, 1}, query,
-                            {{params, n, axes, axes, 1}, {}, {distances, n, 1, 1, 1}, status});
-    require_work();
-}
-
 // Of rounding, for coordinates of size 1.
 double relative_noise(const Spline &spline) noexcept {
     double functions = 0;
@@ -86,10 +76,17 @@ double relative_noise(const Spline &spline) noexcept {
 
 } // namespace
 
-CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud)
+CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud) : CloudFeet(spline, cloud, usual_pieces) {}
+
+CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud, int64_t pieces)
     : params(static_cast<size_t>(cloud.size() * spline.axes())), distances(static_cast<size_t>(cloud.size())),
       status(static_cast<size_t>(cloud.size())), exponent(cloud.exponent) {
-    find_feet(spline, cloud.points, usual_pieces, params.data(), distances.data(), status.data());
+    const int64_t n = cloud.size(), axes = spline.axes(), dim = cloud.dim;
+    const closest::Query query{nullptr, nullptr, 0, pieces, false, true};
+    closest::closest_points(
+        spline, {cloud.points.data(), n, dim, dim, 1}, query,
+        {{params.data(), n, axes, axes, 1}, {}, {distances.data(), n, 1, 1, 1}, status.data()});
+    require_work();
     set_squares(cloud);
 }
 
@@ -103,29 +100,24 @@ void CloudFeet::set_squares(const Cloud &cloud) {
 }
 
 void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
-    std::vector<size_t> open;
-    std::vector<double> points;
+    std::vector<int64_t> open;
     for (size_t i = 0; i < status.size(); ++i) {
         if ((status[i] & closest::closest_certified) == 0) {
-            const double *const point = cloud.point(static_cast<int64_t>(i));
-            open.push_back(i);
-            points.insert(points.end(), point, point + cloud.dim);
+            open.push_back(static_cast<int64_t>(i));
         }
     }
     if (open.empty()) {
         return;
     }
-    const auto axes = static_cast<size_t>(spline.axes());
-    std::vector<double> own_params(open.size() * axes), own_distances(open.size());
-    std::vector<int32_t> own_status(open.size());
     const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
-    find_feet(spline, points, std::min(share, closest::usual_budget(spline)), own_params.data(),
-              own_distances.data(), own_status.data());
+    const CloudFeet found(spline, cloud.part(open), std::min(share, closest::usual_budget(spline)));
+    const int axes = spline.axes();
     for (size_t j = 0; j < open.size(); ++j) {
-        const size_t i = open[j];
-        std::copy_n(own_params.data() + j * axes, axes, params.data() + i * axes);
-        distances[i] = own_distances[j];
-        status[i] = own_status[j];
+        const auto i = static_cast<size_t>(open[j]);
+        std::copy_n(found.params.begin() + static_cast<int64_t>(j) * axes, axes,
+                    params.begin() + open[j] * axes);
+        distances[i] = found.distances[j];
+        status[i] = found.status[j];
     }
     set_squares(cloud);
 }

@@ -26,6 +26,8 @@ struct CloudFeet {
     void measure_given(const Spline &spline, const Cloud &cloud);
 
 private:
+    // With so many pieces each.
+    CloudFeet(const Spline &spline, const Cloud &cloud, int64_t pieces);
     void set_squares(const Cloud &cloud);
 };
 

@@ -168,7 +168,7 @@ pub struct nurbs_fit_report {
 pub struct nurbs_cloud_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// m, the derivative that is penalised, \>= 1; at most the highest degree counts; 2
+    /// m, the derivative that is penalised, \>= 1, at most the highest degree; 2
     pub penalty_order: i32,
     /// most searches for the nearest points of all points, \>= 1; 100
     pub rounds: i32,
