@@ -2460,7 +2460,8 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * 2^-53 of its scale, of a parameter to 2^-53 of its cell, and of products of basis functions to 2^-62; the
  * equations are then solved with twice the precision, so that the error of a fit is about that of
  * orthogonal methods up to degree 15 or so. Where the data determine a control point no better than rounding
- * does, that is NURBS_ERROR_RANK.
+ * does, that is NURBS_ERROR_RANK. A lambda beside which 2^-64 of the sums would be left of the data, on average
+ * of the control points, acts as the one where that begins: polynomials of degree m - 1 are left.
  *
  * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
  * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)). There sigma is the
@@ -2961,7 +2962,7 @@ typedef struct nurbs_cloud_report {
     double noise;     /**< receives a bound of how far a d_i is from the true distance, if it is certified */
     int64_t boundary; /**< receives the number of points whose nearest point is on an end or an edge */
     int64_t uncertified; /**< receives the number of points whose nearest point is not proven to be that */
-    int32_t rounds;      /**< receives the number of searches for the nearest points */
+    int32_t rounds;      /**< receives the number of searches for the nearest points of all points */
     int32_t bits;        /**< receives a sum of NURBS_CLOUD_ bits */
 } nurbs_cloud_report;
 
@@ -2970,13 +2971,14 @@ typedef struct nurbs_cloud_report {
  *
  *     sum_i w_i min_t |x_i - s(t)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
  *
- * with x_k the parameter of axis k as a part of its domain. Each round finds the nearest point of s for each
- * x_i, with a proof, as nurbs_closest_points() does. Then the squared distance to a spline that moves is taken
- * as (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to
- * s, W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side,
- * and 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to
- * the tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the
- * true sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
+ * with x_k the parameter of axis k as a part of its domain, and the highest degree for an m above it. Each
+ * round finds the nearest point of s for each x_i, with a proof if a few pieces are enough for one, as
+ * nurbs_closest_points() does. Then the squared distance to a spline that moves is taken as
+ * (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to s,
+ * W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side, and
+ * 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to the
+ * tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the true
+ * sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
  *
  * lambda falls between rounds, at most by a factor of 8, from first_lambda to lambda. If these are to be found,
  * it begins, for a start without a shape of its own, as a line or a plane, where it allows next to none, and
@@ -2994,7 +2996,13 @@ typedef struct nurbs_cloud_report {
  *
  * Distances are those of the stored result, as it is evaluated. None is below the true one by more than
  * noise; where uncertified is 0 none is above it by more either, so that largest and rms are proven to within
- * noise.
+ * noise. Proofs are looked for as long as the nearest points of a shape with tangents need. On one that has
+ * collapsed, to a curve or a point, whole lines of parameters are as near: there, points may stay uncertified.
+ *
+ * Points far from 0 beside their extent are fitted about their middle, with no loss: only the control points of
+ * the result, and its distances, are rounded as coordinates of that size are. Where lambda is so large that
+ * bends are less than 2^-26 of what they are without it, it acts as where that begins: polynomials of degree
+ * m - 1 are left, and smaller bends would only lose digits.
  * \param[in] g where to begin, polynomial, of a dimension above its number of axes; for example from
  *   nurbs_cloud_start().
  * \param[in] n number of points, at least 1 of a weight above 0.
@@ -3008,8 +3016,8 @@ typedef struct nurbs_cloud_report {
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _STRIDE, _OVERFLOW, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE,
  *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of axes,
- *   _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda that is
- *   negative or not finite, or a first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
+ *   _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda or
+ *   first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_cloud(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
                                        int64_t point_component_stride, const double *weights,

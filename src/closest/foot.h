@@ -58,6 +58,7 @@ struct Query {
     double tolerance;      // how much nearer another point may be
     int64_t budget;        // most pieces examined; 0: the usual number
     bool farthest = false; // the farthest point instead of the nearest one
+    bool alone = false;    // whether others are as near is not asked
 
     [[nodiscard]] int64_t most_pieces() const noexcept {
         return budget > 0 ? budget : pieces::default_budget;

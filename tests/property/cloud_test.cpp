@@ -1,6 +1,7 @@
 // Fits of points without parameters: splines come back, noise stays outside, and neither order nor unit matters.
 #include "property/fits.h"
 
+#include <limits>
 #include <numbers>
 
 namespace cloud_test {
@@ -315,6 +316,167 @@ TEST(Clouds, AnyPolynomialStartWillDo) {
     CloudFit fit;
     (void)fit(create(shaken(random, volume, 0.02)), on(random, create(volume), 3, 4, 300));
     EXPECT_LT(fit.report.largest, 1e-4);
+}
+
+// --- Offsets ---
+
+constexpr double finest = 0x1p-20; // digit of coordinates
+
+double rounded(double x) {
+    return std::round(x / finest) * finest;
+}
+
+std::vector<double> moved(const std::vector<double> &points, const std::vector<double> &by) {
+    std::vector<double> result = points;
+    for (size_t i = 0; i < result.size(); ++i) {
+        result[i] += by[i % by.size()];
+    }
+    return result;
+}
+
+// An arc about 0.
+Cloud arc_about_zero() {
+    Cloud cloud = noisy_arc(13, 500);
+    for (size_t i = 0; i < cloud.points.size(); ++i) {
+        cloud.points[i] = rounded(cloud.points[i] - (i % 2 == 0 ? 7.5 : 0));
+    }
+    return cloud;
+}
+
+// Offsets that coordinates can have without being rounded change the control points by themselves, rounded once.
+TEST(Clouds, OffsetsDoNotMatter) {
+    const Cloud cloud = arc_about_zero();
+    const SplineData space = even_axes({3}, {9}, 2);
+    SplineData start = read_back(start_for(cloud, space).get());
+    const std::vector<double> found_start = start.points;
+    for (double &x : start.points) {
+        x = rounded(x);
+    }
+    CloudFit fit;
+    const auto wanted = control_points(fit(create(start), cloud));
+    for (const double size : {0x1p10, 0x1p20, 0x1p30}) {
+        const std::vector<double> by{size, -1.5 * size};
+        Cloud far = cloud;
+        far.points = moved(cloud.points, by);
+        SplineData far_start = start;
+        far_start.points = moved(start.points, by);
+        CloudFit other;
+        EXPECT_EQ(control_points(start_for(far, space)), moved(found_start, by)) << size;
+        EXPECT_EQ(control_points(other(create(far_start), far)), moved(wanted, by)) << size;
+        EXPECT_EQ(other.report.rounds, fit.report.rounds);
+        EXPECT_EQ(other.report.lambda, fit.report.lambda);
+        EXPECT_NEAR(other.report.largest, fit.report.largest, other.report.noise);
+        EXPECT_LT(other.report.noise, 4096 * 0x1p-52 * size);
+    }
+}
+
+// Points that are no farther apart than a few last digits, and far less than that along an axis.
+TEST(Clouds, OffsetsMayBeAllThereIs) {
+    Cloud same{3, {}, {}}, close;
+    for (int i = 0; i < 50; ++i) {
+        same.add({1e300, -3, 7});
+        close.add({1e300, 1e-320 * (i % 7)});
+    }
+    CloudFit fit;
+    (void)fit(start_for(same, even_axes({2, 2}, {4, 4}, 3)), same);
+    EXPECT_EQ(fit.report.squares, 0);
+    (void)fit(start_for(close, even_axes({3}, {6}, 2)), close);
+    EXPECT_LE(fit.report.largest, fit.report.noise);
+    EXPECT_LE(fit.report.rms, fit.report.largest);
+}
+
+// --- Large factors ---
+
+// The smallest root mean square of distances from a line.
+double rms_of_line(const Cloud &cloud) {
+    double w = 0, mean[2] = {}, xx = 0, xy = 0, yy = 0;
+    for (size_t i = 0; i < cloud.weights.size(); ++i) {
+        w += cloud.weights[i];
+        mean[0] += cloud.weights[i] * cloud.points[2 * i];
+        mean[1] += cloud.weights[i] * cloud.points[2 * i + 1];
+    }
+    for (size_t i = 0; i < cloud.weights.size(); ++i) {
+        const double x = cloud.points[2 * i] - mean[0] / w, y = cloud.points[2 * i + 1] - mean[1] / w;
+        xx += cloud.weights[i] * x * x;
+        xy += cloud.weights[i] * x * y;
+        yy += cloud.weights[i] * y * y;
+    }
+    return std::sqrt((xx + yy - std::hypot(xx - yy, 2 * xy)) / 2 / w);
+}
+
+// Whatever the start is, a line is left, that of least squares but for its ends; and factors that large are all the same.
+TEST(Clouds, HugeFactorsLeaveLines) {
+    const Cloud cloud = noisy_arc(14, 500);
+    for (const int64_t count : {9, 100}) {
+        const Handle line = start_for(cloud, even_axes({3}, {count}, 2));
+        CloudFit bent;
+        const Handle curve = bent(line, cloud);
+        std::vector<double> wanted;
+        for (const Handle *start : {&line, &curve}) {
+            wanted.clear();
+            for (const double lambda : {1e20, 1e300, std::numeric_limits<double>::max()}) {
+                CloudFit fit;
+                fit.options.lambda = lambda;
+                const Handle g = fit(*start, cloud);
+                EXPECT_TRUE(fit.converged()) << count << ' ' << lambda;
+                EXPECT_EQ(fit.report.lambda, lambda);
+                EXPECT_NEAR(fit.report.rms, rms_of_line(cloud), 1e-3 * rms_of_line(cloud));
+                const auto first = eval(g.get(), {0}), middle = eval(g.get(), {0.5}),
+                           last = eval(g.get(), {1});
+                for (size_t c = 0; c < 2; ++c) {
+                    EXPECT_NEAR(middle[c], (first[c] + last[c]) / 2, 1e-6) << count << ' ' << lambda;
+                }
+                const auto found = control_points(g);
+                EXPECT_EQ(found, wanted.empty() ? found : wanted);
+                wanted = found;
+            }
+        }
+    }
+}
+
+TEST(Clouds, HugeFactorsLeavePlanes) {
+    Random random(15);
+    Cloud cloud{3, {}, {}};
+    for (int i = 0; i < 400; ++i) {
+        const double u = 2 * random.unit() - 1, v = random.unit();
+        cloud.add({u, v, u + v + 0.1 * u * u});
+    }
+    CloudFit fit;
+    fit.options.lambda = 1e300;
+    const auto at = read_back(fit(start_for(cloud, even_axes({3, 2}, {6, 5}, 3)), cloud).get()).points;
+    EXPECT_TRUE(fit.converged());
+    EXPECT_LT(fit.report.rms, 0.1);
+    const auto point = [&](size_t i, size_t j, size_t c) { return at[(5 * i + j) * 3 + c]; };
+    for (size_t c = 0; c < 3; ++c) { // inside, control points are evenly far apart
+        EXPECT_NEAR(point(2, 2, c) + point(3, 2, c), point(0, 2, c) + point(5, 2, c), 1e-6);
+        EXPECT_NEAR(point(2, 1, c) + point(2, 3, c), point(2, 0, c) + point(2, 4, c), 1e-6);
+    }
+}
+
+// --- Collapsed shapes ---
+
+// Along whole lines of parameters points are equally near: a start of no area, as one on a diagonal.
+TEST(Clouds, CollapsedStartsEndSoon) {
+    Random random(16);
+    Cloud cloud{3, {}, {}};
+    for (int i = 0; i < 100; ++i) {
+        const double u = random.unit(), v = random.unit();
+        cloud.add({u, v, std::sin(u + v)});
+    }
+    SplineData diagonal = even_axes({3, 3}, {8, 8}, 3);
+    for (size_t i = 0; i < 64; ++i) {
+        diagonal.points[3 * i] = 0.1 * static_cast<double>(i / 8 + i % 8);
+    }
+    CloudFit fit;
+    nurbs_call_options call{};
+    require_ok(nurbs_call_options_init(&call, sizeof call));
+    call.work = 1'000'000'000;
+    (void)made([&](nurbs **out) {
+        return nurbs_fit_cloud_with(create(diagonal).get(), cloud.size(), cloud.points.data(), 0, 0, nullptr,
+                                    0, &fit.options, &fit.report, &call, out);
+    });
+    EXPECT_LT(fit.report.largest, 1e-3);
+    EXPECT_EQ(fit.report.uncertified, 0);
 }
 
 } // namespace

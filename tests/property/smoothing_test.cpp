@@ -1,6 +1,8 @@
 // Smoothing splines: limits, criteria, conditions, and what the data do not determine.
 #include "property/fits.h"
 
+#include <limits>
+
 namespace smoothing_test {
 
 using namespace support;
@@ -31,13 +33,16 @@ TEST(Smoothing, ends_in_the_polynomial_that_costs_nothing) {
         Fit smooth(even_curve(4, 20)), line(even_curve(order - 1, order));
         smooth.options.smoothing = NURBS_SMOOTHING_LAMBDA;
         smooth.options.penalty_order = order;
-        smooth.options.lambda = 1e14;
-        const Handle a = smooth(sample), b = line(sample);
-        const auto x = eval(a.get(), sample.params), y = eval(b.get(), sample.params);
-        for (size_t i = 0; i < x.size(); ++i) {
-            ASSERT_NEAR(x[i], y[i], 1e-10) << "seed " << seed;
+        const auto wanted = eval(line(sample).get(), sample.params);
+        for (const double lambda : {1e14, 1e30, 1e300, std::numeric_limits<double>::max()}) {
+            smooth.options.lambda = lambda;
+            const auto found = eval(smooth(sample).get(), sample.params);
+            for (size_t i = 0; i < found.size(); ++i) {
+                ASSERT_NEAR(found[i], wanted[i], 1e-10) << "seed " << seed << ' ' << lambda;
+            }
+            ASSERT_NEAR(smooth.report.freedom, order, 1e-6) << "seed " << seed << ' ' << lambda;
+            ASSERT_EQ(smooth.report.lambda, lambda);
         }
-        ASSERT_NEAR(smooth.report.freedom, order, 1e-6) << "seed " << seed;
         smooth.options.lambda = 0;
         Fit plain(even_curve(4, 20));
         EXPECT_TRUE(same_bits(read_back(smooth(sample).get()).points, read_back(plain(sample).get()).points));

@@ -114,7 +114,7 @@ module nurbs_c
         integer(c_int64_t) :: boundary
         ! receives the number of points whose nearest point is not proven to be that
         integer(c_int64_t) :: uncertified
-        integer(c_int32_t) :: rounds  ! receives the number of searches for the nearest points
+        integer(c_int32_t) :: rounds  ! receives the number of searches for the nearest points of all points
         integer(c_int32_t) :: bits  ! receives a sum of NURBS_CLOUD_ bits
     end type nurbs_cloud_report
 

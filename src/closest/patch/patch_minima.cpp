@@ -43,7 +43,7 @@ bool PatchMinima::improve_to(const PatchItem &item, const AxisValues &at, double
 
 void PatchMinima::consider(const PatchItem &item, const AxisValues &at, double distance, bool strict) {
     FootCandidate place{item.piece, {}, sign_ * distance, item.moved};
-    if (!(place.value <= upper()) || (not_unique_ && !all_)) {
+    if (!(place.value <= upper()) || ((not_unique_ || query_.alone) && !all_)) {
         return;
     }
     for (int k = 0; k < pieces_.shape().axes; ++k) {

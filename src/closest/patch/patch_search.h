@@ -58,7 +58,9 @@ private:
     void spend();
     bool improve(const PatchItem &item, AxisValues at);
     [[nodiscard]] PatchGoal goal(double value, const PatchItem &item) const noexcept;
-    [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!not_unique_ && extra_ < 24); }
+    [[nodiscard]] bool asks_for_others() const noexcept {
+        return all_ || (!query_.alone && !not_unique_ && extra_ < 24);
+    }
 
     void search_minima();
 

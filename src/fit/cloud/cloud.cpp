@@ -28,7 +28,13 @@ void add_point(const ConstRecords &points, int64_t i, std::vector<double> &to) {
 
 // As they were given.
 Cloud counted(const ConstRecords &points, const ConstRecords &weights) {
-    Cloud cloud{static_cast<int>(points.width), 0, 0, {}, {}, {}};
+    Cloud cloud{static_cast<int>(points.width),
+                0,
+                0,
+                std::vector<double>(static_cast<size_t>(points.width)),
+                {},
+                {},
+                {}};
     Steps steps(points.count);
     for (int64_t i = 0; i < points.count; ++i, steps.next(8 * points.width)) {
         const double weight = checked_weight(weights, i);
@@ -61,24 +67,75 @@ std::vector<int64_t> order_of(const Cloud &cloud) {
     return order;
 }
 
-Cloud permuted(const Cloud &cloud, const std::vector<int64_t> &order) {
-    Cloud result{cloud.dim, cloud.exponent, cloud.weight_exponent, {}, {}, {}};
-    result.points.reserve(cloud.points.size());
-    for (const int64_t i : order) {
-        result.points.insert(result.points.end(), cloud.point(i), cloud.point(i) + cloud.dim);
-        result.weights.push_back(cloud.weights[static_cast<size_t>(i)]);
-        result.indices.push_back(cloud.indices[static_cast<size_t>(i)]);
+struct Extent {
+    std::vector<double> middle;
+    double size = 0; // the largest of a coordinate
+};
+
+Extent extent_of(const std::vector<double> &points, std::span<const double> more, size_t dim) {
+    Extent extent{std::vector<double>(dim)};
+    for (size_t c = 0; c < dim; ++c) {
+        double lower = HUGE_VAL, upper = -HUGE_VAL;
+        for (const std::span<const double> all : {std::span<const double>(points), more}) {
+            for (size_t i = c; i < all.size(); i += dim) {
+                lower = std::min(lower, all[i]);
+                upper = std::max(upper, all[i]);
+            }
+        }
+        extent.middle[c] = lower / 2 + upper / 2;
+        extent.size = std::max(extent.size, 2 * (upper / 2 - lower / 2));
     }
-    return result;
+    return extent;
 }
 
-void scale(std::vector<double> &values, int exponent) noexcept {
-    for (double &x : values) {
-        x = std::ldexp(x, -exponent) + 0.0; // no -0, which compares as 0
+// A multiple of a power of two that is not below the extent, where the middle is at least four times as far away: then
+// coordinates are multiples of their last digit from it, fewer than they are from 0, so that differences are exact.
+double origin_for(double middle, double extent) noexcept {
+    constexpr double far = 4, most = 0x1p53;
+    const double grid = std::ldexp(1.0, exponent_above(extent));
+    if (!(std::abs(middle) >= far * grid)) {
+        return 0;
+    }
+    const double part = middle / grid;
+    return std::abs(part) < most ? std::round(part) * grid
+                                 : middle; // that far away, coordinates are all the same
+}
+
+// About the origin, in units that none exceeds.
+void place(Cloud &cloud, std::span<const double> start) {
+    const auto dim = static_cast<size_t>(cloud.dim);
+    const Extent extent = extent_of(cloud.points, start, dim);
+    for (size_t c = 0; c < dim; ++c) {
+        cloud.origin[c] = origin_for(extent.middle[c], extent.size);
+    }
+    double largest = 0;
+    for (const std::span<const double> all : {std::span<const double>(cloud.points), start}) {
+        for (size_t i = 0; i < all.size(); ++i) {
+            largest = std::max(largest, std::abs(all[i] - cloud.origin[i % dim]));
+        }
+    }
+    cloud.exponent = exponent_above(largest);
+    for (size_t i = 0; i < cloud.points.size(); ++i) {
+        cloud.points[i] = cloud.own(cloud.points[i], i % dim) + 0.0; // no -0, which compares as 0
     }
 }
 
 } // namespace
+
+Cloud Cloud::part(const std::vector<int64_t> &which) const {
+    Cloud result{dim, exponent, weight_exponent, origin, {}, {}, {}};
+    result.points.reserve(which.size() * static_cast<size_t>(dim));
+    for (const int64_t i : which) {
+        result.points.insert(result.points.end(), point(i), point(i) + dim);
+        result.weights.push_back(weights[static_cast<size_t>(i)]);
+        result.indices.push_back(indices[static_cast<size_t>(i)]);
+    }
+    return result;
+}
+
+bool Cloud::moved() const noexcept {
+    return std::ranges::any_of(origin, [](double x) { return x != 0; });
+}
 
 double Cloud::weight() const noexcept {
     return std::accumulate(weights.begin(), weights.end(), DoubleDouble{},
@@ -86,14 +143,15 @@ double Cloud::weight() const noexcept {
         .high;
 }
 
-Cloud cloud_of(const ConstRecords &points, const ConstRecords &weights, double least) {
+Cloud cloud_of(const ConstRecords &points, const ConstRecords &weights, std::span<const double> start) {
     Cloud cloud = counted(points, weights);
-    cloud.exponent = exponent_above(std::max(largest_magnitude(cloud.points), least));
+    place(cloud, start);
     cloud.weight_exponent = exponent_above(largest_magnitude(cloud.weights));
-    scale(cloud.points, cloud.exponent);
-    scale(cloud.weights, cloud.weight_exponent);
+    for (double &weight : cloud.weights) {
+        weight = std::ldexp(weight, -cloud.weight_exponent);
+    }
     count_work(64 * cloud.size());
-    return permuted(cloud, order_of(cloud));
+    return cloud.part(order_of(cloud));
 }
 
 } // namespace nrb::fit

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fit/cloud/squared_distance.h"
+#include "fit/least_squares/active_functions.h"
 #include "fit/least_squares/stencil_matrix.h"
 #include "numeric/solvers/sparse/sparse_system.h"
 
@@ -19,40 +20,49 @@ class CloudPenalty {
 public:
     CloudPenalty(const Spline::Axes &axes, int order);
 
-    [[nodiscard]] int64_t unknown(const Index &layer) const noexcept { return form_.unknown(layer); }
+    [[nodiscard]] const StencilPattern &pattern() const noexcept { return form_.pattern(); }
     [[nodiscard]] int64_t size() const noexcept { return form_.size(); }
+    // About what a function of mean square 1 pays that is orthogonal to those that pay nothing.
+    [[nodiscard]] double least() const noexcept;
     // Of x [unknowns][dim].
     [[nodiscard]] double of(const std::vector<double> &x) const;
-    // P x.
+    // P x: what x rounds away is not in it, so that polynomials pay nothing beside data for large factors either.
     [[nodiscard]] std::vector<double> times(const std::vector<double> &x) const;
     // Calls visit(row, column, value) for all elements, mirrored ones too.
     template <class Visit>
     void for_each(Visit &&visit) const {
         for (int64_t j = 0; j < columns_.size(); ++j) {
-            for (auto p = static_cast<size_t>(columns_.starts[static_cast<size_t>(j)]);
-                 p < static_cast<size_t>(columns_.starts[static_cast<size_t>(j) + 1]); ++p) {
-                visit(int64_t{columns_.rows[p]}, j, columns_.values[p].high);
-            }
+            for_each_of(j, [&](int64_t row, const DoubleDouble &value) { visit(row, j, value.high); });
         }
     }
     // In which order to eliminate coordinates of unknowns, those of one after the other.
     [[nodiscard]] std::vector<int64_t> elimination_order(int dim) const;
 
 private:
+    // Calls visit(row, value) for a column.
+    template <class Visit>
+    void for_each_of(int64_t column, Visit &&visit) const {
+        const auto first = static_cast<size_t>(columns_.starts[static_cast<size_t>(column)]),
+                   end = static_cast<size_t>(columns_.starts[static_cast<size_t>(column) + 1]);
+        for (size_t p = first; p < end; ++p) {
+            visit(int64_t{columns_.rows[p]}, columns_.values[p]);
+        }
+    }
+
+    int order_;
     StencilMatrix form_;
     ColumnsOf<DoubleDouble> columns_;
 };
 
 // The change d that makes sum_i w_i (r_i - sum_a b_a d_a)^T W_i (r_i - sum_a b_a d_a) + lambda P(x + d) + mu u |d|^2 least,
 // u the mean of the diagonal of the first term. Unknowns are the coordinates of control points that differ. Elements are kept
-// as those of StencilMatrix are, each a symmetric matrix of dim rows.
+// by the places of the pattern, each a symmetric matrix of dim rows.
 class CloudEquations {
 public:
     CloudEquations(const Spline::Axes &axes, int dim, const CloudPenalty &penalty);
 
-    // The functions b of each axis that do not vanish at the foot, the first of which is that of layer `first`.
-    void add(const Index &first, const std::array<std::span<const double>, max_axes> &functions,
-             double weight, const SquaredDistance &model);
+    // For the functions b at the foot.
+    void add(const ActiveFunctions &functions, double weight, const SquaredDistance &model);
     // With the penalty at x.
     void finish(double lambda, const std::vector<double> &x);
 
@@ -65,27 +75,24 @@ public:
 
 private:
     struct Pair {
-        size_t a, b;
-        int64_t place;
+        size_t a, b;  // of active functions
+        int64_t step; // from the start of a
     };
-    void make_pairs(const Spline::Axes &axes);
-    [[nodiscard]] std::vector<Entry> entries(double lambda);
-    template <class Visit>
-    void for_each_element(Visit &&visit) const;
+    [[nodiscard]] const double *element(int64_t place) const noexcept {
+        return matrix_.data() + static_cast<size_t>(place) * half_;
+    }
+    [[nodiscard]] double trace() const noexcept;
+    void append_element(std::vector<Entry> &entries, int64_t first, int64_t second, int64_t place) const;
+    void append_penalty(std::vector<Entry> &entries, double lambda) const;
 
     const CloudPenalty &penalty_;
+    const StencilPattern &pattern_;
     size_t dim_, half_; // elements of a symmetric matrix of dim rows
-    Index counts_{1, 1, 1}, reach_{};
-    std::array<bool, max_axes> periodic_{};
-    std::vector<Index> functions_; // of a span, from its first one
     std::vector<Pair> pairs_;
-    std::vector<Index> offsets_;
     std::vector<double> matrix_, right_;
     double unit_ = 0;
     std::unique_ptr<SparseSystem> system_;
-    // Of a point.
-    std::vector<double> values_;
-    std::vector<int64_t> unknowns_;
+    std::vector<int64_t> unknowns_; // of the functions at a foot
 };
 
 } // namespace nrb::fit

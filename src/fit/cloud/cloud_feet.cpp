@@ -6,7 +6,7 @@
 #include "closest/closest.h"
 #include "closest/stops.h"
 #include "eval/evaluate.h"
-#include "eval/functions/axis_basis.h"
+#include "fit/least_squares/fit_points.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -19,6 +19,9 @@ namespace {
 
 constexpr int order = 2; // of derivatives
 constexpr int64_t block = 64;
+// Looked at for a foot in a round, and on the average of all points, or of a few ones, for the last proofs.
+constexpr int64_t usual_pieces = 24, proving_pieces = 100;
+constexpr int64_t few = 1000; // points, for which these cost next to nothing
 
 bool is_left(int32_t status, size_t axis) noexcept {
     return (status & closest::closest_left << axis) != 0;
@@ -63,70 +66,97 @@ private:
     std::vector<double> values_;
 };
 
-// The functions of each axis at a foot.
-class FootFunctions {
-public:
-    explicit FootFunctions(const Spline &spline) {
-        for (int k = 0; k < spline.axes(); ++k) {
-            for (const bool left : {false, true}) {
-                axes_[static_cast<size_t>(k)].push_back({spline.axis(k), {left}, 0});
-            }
-            values_[static_cast<size_t>(k)].resize(static_cast<size_t>(spline.axis(k).degree() + 1));
-        }
+// Of rounding, for coordinates of size 1.
+double relative_noise(const Spline &spline) noexcept {
+    double functions = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        functions += spline.axis(k).degree() + 1;
     }
-
-    void set(size_t axis, double param, bool left) noexcept {
-        eval::AxisBasis basis;
-        basis.values = values_[axis].data();
-        (void)axes_[axis][left ? 1 : 0](param, basis);
-        first[axis] = basis.first;
-        functions[axis] = values_[axis];
-    }
-
-    Index first{};
-    std::array<std::span<const double>, max_axes> functions;
-
-private:
-    std::array<std::vector<eval::AxisEvaluator>, max_axes> axes_; // from the right and from the left
-    std::array<std::vector<double>, max_axes> values_;
-};
+    return 2 * (64 * functions + 2 * spline.dim()) * std::numeric_limits<double>::epsilon();
+}
 
 } // namespace
 
-CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud)
+CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud) : CloudFeet(spline, cloud, usual_pieces) {}
+
+CloudFeet::CloudFeet(const Spline &spline, const Cloud &cloud, int64_t pieces)
     : params(static_cast<size_t>(cloud.size() * spline.axes())), distances(static_cast<size_t>(cloud.size())),
-      status(static_cast<size_t>(cloud.size())) {
+      status(static_cast<size_t>(cloud.size())), exponent(cloud.exponent) {
     const int64_t n = cloud.size(), axes = spline.axes(), dim = cloud.dim;
-    const closest::Query query{nullptr, nullptr, 0, closest::usual_budget(spline)};
+    const closest::Query query{nullptr, nullptr, 0, pieces, false, true};
     closest::closest_points(
         spline, {cloud.points.data(), n, dim, dim, 1}, query,
         {{params.data(), n, axes, axes, 1}, {}, {distances.data(), n, 1, 1, 1}, status.data()});
     require_work();
+    set_squares(cloud);
+}
+
+void CloudFeet::set_squares(const Cloud &cloud) {
     DoubleDouble sum;
     for (size_t i = 0; i < distances.size(); ++i) {
         sum = sum + DoubleDouble(cloud.weights[i] * distances[i] * distances[i]);
     }
     squares = sum.high;
-    count_work(8 * n);
+    count_work(8 * cloud.size());
+}
+
+void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
+    std::vector<int64_t> open;
+    for (size_t i = 0; i < status.size(); ++i) {
+        if ((status[i] & closest::closest_certified) == 0) {
+            open.push_back(static_cast<int64_t>(i));
+        }
+    }
+    if (open.empty()) {
+        return;
+    }
+    const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
+    const CloudFeet found(spline, cloud.part(open), std::min(share, closest::usual_budget(spline)));
+    const int axes = spline.axes();
+    for (size_t j = 0; j < open.size(); ++j) {
+        const auto i = static_cast<size_t>(open[j]);
+        std::copy_n(found.params.begin() + static_cast<int64_t>(j) * axes, axes,
+                    params.begin() + open[j] * axes);
+        distances[i] = found.distances[j];
+        status[i] = found.status[j];
+    }
+    set_squares(cloud);
+}
+
+void CloudFeet::measure_given(const Spline &spline, const Cloud &cloud) {
+    constexpr int widest = 500; // so that squares of rounding amid the largest coordinates do not overflow
+    FootDerivatives derivatives(spline, *this);
+    exponent = std::max(exponent, exponent_above(largest_magnitude(cloud.origin)) - widest);
+    for (int64_t i = 0; i < cloud.size(); ++i) {
+        const double *const foot = derivatives.at(i), *const point = cloud.point(i);
+        distances[static_cast<size_t>(i)] = norm_of(cloud.dim, [&](int c) {
+            const auto at = static_cast<size_t>(c);
+            return std::ldexp(cloud.given(point[c], at) - foot[c], -exponent);
+        });
+    }
+    set_squares(cloud);
 }
 
 double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    double functions = 0, farthest = 0;
-    for (int k = 0; k < spline.axes(); ++k) {
-        functions += spline.axis(k).degree() + 1;
-    }
+    double farthest = 0;
     for (int64_t i = 0; i < cloud.size(); ++i) {
         farthest = std::max(farthest, norm(cloud.point(i), cloud.dim));
     }
     const double size = std::sqrt(cloud.dim) * largest_magnitude(spline.effective().points());
-    return 2 * (64 * functions + 2 * cloud.dim) * eps * (size + farthest);
+    return relative_noise(spline) * (size + farthest);
+}
+
+double given_noise(const Spline &spline, const Cloud &cloud) noexcept {
+    const double factor = relative_noise(spline) * (1 + std::sqrt(cloud.dim));
+    const double of_origin =
+        norm_of(cloud.dim, [&](int c) { return factor * cloud.origin[static_cast<size_t>(c)]; });
+    return std::ldexp(distance_noise(spline, cloud), cloud.exponent) + of_origin;
 }
 
 void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations) {
     const auto axes = static_cast<size_t>(spline.axes());
     FootDerivatives derivatives(spline, feet);
-    FootFunctions functions(spline);
+    ActiveFunctions functions(spline.knot_vectors());
     SquaredDistance model(spline.axes(), cloud.dim);
     std::vector<double> r(static_cast<size_t>(cloud.dim));
     for (int64_t i = 0; i < cloud.size(); ++i) {
@@ -137,11 +167,13 @@ void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet,
         std::array<bool, max_axes> stays{};
         for (size_t k = 0; k < axes; ++k) {
             const double param = feet.params[static_cast<size_t>(i) * axes + k];
-            stays[k] = closest::may_hold_foot(spline.axis(static_cast<int>(k)), param);
-            functions.set(k, param, is_left(feet.status[static_cast<size_t>(i)], k));
+            const KnotVector &axis = spline.axis(static_cast<int>(k));
+            stays[k] = closest::may_hold_foot(axis, param);
+            functions.set(k, axis.spans().find(param, is_left(feet.status[static_cast<size_t>(i)], k)), param);
         }
         model.set(at, stays, r.data());
-        equations.add(functions.first, functions.functions, cloud.weights[static_cast<size_t>(i)], model);
+        functions.multiply();
+        equations.add(functions, cloud.weights[static_cast<size_t>(i)], model);
         count_work(400);
     }
 }

@@ -15,14 +15,27 @@ struct CloudFeet {
     std::vector<double> distances; // [size]
     std::vector<int32_t> status;   // [size], closest_ bits
     double squares = 0;            // sum w d^2
+    int exponent;                  // distances are in units of 2^exponent
 
-    // For the spline in the units of the cloud.
+    // For the spline in the units of the cloud. Feet have a few pieces each, which is enough to prove those of shapes with a
+    // tangent space: on others whole arcs are equally near, to rounding, which takes 1000 times as long to tell.
     CloudFeet(const Spline &spline, const Cloud &cloud);
+    // Looks longer for a proof of those that have none, but altogether not much longer than a round takes at most.
+    void prove(const Spline &spline, const Cloud &cloud);
+    // The distances from the spline of the caller, whose control points are rounded, at the same feet.
+    void measure_given(const Spline &spline, const Cloud &cloud);
+
+private:
+    // With so many pieces each.
+    CloudFeet(const Spline &spline, const Cloud &cloud, int64_t pieces);
+    void set_squares(const Cloud &cloud);
 };
 
 // How far a distance may be from the true one that is proven: twice what rounding adds to a proof of closest/, which holds
-// for the place that was found, once more for its parameter.
+// for the place that was found, once more for its parameter; in units of the cloud, and with what coordinates of the caller
+// add, in those of the caller.
 double distance_noise(const Spline &spline, const Cloud &cloud) noexcept;
+double given_noise(const Spline &spline, const Cloud &cloud) noexcept;
 
 // Adds the models of all squared distances.
 void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations);

@@ -168,8 +168,8 @@ SplinePtr cloud_start(const Cloud &cloud, const Spline::Axes &axes) {
         for (size_t k = 0; k < axes.size(); ++k) {
             parts[k].add(place_of(*axes[k], layer[k]), point);
         }
-        for (const double x : point) {
-            points.push_back(std::ldexp(x, cloud.exponent));
+        for (size_t c = 0; c < point.size(); ++c) {
+            points.push_back(cloud.given(point[c], c));
         }
     });
     count_work(16 * static_cast<int64_t>(points.size()));

@@ -42,33 +42,40 @@ public:
             lambda_ = next_lambda();
             converged_ = is_met() || (settled && lambda_ >= before / 2);
         }
-        lambda_ = is_met() && wishes_.lambda == 0 ? 0 : lambda_; // the sum is that for any
+        lambda_ = is_met() ? 0 : lambda_; // the sum is that for any
     }
 
-    [[nodiscard]] const Candidate &found() const noexcept { return now_; }
-    [[nodiscard]] double lambda() const noexcept { return std::ldexp(lambda_, cloud_.weight_exponent); }
-    [[nodiscard]] double noise() const noexcept { return distance_noise(*now_.spline, cloud_); }
+    // With proofs that the steps did not need.
+    [[nodiscard]] const Candidate &found() {
+        now_.feet.prove(*now_.spline, cloud_);
+        return now_;
+    }
+    [[nodiscard]] double lambda() const noexcept {
+        const bool as_given =
+            wishes_.lambda >= 0 && lambda_ == in_units(wishes_.lambda); // or beyond the limit
+        return as_given ? wishes_.lambda : std::ldexp(lambda_, cloud_.weight_exponent);
+    }
     [[nodiscard]] int rounds() const noexcept { return rounds_; }
     [[nodiscard]] bool converged() const noexcept { return converged_; }
 
 private:
     // What lambda is divided by in a round at most. Relative to the weight of all points, the smallest one that smooths
-    // anything, the largest one (a bend of the whole domain pays some 500 times its square), and the quotient of squares and
-    // penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
+    // anything, the largest one that is tried (a bend of the whole domain pays some 500 times its square), and the quotient of
+    // squares and penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
     static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4, shapeless = 0x1p-10;
+    // How many times the weight of all points what pays least pays, where it is gone: larger factors only lose digits.
+    static constexpr double stiffest = 0x1p26;
     static constexpr double most_freedom = 0.25; // of the points
     static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, most_mu = 0x1p60,
                             mu_ratio = 8;
 
     [[nodiscard]] std::vector<double> unknowns_of(const Spline &start) const {
         std::vector<double> x(static_cast<size_t>(penalty_.size() * cloud_.dim));
-        int64_t point = 0;
+        const double *given = start.points().data();
         for_each_point([&](int64_t unknown) {
-            for (int c = 0; c < cloud_.dim; ++c) {
-                x[static_cast<size_t>(unknown * cloud_.dim + c)] =
-                    std::ldexp(start.points()[static_cast<size_t>(point * cloud_.dim + c)], -cloud_.exponent);
+            for (size_t c = 0; c < static_cast<size_t>(cloud_.dim); ++c) {
+                x[static_cast<size_t>(unknown * cloud_.dim) + c] = cloud_.own(*given++, c);
             }
-            ++point;
         });
         return x;
     }
@@ -79,7 +86,7 @@ private:
         for (size_t k = 0; k < axes_.size(); ++k) {
             counts[k] = axes_[k]->count();
         }
-        for_each_index({}, counts, [&](const Index &layer) { visit(penalty_.unknown(layer)); });
+        for_each_index({}, counts, [&](const Index &layer) { visit(penalty_.pattern().unknown(layer)); });
     }
 
     Candidate candidate(std::vector<double> x) {
@@ -122,11 +129,11 @@ private:
         }
         const auto across = static_cast<double>(penalty_.size() * (cloud_.dim - std::ssize(axes_)));
         const double part = std::min(across / static_cast<double>(cloud_.size()), most_freedom);
-        const double limit = largest * weight_, squares = part * now_.feet.squares;
-        return squares < limit * now_.bend ? squares / now_.bend : limit;
+        const double most = largest * weight_, squares = part * now_.feet.squares;
+        return squares < most * now_.bend ? squares / now_.bend : most;
     }
     [[nodiscard]] double in_units(double lambda) const noexcept {
-        return std::ldexp(lambda, -cloud_.weight_exponent);
+        return std::min(stiffest * weight_ / penalty_.least(), std::ldexp(lambda, -cloud_.weight_exponent));
     }
     // Whether the distances are those of rounding.
     [[nodiscard]] bool is_exact() const noexcept {
@@ -194,38 +201,46 @@ private:
     bool converged_ = false;
 };
 
-SplinePtr in_units_of_caller(const Spline &spline, int exponent) {
-    std::vector<double> points;
-    for (const double x : spline.points()) {
-        points.push_back(std::ldexp(x, exponent));
+SplinePtr in_units_of_caller(const Spline &spline, const Cloud &cloud) {
+    std::vector<double> points(spline.points().begin(), spline.points().end());
+    for (size_t i = 0; i < points.size(); ++i) {
+        points[i] = cloud.given(points[i], i % static_cast<size_t>(cloud.dim));
     }
     require_representable(points, "control points");
     return make_result(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points));
+}
+
+int64_t count_of(const CloudFeet &feet, int32_t bit, int32_t value) noexcept {
+    return std::ranges::count_if(feet.status, [&](int32_t status) { return (status & bit) == value; });
+}
+
+void tell_distances(const CloudFeet &feet, const Cloud &cloud, CloudFit &fit) {
+    fit.data_count = cloud.size();
+    fit.weight = std::ldexp(cloud.weight(), cloud.weight_exponent);
+    fit.squares = std::ldexp(feet.squares, cloud.weight_exponent + 2 * feet.exponent);
+    fit.rms = std::ldexp(std::sqrt(feet.squares / cloud.weight()), feet.exponent);
+    const auto farthest = std::ranges::max_element(feet.distances);
+    fit.largest = std::ldexp(*farthest, feet.exponent);
+    fit.largest_index = cloud.indices[static_cast<size_t>(farthest - feet.distances.begin())];
+    fit.on_boundary = count_of(feet, closest::closest_boundary, closest::closest_boundary);
+    fit.uncertified = count_of(feet, closest::closest_certified, 0);
 }
 
 } // namespace
 
 CloudFit fit_cloud(const SplinePtr &start, const ConstRecords &points, const ConstRecords &weights,
                    const CloudWishes &wishes) {
-    const Cloud cloud = cloud_of(points, weights, largest_magnitude(start->points()));
+    const Cloud cloud = cloud_of(points, weights, start->points());
     CloudDescent descent(*start, cloud, wishes);
     descent.run();
-    const Candidate &found = descent.found();
-    const CloudFeet &feet = found.feet;
+    Candidate found = descent.found();
     CloudFit fit{};
-    fit.spline = in_units_of_caller(*found.spline, cloud.exponent);
-    fit.data_count = cloud.size();
-    fit.weight = std::ldexp(cloud.weight(), cloud.weight_exponent);
-    fit.squares = std::ldexp(feet.squares, cloud.weight_exponent + 2 * cloud.exponent);
-    fit.rms = std::ldexp(std::sqrt(feet.squares / cloud.weight()), cloud.exponent);
-    const auto farthest = std::ranges::max_element(feet.distances);
-    fit.largest = std::ldexp(*farthest, cloud.exponent);
-    fit.largest_index = cloud.indices[static_cast<size_t>(farthest - feet.distances.begin())];
-    fit.noise = std::ldexp(descent.noise(), cloud.exponent);
-    fit.on_boundary = std::ranges::count_if(
-        feet.status, [](int32_t status) { return (status & closest::closest_boundary) != 0; });
-    fit.uncertified = std::ranges::count_if(
-        feet.status, [](int32_t status) { return (status & closest::closest_certified) == 0; });
+    fit.spline = in_units_of_caller(*found.spline, cloud);
+    if (cloud.moved()) {
+        found.feet.measure_given(*fit.spline, cloud);
+    }
+    tell_distances(found.feet, cloud, fit);
+    fit.noise = given_noise(*found.spline, cloud);
     fit.lambda = descent.lambda();
     fit.rounds = descent.rounds();
     fit.converged = descent.converged();

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "basis/bspline.h"
+#include "fit/least_squares/active_functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,47 +12,37 @@ namespace nrb::fit {
 
 namespace {
 
-// The derivative of the active functions of an axis at a place, the last span closed.
-struct AxisValues {
-    int64_t first;
-    std::vector<double> values;
-};
-AxisValues values_at(const KnotVector &axis, double t, int order) {
-    const int p = axis.degree();
-    const int64_t span = axis.find_span(t, t == axis.domain().upper);
-    std::vector<double> rows(static_cast<size_t>((order + 1) * (p + 1)));
-    basis_derivs(axis.knots().data(), p, span, t, order, rows.data());
-    return {span - p, {rows.end() - (p + 1), rows.end()}};
+// The largest coefficient becomes 1 or -1.
+void scale(LinearRow &row) noexcept {
+    double most = 0;
+    for (const LinearRow::Coefficient &coefficient : row.coefficients) {
+        most = std::max(most, std::abs(coefficient.value));
+    }
+    for (LinearRow::Coefficient &coefficient : row.coefficients) {
+        coefficient.value = most > 0 ? coefficient.value / most : 0;
+    }
+    for (double &target : row.target) {
+        target = most > 0 ? target / most : target;
+    }
 }
 
 } // namespace
 
 Conditions::Conditions(const std::vector<KnotVectorPtr> &axes, const std::vector<FitCondition> &conditions) {
-    const StencilMatrix numbers(axes);
+    const StencilPattern numbers(axes);
+    ActiveFunctions functions(axes);
     for (const FitCondition &condition : conditions) {
-        std::array<AxisValues, max_axes> along{AxisValues{0, {1}}, AxisValues{0, {1}}, AxisValues{0, {1}}};
-        Index first{}, counts{1, 1, 1};
         for (size_t k = 0; k < axes.size(); ++k) {
-            along[k] = values_at(*axes[k], condition.place[k], condition.orders[k]);
-            first[k] = along[k].first;
-            counts[k] = std::ssize(along[k].values);
+            const double t = condition.place[k]; // the last span is closed
+            functions.set(k, axes[k]->find_span(t, t == axes[k]->domain().upper), t, condition.orders[k]);
         }
+        functions.multiply();
         LinearRow row{{}, condition.target};
-        double most = 0;
-        for_each_index(first, counts, [&](const Index &layer) {
-            double value = 1;
-            for (size_t k = 0; k < layer.size(); ++k) {
-                value *= along[k].values[static_cast<size_t>(layer[k] - first[k])];
-            }
-            row.coefficients.push_back({layer, numbers.unknown(layer), value});
-            most = std::max(most, std::abs(value));
-        });
-        for (LinearRow::Coefficient &coefficient : row.coefficients) {
-            coefficient.value = most > 0 ? coefficient.value / most : 0;
+        for (size_t i = 0; i < functions.size(); ++i) {
+            const Index layer = functions.layer(i);
+            row.coefficients.push_back({layer, numbers.unknown(layer), functions.values()[i]});
         }
-        for (double &target : row.target) {
-            target = most > 0 ? target / most : target;
-        }
+        scale(row);
         rows_.push_back(std::move(row));
     }
 }

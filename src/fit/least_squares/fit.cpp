@@ -293,7 +293,8 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
     result.misfit = {data.weight.high, found.squares, units.weight_exponent, units.value_exponent};
-    result.lambda = std::ldexp(found.lambda, units.weight_exponent);
+    const bool as_given = given.smoothing == Smoothing::given && found.decided_by < 0 && found.lambda > 0;
+    result.lambda = as_given ? given.value : std::ldexp(found.lambda, units.weight_exponent);
     result.freedom = found.freedom;
     result.residual = found.residual;
     result.reached = found.reached;

@@ -2,7 +2,7 @@
 #include "fit/least_squares/fit_errors.h"
 
 #include "base/watch.h"
-#include "basis/bspline.h"
+#include "fit/least_squares/active_functions.h"
 #include "fit/least_squares/clamped_axes.h"
 #include "fit/least_squares/penalty.h"
 
@@ -17,56 +17,42 @@ namespace {
 // An element of the inverse for each pair of functions that overlap.
 class ErrorForm {
 public:
-    ErrorForm(std::vector<KnotVectorPtr> axes, const StencilMatrix &numbers, const PenalisedSystem &system)
-        : axes_(std::move(axes)), numbers_(numbers), system_(system), inverse_(system.inverse()) {
-        for (size_t k = 0; k < axes_.size(); ++k) {
-            functions_[k] = axes_[k]->degree() + 1;
-            along_[k].resize(static_cast<size_t>(functions_[k]));
-        }
-        places_.resize(static_cast<size_t>(functions_[0] * functions_[1] * functions_[2]));
-        values_.resize(places_.size());
-    }
+    ErrorForm(const std::vector<KnotVectorPtr> &axes, const StencilMatrix &numbers,
+              const PenalisedSystem &system)
+        : axes_(axes.size()), numbers_(numbers), system_(system), inverse_(system.inverse()),
+          functions_(axes), places_(functions_.size()) {}
 
-    // Of parameters in the domain, each in a span. Allocates nothing.
-    [[nodiscard]] double at(const Index &spans, const std::array<double, max_axes> &t) noexcept {
-        Index first{};
-        for (size_t k = 0; k < axes_.size(); ++k) {
-            const int p = axes_[k]->degree();
-            basis_values(axes_[k]->knots().data(), p, spans[k], t[k], along_[k].data());
-            first[k] = spans[k] - p;
+    // Of parameters in the domain, each in a span.
+    [[nodiscard]] double at(const Index &spans, const std::array<double, max_axes> &t) {
+        for (size_t k = 0; k < axes_; ++k) {
+            functions_.set(k, spans[k], t[k]);
         }
-        size_t i = 0;
-        for_each_index(first, functions_, [&](const Index &layer) {
-            places_[i] = system_.place_of(numbers_.unknown(layer));
-            double value = 1;
-            for (size_t k = 0; k < layer.size(); ++k) {
-                value *= along_[k][static_cast<size_t>(layer[k] - first[k])];
-            }
-            values_[i++] = value;
-        });
+        functions_.multiply();
+        for (size_t i = 0; i < places_.size(); ++i) {
+            places_[i] = system_.place_of(numbers_.unknown(functions_.layer(i)));
+        }
         return std::sqrt(std::max(0.0, form()));
     }
 
 private:
     [[nodiscard]] double form() const noexcept {
+        const std::span<const double> values = functions_.values();
         double sum = 0;
         for (size_t i = 0; i < places_.size(); ++i) {
-            sum += values_[i] * values_[i] * inverse_.element(places_[i], places_[i]);
+            sum += values[i] * values[i] * inverse_.element(places_[i], places_[i]);
             for (size_t j = 0; j < i; ++j) {
-                sum += 2 * values_[i] * values_[j] * inverse_.element(places_[i], places_[j]);
+                sum += 2 * values[i] * values[j] * inverse_.element(places_[i], places_[j]);
             }
         }
         return sum;
     }
 
-    std::vector<KnotVectorPtr> axes_;
+    size_t axes_;
     const StencilMatrix &numbers_;
     const PenalisedSystem &system_;
     SelectedInverse inverse_;
-    Index functions_{1, 1, 1};
-    std::array<std::vector<double>, max_axes> along_{std::vector<double>{1}, {1}, {1}};
-    std::vector<int64_t> places_; // of the functions that do not vanish, last axis fastest
-    std::vector<double> values_;
+    ActiveFunctions functions_;
+    std::vector<int64_t> places_; // of the functions
 };
 
 } // namespace
@@ -79,7 +65,8 @@ void standard_errors(const Statistics &statistics, const std::vector<KnotVectorP
     const StencilMatrix form = penalty(axes, penalty_order);
     const int exponent = statistics.form().weight_exponent;
     PenalisedSystem system(equations, &form);
-    if (const int64_t unsure = system.try_factorise_surely(std::ldexp(lambda, -exponent)); unsure >= 0) {
+    if (const int64_t unsure = system.try_factorise_surely(system.limited(std::ldexp(lambda, -exponent)));
+        unsure >= 0) {
         system.fail_rank(unsure);
     }
     ErrorForm at(axes, equations.matrix, system);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace nrb::fit {
 
@@ -27,6 +28,11 @@ std::vector<double> diagonal_of(const ColumnsOf<DoubleDouble> &columns) {
         diagonal.push_back(columns.values[static_cast<size_t>(found - columns.rows.begin())].high);
     }
     return diagonal;
+}
+
+double trace_of(const ColumnsOf<DoubleDouble> &columns) {
+    const std::vector<double> diagonal = diagonal_of(columns);
+    return std::accumulate(diagonal.begin(), diagonal.end(), 0.0);
 }
 
 SparseColumns rounded(const ColumnsOf<DoubleDouble> &columns) {
@@ -94,6 +100,12 @@ PenalisedSystem::PenalisedSystem(const NormalEquations &equations, const Stencil
 void PenalisedSystem::set_matrix(const StencilMatrix &matrix) {
     data_ = matrix.columns(order_);
     sum_ = data_;
+}
+
+double PenalisedSystem::limited(double lambda) const {
+    constexpr double stiffest = 0x1p64; // penalties are off by 2^-95
+    const double data = trace_of(data_), smooth = trace_of(smooth_);
+    return smooth > 0 ? std::min(lambda, stiffest * data / smooth) : lambda;
 }
 
 void PenalisedSystem::factorise(double lambda) {

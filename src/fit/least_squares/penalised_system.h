@@ -22,6 +22,9 @@ public:
     // Another matrix G of the same pattern, instead of that of the equations.
     void set_matrix(const StencilMatrix &matrix);
 
+    // The factor, or the largest one beside which digits of the data are left: beyond it the minimum is the same, one of
+    // functions that pay nothing.
+    [[nodiscard]] double limited(double lambda) const;
     // Returns -1, or an unknown that is not determined.
     [[nodiscard]] int64_t try_factorise(double lambda);
     // The same, also where rounding of the sums may be all that determines it.

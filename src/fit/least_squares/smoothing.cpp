@@ -142,7 +142,7 @@ Smoothed LambdaSearch::within(double target) {
 }
 
 Smoothed LambdaSearch::choose(Smoothing rule, double value) {
-    return rule == Smoothing::given         ? at(value)
+    return rule == Smoothing::given         ? at(system_.limited(value))
            : rule == Smoothing::discrepancy ? within(value)
                                             : smallest(rule);
 }

@@ -26,7 +26,7 @@ struct Criteria {
 };
 
 // With n data of the dimension dim, residual squares R, freedom t, N unknowns and M of them without a penalty, lambda is
-// `value`, or minimises one of
+// `value`, limited to where only polynomials are left, or minimises one of
 // - n R / (n - t)^2 (P. Craven, G. Wahba, "Smoothing noisy data with spline functions", Numer. Math. 31 (1979)),
 // - (n - M) log (R + lambda P) + log det (G + lambda P) - (N - M) log lambda (S. Wood, "Fast stable restricted maximum
 //   likelihood ...", J. R. Statist. Soc. B 73 (2011)),

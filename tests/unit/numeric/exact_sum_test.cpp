@@ -1,8 +1,8 @@
 #include "numeric/exact_sum.h"
 
+#include "reference/number.h"
 #include "support/generators.h"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
 namespace exact_sum_test {

@@ -207,7 +207,7 @@ pub struct nurbs_cloud_report {
     pub boundary: i64,
     /// receives the number of points whose nearest point is not proven to be that
     pub uncertified: i64,
-    /// receives the number of searches for the nearest points
+    /// receives the number of searches for the nearest points of all points
     pub rounds: i32,
     /// receives a sum of NURBS_CLOUD_ bits
     pub bits: i32,
