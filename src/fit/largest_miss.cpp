@@ -4,6 +4,7 @@
 #include "base/watch.h"
 #include "basis/bspline.h"
 #include "eval/evaluate.h"
+#include "eval/parameters.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -18,16 +19,20 @@ double miss_of_curve(const Spline &curve, std::span<const double> params, const 
     const KnotVector &axis = curve.axis(0);
     const double *const knots = axis.knots().data();
     const int p = axis.degree(), dim = curve.dim();
-    const auto at_end = axis.find_span(axis.domain().upper, true);
+    const Interval domain = axis.domain();
+    const auto at_end = axis.find_span(domain.upper, true);
+    const eval::AxisRule wraps{.outside = eval::Outside::wrap}; // parameters of periodic curves
     std::vector<double> point(static_cast<size_t>(dim));
     double largest = 0;
     int64_t span = p;
     for (size_t i = 0; i < params.size(); ++i) {
-        while (span < at_end && knots[span + 1] <= params[i]) {
+        const double t = axis.periodic() ? eval::place(params[i], wraps, domain) : params[i];
+        span = t < knots[span] ? p : span;
+        while (span < at_end && knots[span + 1] <= t) {
             ++span;
         }
         double values[max_basis];
-        basis_values(knots, p, span, params[i], values);
+        basis_values(knots, p, span, t, values);
         const double *const active = curve.points().data() + (span - p) * dim;
         for (int c = 0; c < dim; ++c) {
             double sum = 0;

@@ -169,7 +169,8 @@ void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet,
             const double param = feet.params[static_cast<size_t>(i) * axes + k];
             const KnotVector &axis = spline.axis(static_cast<int>(k));
             stays[k] = closest::may_hold_foot(axis, param);
-            functions.set(k, axis.spans().find(param, is_left(feet.status[static_cast<size_t>(i)], k)), param);
+            functions.set(k, axis.spans().find(param, is_left(feet.status[static_cast<size_t>(i)], k)),
+                          param);
         }
         model.set(at, stays, r.data());
         functions.multiply();
