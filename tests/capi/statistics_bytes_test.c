@@ -191,8 +191,71 @@ static void extreme_forms(void) {
     nurbs_statistics_destroy(s);
 }
 
+/* Numbers in [0, 1) that are the same everywhere. */
+static double next_number(uint64_t *state) {
+    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (double)(*state >> 11) * 0x1p-53;
+}
+
+/* The checksum of statistics of 300 data, of degree 4 - axes on each axis. */
+static uint64_t checksum_of_many(int32_t axes) {
+    enum { n = 300, dim = 2, knots = 5 };
+    static double params[3 * n], values[dim * n], weights[n], breaks[3 * knots];
+    static unsigned char bytes[1 << 20];
+    uint64_t state = 24, sum = 0;
+    int64_t counts[3], size = 0;
+    int32_t degrees[3];
+    nurbs_statistics *none = NULL, *all = NULL;
+    nurbs_data data;
+    for (int32_t k = 0; k < axes; ++k) {
+        counts[k] = knots;
+        degrees[k] = 4 - axes;
+        for (int i = 0; i < knots; ++i) {
+            breaks[k * knots + i] = i * i / 7.0 * (k + 1);
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int32_t k = 0; k < axes; ++k) {
+            params[i * axes + k] = 16 / 7.0 * (k + 1) * next_number(&state);
+        }
+        values[dim * i] = 2 * next_number(&state) - 1;
+        values[dim * i + 1] = next_number(&state);
+        weights[i] = next_number(&state);
+    }
+    CHECK_OK(nurbs_data_init(&data, sizeof data));
+    data.n = n;
+    data.axes = axes;
+    data.dim = dim;
+    data.params = params;
+    data.values = values;
+    data.weights = weights;
+    CHECK_OK(nurbs_statistics_create(axes, degrees, counts, breaks, axes * knots, dim, 1, 1, &none));
+    CHECK_OK(nurbs_statistics_add(none, &data, &all));
+    CHECK_OK(nurbs_statistics_to_bytes(all, sizeof bytes, bytes, &size));
+    for (int i = 7; i >= 0; --i) {
+        sum = sum << 8 | bytes[24 + i];
+    }
+    nurbs_statistics_destroy(all);
+    nurbs_statistics_destroy(none);
+    return sum;
+}
+
+/* Chunks that were reduced on machines of any kind can be merged: each makes these bytes of these data. */
+static void same_on_every_machine(void) {
+    const uint64_t expected[3] = {UINT64_C(0xf4b6099c2116faba), UINT64_C(0x7c466d3bbb35b530),
+                                  UINT64_C(0xd46663150d38ba6b)};
+    for (int32_t axes = 1; axes <= 3; ++axes) {
+        const uint64_t found = checksum_of_many(axes);
+        if (found != expected[axes - 1]) {
+            check_report(__FILE__, __LINE__, "other bytes than elsewhere\n");
+            printf("%d axes: checksum 0x%llx\n", (int)axes, (unsigned long long)found);
+        }
+    }
+}
+
 int main(void) {
     bytes_and_back();
+    same_on_every_machine();
     refused_buffers();
     refused_bytes();
     flipped_bits();

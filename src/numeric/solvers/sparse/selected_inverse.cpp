@@ -28,21 +28,14 @@ class BlockInverse {
 public:
     BlockInverse(const SparseLdlt &factors, std::span<double> values, std::span<double> diagonal)
         : factors_(factors), supernodes_(factors.supernodes()), values_(values), diagonal_(diagonal),
-          place_(diagonal.size()) {}
+          place_(diagonal.size(), -1) {}
 
     void invert() {
         Steps steps(supernodes_.count());
         for (int64_t s = supernodes_.count(); s-- > 0; steps.next()) {
             read_factors(s);
             read_inverse(s);
-            const Eigen::Index n = own_.rows();
-            Matrix inverse = Matrix::Identity(n, n);
-            own_.triangularView<Eigen::UnitLower>().solveInPlace(inverse);
-            count_work(n * n * n / 3);
-            const Matrix upper = -inverse.transpose(), factors = minus(upper, below_, false); // Y^T
-            inverse_below_ = minus(behind_, factors, false);
-            square_ = minus(upper * pivots_.cwiseInverse().asDiagonal(), -upper, true);
-            subtract(factors, inverse_below_.transpose(), true, square_);
+            invert_block();
             write(s);
         }
     }
@@ -50,6 +43,16 @@ public:
 private:
     using Matrix = Eigen::MatrixXd;
 
+    void invert_block() {
+        const Eigen::Index n = own_.rows();
+        Matrix inverse = Matrix::Identity(n, n); // of L_JJ
+        own_.triangularView<Eigen::UnitLower>().solveInPlace(inverse);
+        count_work(n * n * n / 3);
+        const Matrix upper = -inverse.transpose(), factors = minus(upper, below_, false); // Y^T
+        inverse_below_ = minus(behind_, factors, false);
+        square_ = minus(upper * pivots_.cwiseInverse().asDiagonal(), -upper, true);
+        subtract(factors, inverse_below_.transpose(), true, square_);
+    }
     // c - a b^T.
     static void subtract(const Matrix &a, const Matrix &b, bool lower, Matrix &c) {
         subtract_product({c.data(), c.rows(), c.cols(), c.rows()}, {a.data(), a.rows(), a.cols(), a.rows()},
@@ -77,7 +80,6 @@ private:
         const auto rows = supernodes_.below(s);
         const auto r = std::ssize(rows);
         behind_.resize(r, r);
-        std::fill(place_.begin(), place_.end(), -1);
         for (int64_t i = 0; i < r; ++i) {
             place_[at(rows[at(i)])] = i;
         }
@@ -89,6 +91,9 @@ private:
                     behind_(i, j) = behind_(j, i) = values_[at(p)];
                 }
             }
+        }
+        for (const int32_t row : rows) {
+            place_[at(row)] = -1;
         }
     }
     void write(int64_t s) {
