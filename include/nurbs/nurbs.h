@@ -2370,8 +2370,7 @@ NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const 
  * targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by 1, is the same,
  * bit for bit. Negative ones, which that function refuses, are told too: there the energy is smallest with the
  * tangent turned round. A direction that is multiplied by a power of two only divides its factor. The lengths
- * are those of linear equations, solved by conjugate gradients in a time that grows with n; degrees above 5,
- * of which least energy says less, take many times as long as cubics.
+ * are those of linear equations, solved by preconditioned conjugate gradients in a time that grows with n.
  * \param[in] degree as for nurbs_curve_interpolate().
  * \param[in] n as for nurbs_curve_interpolate().
  * \param[in] params [n] as for nurbs_curve_interpolate().

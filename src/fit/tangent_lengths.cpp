@@ -9,10 +9,12 @@
 #include "numeric/direction.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/conjugate_gradients.h"
+#include "numeric/solvers/sparse/probed_band.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace nrb::fit {
 
@@ -136,6 +138,8 @@ class LengthEquations {
 public:
     LengthEquations(const LengthEnergy &energy, size_t size)
         : energy_(energy), size_(size),
+          near_(probed_band(static_cast<int64_t>(size), reach,
+                            [&](const std::vector<double> &u) { return energy.product(u); })),
           most_(static_cast<int>(std::min<size_t>(most_products, 2 * size + least_products))) {}
 
     // Equations that do not determine lengths may well have solutions for the right sides that curves make, so that these do not
@@ -176,15 +180,23 @@ public:
 private:
     static constexpr size_t most_products = 2000, least_products = 50;
     static constexpr double least = 0x1p-40;
+    static constexpr int64_t reach = 24; // of tangents that matter to each other, in tangents
 
     [[nodiscard]] std::vector<double> solved(const std::vector<double> &right) const {
         return conjugate_gradients([this](const std::vector<double> &u) { return energy_.product(u); }, right,
-                                   least, most_);
+                                   least, most_,
+                                   [this](std::vector<double> x) {
+                                       if (near_) {
+                                           near_->solve(x.data(), 1);
+                                       }
+                                       return x;
+                                   });
     }
     [[nodiscard]] static double length(const std::vector<double> &x) noexcept { return std::sqrt(dot(x, x)); }
 
     const LengthEnergy &energy_;
     size_t size_;
+    std::optional<SparseLdlt> near_; // factors of the equations without those of tangents far apart
     int most_;
 };
 

@@ -10,9 +10,11 @@
 namespace nrb::inline numeric {
 
 // z with A z = b to 1e-6 of b, or what `most` products bring it to: as many as A has distinct eigenvalues are
-// enough. 0 if there is a direction p with p.A p <= least p.p.
-template <class Product>
-std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b, double least, int most) {
+// enough. 0 if there is a direction p with p.A p <= least p.p. `precondition` turns a vector into about its product with the
+// inverse of A: the closer, the fewer products.
+template <class Product, class Precondition>
+std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b, double least, int most,
+                                        Precondition &&precondition) {
     const auto dot = [](const std::vector<double> &x, const std::vector<double> &y) {
         return std::inner_product(x.begin(), x.end(), y.begin(), 0.0);
     };
@@ -22,10 +24,10 @@ std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b
                        [factor](double u, double v) { return u + factor * v; });
         return result;
     };
-    std::vector<double> z(b.size(), 0.0), rest = std::move(b), p = rest;
-    double square = dot(rest, rest);
-    const double enough = 1e-12 * square;
-    for (int i = 0; i < most && square > enough; ++i) {
+    std::vector<double> z(b.size(), 0.0), rest = std::move(b), p = precondition(rest);
+    double square = dot(rest, p);
+    const double enough = 1e-12 * dot(rest, rest);
+    for (int i = 0; i < most && dot(rest, rest) > enough; ++i) {
         const std::vector<double> image = product(p);
         const double curvature = dot(p, image);
         if (!(curvature > least * dot(p, p))) {
@@ -34,10 +36,17 @@ std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b
         z = sum(z, square / curvature, p);
         rest = sum(rest, -square / curvature, image);
         const double before = square;
-        square = dot(rest, rest);
-        p = sum(rest, square / before, p);
+        const std::vector<double> conditioned = precondition(rest);
+        square = dot(rest, conditioned);
+        p = sum(conditioned, square / before, p);
     }
     return z;
+}
+
+template <class Product>
+std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b, double least, int most) {
+    return conjugate_gradients(std::forward<Product>(product), std::move(b), least, most,
+                               [](const std::vector<double> &x) { return x; });
 }
 
 } // namespace nrb::inline numeric

@@ -1,6 +1,7 @@
 #include "numeric/solvers/sparse/selected_inverse.h"
 
 #include "numeric/solvers/sparse/grid_order.h"
+#include "numeric/solvers/sparse/probed_band.h"
 #include "support/generators.h"
 
 #include <Eigen/Dense>
@@ -116,6 +117,32 @@ TEST(Supernodes, tell_the_first_pivot_that_is_too_small) {
         ASSERT_EQ(factors.factorise(good, floors), -1);
         floors[static_cast<size_t>(at)] = 1e3;
         ASSERT_EQ(factors.factorise(good, floors), at);
+    }
+}
+
+// Of a matrix without other elements the products show all.
+TEST(ProbedBand, has_the_factors_of_a_band) {
+    support::Random random(930500);
+    for (const auto &[size, reach] : {std::pair{1, 3}, {7, 3}, {40, 3}, {41, 0}, {30, 40}}) {
+        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
+        for (int i = 0; i < size; ++i) {
+            for (int j = std::max(0, i - reach); j < i; ++j) {
+                a(i, j) = a(j, i) = random.between(-1, 1);
+            }
+            a(i, i) = 2 * reach + 2;
+        }
+        const auto product = [&](const std::vector<double> &x) {
+            const Eigen::VectorXd y = a * Eigen::VectorXd::Map(x.data(), size);
+            return std::vector<double>(y.data(), y.data() + size);
+        };
+        const auto factors = nrb::probed_band(size, reach, product);
+        ASSERT_TRUE(factors.has_value());
+        const Eigen::VectorXd x = Eigen::VectorXd::Random(size);
+        Eigen::VectorXd solution = a * x;
+        factors->solve(solution.data(), 1);
+        ASSERT_LE((solution - x).norm(), 0x1p-46 * x.norm()) << size << ' ' << reach;
+        a(size / 2, size / 2) = -1;
+        ASSERT_FALSE(nrb::probed_band(size, reach, product).has_value());
     }
 }
 
