@@ -1,3 +1,4 @@
+// Sparse factors: by rows and by dense blocks, of bands that products show, and what is selected of their inverses.
 #include "numeric/solvers/sparse/selected_inverse.h"
 
 #include "numeric/solvers/sparse/grid_order.h"
@@ -9,7 +10,7 @@
 
 #include <tuple>
 
-namespace selected_inverse_test {
+namespace sparse_factors_test {
 
 namespace {
 
@@ -167,4 +168,4 @@ TEST(SelectedInverse, has_the_elements_of_the_inverse) {
     }
 }
 
-} // namespace selected_inverse_test
+} // namespace sparse_factors_test
