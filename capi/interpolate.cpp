@@ -172,9 +172,10 @@ fit::Condition condition_at(int64_t i, int degree, const double *params, const i
     if (!std::isfinite(params[i])) {
         fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(params[i]).text);
     }
-    if (order == NURBS_ORDER_DIRECTION && degree < 2) {
-        fail(Status::order, "orders[%lld] = %d, a direction, expected a degree of at least 2, not %d", at,
-             order, degree);
+    constexpr int highest = 15; // above 20 rounding decides which lengths have the least energy
+    if (order == NURBS_ORDER_DIRECTION && (degree < 2 || degree > highest)) {
+        fail(Status::order, "orders[%lld] = %d, a direction, expected a degree from 2 to %d, not %d", at,
+             order, highest, degree);
     }
     if ((order < 0 && order != NURBS_ORDER_DIRECTION) || order > degree) {
         fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree, or NURBS_ORDER_DIRECTION", at,

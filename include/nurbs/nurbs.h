@@ -2338,7 +2338,7 @@ NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t
  * parameter. With NURBS_ORDER_DIRECTION the first derivative is a positive multiple of the target: of all
  * lengths of such tangents those are taken for which the integral of |C''|^2 over the pieces of the curve is
  * smallest, as nurbs_tangent_lengths() tells them. Other lengths are given derivatives, of order 1.
- * \param[in] degree of the curve; with directions at least 2.
+ * \param[in] degree of the curve; with directions 2 to 15.
  * \param[in] n number of conditions, and of control points, > degree.
  * \param[in] params [n] that do not decrease, in the domain of the knots.
  * \param[in] orders [n] or NULL for 0: orders of derivatives, 0 to degree, or NURBS_ORDER_DIRECTION, which is
@@ -2354,7 +2354,7 @@ NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE,
  *   _OVERFLOW, _FLAGS, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY,
  *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _ORDER for one that is negative, above
- *   the degree or not more than the one before at the same parameter, or a direction with a degree below 2,
+ *   the degree or not more than the one before at the same parameter, or a direction with another degree,
  *   _KNOTS_DECREASING for knots or parameters that decrease, _SCHOENBERG_WHITNEY, _RANK if the conditions do
  *   not determine the curve, or least energy not the lengths, _NOT_REPRESENTABLE; _DIRECTION for one that is 0,
  *   _TANGENT naming a tangent that comes out against its direction, or with no length (not above 2^-40 of the
@@ -2460,7 +2460,9 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  * equations are then solved with twice the precision, so that the error of a fit is about that of
  * orthogonal methods up to degree 15 or so. Where the data determine a control point no better than rounding
  * does, that is NURBS_ERROR_RANK. A lambda beside which 2^-64 of the sums would be left of the data, on average
- * of the control points, acts as the one where that begins: polynomials of degree m - 1 are left.
+ * of the control points, would only lose digits: the one where that begins is taken, and told by the report.
+ * With up to some 10^4 control points of a curve, polynomials of degree m - 1 are left by then. Of surfaces and
+ * volumes whose factors take more than 10^7 multiply-adds, large lambdas may be NURBS_ERROR_RANK.
  *
  * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
  * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)). There sigma is the
@@ -2648,7 +2650,7 @@ typedef struct nurbs_fit_report {
     double weight;       /**< receives the sum of their weights */
     double squares;      /**< receives sum_i w_i |y_i - s(t_i)|^2 */
     double rms;          /**< receives the square root of squares / weight */
-    double lambda;       /**< receives the factor of the penalty */
+    double lambda;       /**< receives the factor of the penalty that was taken */
     double freedom;      /**< receives the trace of the influence matrix: the parameters that count */
     double sigma;        /**< receives the standard deviation of a coordinate of weight 1 by the residuals; of
                             robust fits by their median */

@@ -2,6 +2,7 @@
 #include "fit/axis_interpolation.h"
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "basis/bspline.h"
@@ -12,6 +13,9 @@
 namespace nrb::fit {
 
 namespace {
+
+// Rotations leave errors of some eps of the control points: where these outweigh the data by more, nothing is met.
+constexpr double most_growth = 0x1p36;
 
 void scale_rows(const std::vector<double> &scales, int64_t width, std::vector<double> &values) noexcept {
     for (size_t i = 0; i < scales.size(); ++i) {
@@ -60,9 +64,8 @@ void AxisInterpolation::read(int64_t i, int64_t first, double *values) const noe
 void AxisInterpolation::fail_outside_support(int64_t i) const {
     const int64_t end = i + knots_->degree() + 1;
     fail(Status::schoenberg_whitney,
-         "params[%lld] = %s on axis %d is outside (%s, %s), between knots %lld and %lld, the support of "
-         "control point "
-         "%lld",
+         "params[%lld] = %s on axis %d is outside (%s, %s), "
+         "between knots %lld and %lld, the support of control point %lld",
          static_cast<long long>(i), Number(conditions_[static_cast<size_t>(i)].param).text, axis_,
          Number((*knots_)[i]).text, Number((*knots_)[end]).text, static_cast<long long>(i),
          static_cast<long long>(end), static_cast<long long>(i));
@@ -193,6 +196,7 @@ void AxisInterpolation::rotate(std::vector<double> &values, int64_t width) const
     const int border = knots_->periodic() ? static_cast<int>(std::min<int64_t>(p, columns)) : 0;
     BandedLeastSquares system(columns, p + 1, border, width);
     std::vector<double> right(static_cast<size_t>(width));
+    double size = 0;
     int64_t first = 0;
     for (int64_t i = 0; i < columns; ++i) {
         first = next_function(i, first);
@@ -203,9 +207,10 @@ void AxisInterpolation::rotate(std::vector<double> &values, int64_t width) const
         }
         std::transform(values.begin() + i * width, values.begin() + (i + 1) * width, right.begin(),
                        [scale](double x) { return x * scale; });
+        size = std::max(size, largest_magnitude(right));
         system.add_entered(right.data());
     }
-    if (!system.solve(values.data())) {
+    if (!system.solve(values.data()) || !(largest_magnitude(values) <= most_growth * size)) {
         fail(Status::rank, "params: the conditions on axis %d do not determine the control points", axis_);
     }
 }

@@ -35,7 +35,10 @@ void check_order(const AxisLayers &layers, int64_t i, int degree, bool periodic,
              axis);
     }
     const double t = layers.param(i);
-    if (order > 0 && (periodic || (t != layers.params.front() && t != layers.params.back()))) {
+    if (order > 0 && periodic) {
+        fail(Status::order, "orders[%lld] = %d, expected 0: axis %zu is periodic", at, order, axis);
+    }
+    if (order > 0 && t != layers.params.front() && t != layers.params.back()) {
         fail(Status::order, "orders[%lld] = %d at %s, expected 0 but at an end of axis %zu", at, order,
              Number(t).text, axis);
     }

@@ -79,8 +79,7 @@ void check_closed_along(const PointGrid &grid, size_t k) {
         if (one != first + of.inner) {
             fail(Status::periodic_points,
                  "points: the last layer on axis %zu has the coordinate %s where the first one has %s; "
-                 "expected a copy "
-                 "of the first layer on a periodic axis",
+                 "expected a copy of the first layer on a periodic axis",
                  k, Number(*other).text, Number(*one).text);
         }
     }

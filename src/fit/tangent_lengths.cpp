@@ -239,9 +239,8 @@ void check_along(std::span<const int64_t> directions, int dim, const std::vector
     for (const int64_t i : directions) {
         if (!(length(i) > least * longest)) {
             fail(Status::tangent,
-                 "targets[%lld]: the tangent of least energy has the length %s along its direction, expected "
-                 "a "
-                 "positive one",
+                 "targets[%lld]: the tangent of least energy has the length %s along its direction, "
+                 "expected a positive one",
                  static_cast<long long>(i), Number(length(i)).text);
         }
     }

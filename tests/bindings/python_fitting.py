@@ -72,6 +72,17 @@ class Interpolation(unittest.TestCase):
         near(curve.eval_derivs([0.0, 1.0], 2)[..., 0], [[-0.25, 7, curve.eval_derivs(0.0, 2)[2, 0]],
                                                          [-0.5, curve.eval_derivs(1.0, 1)[1, 0], 0]], 1e-12)
 
+    def test_slopes_across_a_loop(self):
+        """Of an even degree, whose domain does not begin with the data."""
+        turn = np.linspace(0, 1, 9)
+        circle = np.stack([np.cos(2 * np.pi * turn), np.sin(2 * np.pi * turn)], -1)
+        circle[-1] = circle[0]
+        for unit in 1, 1e-300, 1e300:
+            cone = unit * circle[:, None] * np.arange(1, 5.0)[None, :, None]
+            made = nurbs.interpolate([2, 3], [turn, np.arange(4.0)], cone, flags=nurbs.NURBS_PERIODIC,
+                                     derivatives={(1, self.start): unit * circle[None]})
+            self.assertLess(made.residual, 64 * EPS * unit)
+
     def test_wrong_slopes(self):
         for key, values, told in (((1, 0), [[1.0]], "axis below 1"), ((0, 2), [[1.0]], "NURBS_END"),
                                   ((0, 0), [[1.0, 2.0]], r"shape \(1, 2\) at \(0, 0\)")):

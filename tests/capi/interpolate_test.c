@@ -184,6 +184,8 @@ static void refused_directions(void) {
     nurbs *g = NULL;
     const int32_t orders[] = {0, -1, 0, -1}, twice[] = {0, 1, -1, 0}, other[] = {0, -2, 0, 0};
     const double *at = VALUES(0, 0, 1, 1), *targets = VALUES(0, 1, 1, 1);
+    const double many[17] = {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const int32_t one[17] = {0, -1};
     double lengths[4] = {-7, -7, -7, -7};
     CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, targets, 0, 0, NULL, 0, 0, NULL), NURBS_ERROR_NULL,
                 "lengths");
@@ -198,7 +200,9 @@ static void refused_directions(void) {
     CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, other, 1, targets, 0, 0, NULL, 0, 0, lengths),
                 NURBS_ERROR_ORDER, "orders[1] = -2");
     CHECK_FAILS(nurbs_tangent_lengths(1, 4, at, orders, 1, targets, 0, 0, NULL, 0, 0, lengths),
-                NURBS_ERROR_ORDER, "orders[1] = -1|degree of at least 2");
+                NURBS_ERROR_ORDER, "orders[1] = -1|a degree from 2 to 15");
+    CHECK_FAILS(nurbs_tangent_lengths(16, 17, many, one, 1, many, 0, 0, NULL, 0, 0, lengths),
+                NURBS_ERROR_ORDER, "orders[1] = -1|a degree from 2 to 15, not 16");
     CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, targets, 0, 0, NULL, 3, 0, lengths),
                 NURBS_ERROR_SIZE, "knot_count = 3");
     CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, lengths, 0, 0, NULL, 0, 0, lengths),
@@ -291,6 +295,27 @@ static void refused_grids(void) {
     const int64_t two = 3;
     CHECK_NO_HANDLE(g, nurbs_interpolate_derivatives(1, degrees, &two, at, orders, 1, y, 0, 0, NULL, 0, &g),
                     NURBS_ERROR_TOO_FEW_POINTS, "at least 3");
+}
+
+/* Even degrees at as many knots: 1, -1, 1, -1, ... as control points vanish at all of them. */
+static void a_loop_that_is_not_determined(void) {
+    nurbs *g = NULL;
+    double knots[17], params[12], values[12];
+    for (int i = 0; i < 17; ++i) {
+        knots[i] = i - 2;
+    }
+    for (int i = 0; i < 12; ++i) {
+        params[i] = i;
+        values[i] = i * 7 % 5;
+    }
+    CHECK_FAILS(nurbs_curve_interpolate(2, 12, params, NULL, 1, values, 0, 0, knots, 17, NURBS_PERIODIC, &g),
+                NURBS_ERROR_RANK, "axis 0");
+    CHECK(g == NULL);
+    for (int i = 0; i < 12; ++i) {
+        params[i] = i + 0.5;
+    }
+    CHECK_OK(nurbs_curve_interpolate(2, 12, params, NULL, 1, values, 0, 0, knots, 17, NURBS_PERIODIC, &g));
+    nurbs_destroy(g);
 }
 
 static void refused_curves(void) {
@@ -443,6 +468,7 @@ int main(void) {
     directions_beside_a_corner();
     heights_with_slopes();
     refused_grids();
+    a_loop_that_is_not_determined();
     refused_curves();
     refused_interpolations();
     the_condition_of_schoenberg_and_whitney();

@@ -71,7 +71,7 @@ module nurbs_c
         real(c_double) :: weight  ! receives the sum of their weights
         real(c_double) :: squares  ! receives sum_i w_i |y_i - s(t_i)|^2
         real(c_double) :: rms  ! receives the square root of squares / weight
-        real(c_double) :: lambda  ! receives the factor of the penalty
+        real(c_double) :: lambda  ! receives the factor of the penalty that was taken
         real(c_double) :: freedom  ! receives the trace of the influence matrix: the parameters that count
         ! receives the standard deviation of a coordinate of weight 1 by the residuals; of robust fits by
         ! their median

@@ -100,27 +100,36 @@ void CloudFeet::set_squares(const Cloud &cloud) {
     count_work(8 * cloud.size());
 }
 
-void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
+std::vector<int64_t> CloudFeet::without_proof() const {
     std::vector<int64_t> open;
     for (size_t i = 0; i < status.size(); ++i) {
         if ((status[i] & closest::closest_certified) == 0) {
             open.push_back(static_cast<int64_t>(i));
         }
     }
-    if (open.empty()) {
-        return;
+    return open;
+}
+
+// The fewer are left, the more pieces each of them may look at, as long as that proves some.
+void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
+    std::vector<int64_t> open = without_proof();
+    for (size_t before = status.size() + 1; !open.empty() && open.size() < before; open = without_proof()) {
+        before = open.size();
+        const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
+        take(CloudFeet(spline, cloud.part(open), std::min(share, closest::usual_budget(spline))), open,
+             spline.axes());
     }
-    const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
-    const CloudFeet found(spline, cloud.part(open), std::min(share, closest::usual_budget(spline)));
-    const int axes = spline.axes();
-    for (size_t j = 0; j < open.size(); ++j) {
-        const auto i = static_cast<size_t>(open[j]);
+    set_squares(cloud);
+}
+
+void CloudFeet::take(const CloudFeet &found, const std::vector<int64_t> &places, int axes) {
+    for (size_t j = 0; j < places.size(); ++j) {
+        const auto i = static_cast<size_t>(places[j]);
         std::copy_n(found.params.begin() + static_cast<int64_t>(j) * axes, axes,
-                    params.begin() + open[j] * axes);
+                    params.begin() + places[j] * axes);
         distances[i] = found.distances[j];
         status[i] = found.status[j];
     }
-    set_squares(cloud);
 }
 
 void CloudFeet::measure_given(const Spline &spline, const Cloud &cloud) {

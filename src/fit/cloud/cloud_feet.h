@@ -20,7 +20,8 @@ struct CloudFeet {
     // For the spline in the units of the cloud. Feet have a few pieces each, which is enough to prove those of shapes with a
     // tangent space: on others whole arcs are equally near, to rounding, which takes 1000 times as long to tell.
     CloudFeet(const Spline &spline, const Cloud &cloud);
-    // Looks longer for a proof of those that have none, but altogether not much longer than a round takes at most.
+    // Looks longer for a proof of those that have none, all together not much longer than a round takes at most, and again
+    // while that leaves fewer of them.
     void prove(const Spline &spline, const Cloud &cloud);
     // The distances from the spline of the caller, whose control points are rounded, at the same feet.
     void measure_given(const Spline &spline, const Cloud &cloud);
@@ -29,6 +30,9 @@ private:
     // With so many pieces each.
     CloudFeet(const Spline &spline, const Cloud &cloud, int64_t pieces);
     void set_squares(const Cloud &cloud);
+    [[nodiscard]] std::vector<int64_t> without_proof() const; // points
+    // Their feet.
+    void take(const CloudFeet &found, const std::vector<int64_t> &places, int axes);
 };
 
 // How far a distance may be from the true one that is proven: twice what rounding adds to a proof of closest/, which holds

@@ -139,7 +139,7 @@ Smoothed least_penalty(const NormalEquations &equations, const Conditions &condi
     Smoothed found;
     found.decided_by = order;
     found.x = settled(equations, system);
-    found.freedom = std::round(system.freedom()); // of a projection, as it is without the small penalty
+    found.freedom = std::round(system.freedom().value); // of a projection, as it is without the small penalty
     complete(system, conditions, equations.dim, found);
     found.residual = 0;
     return found;
@@ -233,11 +233,13 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
         if (step > 0 && !(largest_change(before, found.x) > enough)) {
             break;
         }
-        const std::vector<DoubleDouble> pull = penalty.product(found.x, equations.dim);
+        const std::vector<DoubleDouble> pull =
+            penalty.product(found.x, equations.dim); // towards what was found
         for (size_t i = 0; i < pull.size(); ++i) {
             from.right[i] = equations.right[i] + DoubleDouble(factor) * pull[i];
         }
     }
+    found.freedom = std::round(found.freedom * equations.dim) / equations.dim; // of projections
 }
 
 // With a penalty where the data alone do not decide.
@@ -293,8 +295,7 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
     result.misfit = {data.weight.high, found.squares, units.weight_exponent, units.value_exponent};
-    const bool as_given = given.smoothing == Smoothing::given && found.decided_by < 0 && found.lambda > 0;
-    result.lambda = as_given ? given.value : std::ldexp(found.lambda, units.weight_exponent);
+    result.lambda = std::ldexp(found.lambda, units.weight_exponent);
     result.freedom = found.freedom;
     result.residual = found.residual;
     result.reached = found.reached;

@@ -329,8 +329,10 @@ SelectedInverse PenalisedSystem::inverse() const {
     return in_double_ ? SelectedInverse(*factors_) : SelectedInverse(*precise_);
 }
 
-double PenalisedSystem::freedom() const {
-    return inverse().trace_of_product(rounded(data_));
+PenalisedSystem::Freedom PenalisedSystem::freedom() const {
+    const SelectedInverse all = inverse();
+    const double unknowns = static_cast<double>(order_.size());
+    return {all.trace_of_product(rounded(data_)), std::abs(all.trace_of_product(rounded(sum_)) - unknowns)};
 }
 
 double PenalisedSystem::trace_with(const StencilMatrix &matrix) const {

@@ -44,8 +44,12 @@ public:
     [[nodiscard]] double remaining_squares(const Numbers &x) const;
     [[nodiscard]] double relative_residual(const Numbers &x) const;
 
-    // Of the factors: the trace of (G + lambda P)^(-1) G, and log det (G + lambda P).
-    [[nodiscard]] double freedom() const;
+    // Of the factors: the trace of (G + lambda P)^(-1) G, with its error as the trace of (G + lambda P)^(-1) (G + lambda P) shows it;
+    // and log det (G + lambda P).
+    struct Freedom {
+        double value, error;
+    };
+    [[nodiscard]] Freedom freedom() const;
     [[nodiscard]] double log_determinant() const;
     // The trace of (G + lambda P)^(-1) times another matrix of the same pattern.
     [[nodiscard]] double trace_with(const StencilMatrix &matrix) const;

@@ -44,13 +44,21 @@ double LambdaSearch::lambda_of(double exponent) const noexcept {
 Smoothed LambdaSearch::at(double lambda) {
     Smoothed result;
     if (const int64_t unsure = system_.try_factorise_surely(lambda); unsure >= 0) {
-        system_.fail_rank(unsure);
+        if (system_.try_factorise(0) >= 0) { // the data do not determine it either
+            system_.fail_rank(unsure);
+        }
+        system_.factorise(lambda);
     }
     result.lambda = lambda;
     result.x = system_.solve(equations_.right, equations_.dim);
     result.squares = system_.remaining_squares(result.x);
-    result.freedom = system_.freedom();
+    result.freedom = freedom();
     return result;
+}
+
+double LambdaSearch::freedom() const {
+    const double most = static_cast<double>(std::min(equations_.data_count, equations_.matrix.size()));
+    return std::clamp(system_.freedom().value, 0.0, most);
 }
 
 double LambdaSearch::squares_at(double exponent) {
@@ -59,8 +67,12 @@ double LambdaSearch::squares_at(double exponent) {
 }
 
 double LambdaSearch::gcv(double squares) const {
-    const double n = static_cast<double>(equations_.data_count), left = n - system_.freedom();
-    return left > 0 ? n * squares / (left * left) : std::numeric_limits<double>::infinity();
+    constexpr double least = 0x1p-10, sure = 0x1p-6;
+    const auto [t, error] = system_.freedom();
+    const double n = static_cast<double>(equations_.data_count), left = n - t;
+    const double unknowns = static_cast<double>(equations_.matrix.size());
+    const bool told = t > -error && error < sure * left && left > (unknowns < n ? 0 : least * n);
+    return told ? n * squares / (left * left) : std::numeric_limits<double>::infinity();
 }
 
 double LambdaSearch::reml(const PenalisedSystem::Numbers &x, double lambda, double log_squares,
@@ -80,12 +92,9 @@ double LambdaSearch::reml(const PenalisedSystem::Numbers &x, double lambda, doub
            (unknowns - free_unknowns_) * (std::log(lambda) + log_weights);
 }
 
-double LambdaSearch::criterion(Smoothing rule, double exponent) {
-    if (rule == Smoothing::gcv) {
-        return gcv(squares_at(exponent));
-    }
-    system_.factorise(lambda_of(exponent));
-    return reml(system_.estimate(), lambda_of(exponent));
+double LambdaSearch::criterion(Smoothing rule, double lambda) {
+    const PenalisedSystem::Numbers x = system_.estimate();
+    return rule == Smoothing::gcv ? gcv(system_.remaining_squares(x)) : reml(x, lambda);
 }
 
 Criteria LambdaSearch::criteria(double lambda, int weight_exponent, int square_exponent) {
@@ -102,9 +111,9 @@ Smoothed LambdaSearch::smallest(Smoothing rule) {
     const int steps = static_cast<int>(std::ceil(widest_ - lowest));
     Steps progress(steps + sections + 3);
     const auto value_at = [&](double exponent) {
-        const double value = criterion(rule, exponent);
         progress.next();
-        return value;
+        return system_.try_factorise(lambda_of(exponent)) < 0 ? criterion(rule, lambda_of(exponent))
+                                                              : std::numeric_limits<double>::infinity();
     };
     double best = lowest, least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= steps; ++i) {
@@ -121,6 +130,9 @@ Smoothed LambdaSearch::within(double target) {
     constexpr int halvings = 40;
     constexpr double close = 1e-9;
     double a = lowest, b = widest_;
+    while (a < b && system_.try_factorise(lambda_of(a)) >= 0) {
+        ++a;
+    }
     if (squares_at(b) <= target) {
         return at(lambda_of(b));
     }

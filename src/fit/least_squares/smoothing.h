@@ -31,6 +31,8 @@ struct Criteria {
 // - (n - M) log (R + lambda P) + log det (G + lambda P) - (N - M) log lambda (S. Wood, "Fast stable restricted maximum
 //   likelihood ...", J. R. Statist. Soc. B 73 (2011)),
 // or is the largest one for which R is at most `value` (C. Reinsch, "Smoothing by spline functions", Numer. Math. 10 (1967)).
+// Where there are no fewer unknowns than data the first criterion ends in 0 / 0, so that it is compared for traces that leave
+// 2^-10 of the data over; where rounding makes the trace unsure, or the equations lose their rank, it is passed over.
 // It is looked for between 10^-10 tr G / tr P and where only polynomials are left, in steps of ten, then between these: a
 // bounded number of solutions, and nothing depends on the scale of data, parameters or weights.
 class LambdaSearch {
@@ -45,8 +47,11 @@ public:
 
 private:
     [[nodiscard]] double squares_at(double exponent);
-    [[nodiscard]] double criterion(Smoothing rule, double exponent);
+    // For the factors that there are.
+    [[nodiscard]] double criterion(Smoothing rule, double lambda);
     [[nodiscard]] double gcv(double squares) const;
+    // The trace of the influence matrix, as far as rounding lets it be told: between 0 and what there is of data and unknowns.
+    [[nodiscard]] double freedom() const;
     // With a factor of the squares of values, and one of the weights, as logarithms.
     [[nodiscard]] double reml(const PenalisedSystem::Numbers &x, double lambda, double log_squares = 0,
                               double log_weights = 0) const;

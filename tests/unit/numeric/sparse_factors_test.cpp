@@ -124,7 +124,8 @@ TEST(Supernodes, tell_the_first_pivot_that_is_too_small) {
 // Of a matrix without other elements the products show all.
 TEST(ProbedBand, has_the_factors_of_a_band) {
     support::Random random(930500);
-    for (const auto &[size, reach] : {std::pair{1, 3}, {7, 3}, {40, 3}, {41, 0}, {30, 40}}) {
+    for (const auto &shape : {std::pair{1, 3}, {7, 3}, {40, 3}, {41, 0}, {30, 40}}) {
+        const int size = shape.first, reach = shape.second;
         Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
         for (int i = 0; i < size; ++i) {
             for (int j = std::max(0, i - reach); j < i; ++j) {

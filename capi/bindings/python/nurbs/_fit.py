@@ -13,7 +13,7 @@ from ._layers import Layers
 from ._library import call, lib
 from ._net import Net, concatenated
 from ._spline import Spline
-from .constants import NURBS_PARAMS_CENTRIPETAL, NURBS_TANGENTS_BESSEL
+from .constants import NURBS_PARAMS_CENTRIPETAL, NURBS_TANGENTS_BESSEL, NURBS_WRAP
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -98,8 +98,10 @@ def _with_derivatives(net: Net, joined: Floats, points: ArrayLike, ends: Optiona
     given = numpy.asarray(points, numpy.float64)
     layers = Layers(own, given, derivatives)
     made = interpolate_derivatives(net.degrees, layers.params, layers.orders, layers.values, ends, flags)
-    missed = numpy.linalg.norm(made.eval_grid(*own) - given, axis=-1)
-    return Interpolated(made, float(missed.max()))
+    # Data of a periodic axis may lie beyond its domain; wrapping changes nothing on the others.
+    missed = numpy.abs(made.eval_grid(*own, flags=NURBS_WRAP if flags else 0) - given)
+    unit = missed.max() or 1.0
+    return Interpolated(made, float(unit * numpy.linalg.norm(missed / unit, axis=-1).max()))
 
 
 def interpolate_over_knots(degrees: Union[int, Sequence[int]], params: ByAxis, knots: ByAxis, points: ArrayLike,

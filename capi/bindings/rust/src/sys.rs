@@ -140,7 +140,7 @@ pub struct nurbs_fit_report {
     pub squares: f64,
     /// receives the square root of squares / weight
     pub rms: f64,
-    /// receives the factor of the penalty
+    /// receives the factor of the penalty that was taken
     pub lambda: f64,
     /// receives the trace of the influence matrix: the parameters that count
     pub freedom: f64,
