@@ -4,6 +4,7 @@
 #include "base/watch.h"
 #include "fit/least_squares/data_distances.h"
 #include "numeric/power_of_two.h"
+#include "numeric/sum.h"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +62,7 @@ int exponent_above(double value) noexcept {
 // The sums of the statistics tell the squares to 2^-60 of what there was.
 void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
     Misfit &misfit = found.fit.misfit;
-    DoubleDouble squares;
+    CompensatedSum squares;
     double largest = -1;
     for_each_distance(data, rules, misfit.weight_exponent, *found.fit.spline,
                       [&](int64_t first, std::span<const double> distances) {
@@ -74,7 +75,7 @@ void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found
                               const double part = times_power_of_two(distance, -misfit.value_exponent),
                                            weight = times_power_of_two(weight_of(data, at),
                                                                        -misfit.weight_exponent);
-                              squares = squares + DoubleDouble(weight * part * part);
+                              squares.add(weight * part * part);
                               if (distance > largest) {
                                   largest = distance;
                                   found.largest_index = at;
@@ -82,7 +83,7 @@ void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found
                           }
                       });
     found.largest = std::max(largest, 0.0);
-    misfit.squares = squares.high;
+    misfit.squares = squares.value();
 }
 
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,

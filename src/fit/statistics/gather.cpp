@@ -253,8 +253,42 @@ private:
         fail_scale(value, of_values_, name, c);
     }
 
-    // Without weights, what they would multiply is not multiplied until the sums are settled.
+    // Sums of cubic curves in the plane or in space, whose numbers are known to the compiler, take two thirds of the time.
     void add_to(Int128 *sums, int64_t weight) noexcept {
+        using std::integral_constant;
+        const bool cubic = form_.axes() == 1 && form_.degrees[0] == 3 && !weighted_;
+        switch (cubic ? form_.dim : 0) {
+        case 1:
+            return add_cubic(sums, integral_constant<int, 1>());
+        case 2:
+            return add_cubic(sums, integral_constant<int, 2>());
+        case 3:
+            return add_cubic(sums, integral_constant<int, 3>());
+        default:
+            return add_any(sums, weight);
+        }
+    }
+    template <class Dimension>
+    void add_cubic(Int128 *sums, Dimension dim) noexcept {
+        constexpr int p = 3;
+        Value values[dim];
+        std::copy_n(value_.begin(), static_cast<int>(dim), values);
+        for (int j = 0; j <= 2 * p; ++j) {
+            *sums++ += Int128(0, static_cast<uint64_t>(high_[0][static_cast<size_t>(j)]));
+        }
+        for (int j = 0; j <= p; ++j) {
+            const int64_t function = low_[0][static_cast<size_t>(j)];
+            for (int c = 0; c < dim; ++c) {
+                *sums++ += Int128::product(function, values[c].weighted);
+            }
+        }
+        for (int c = 0; c < dim; ++c) {
+            *sums++ += Int128::product(values[c].units, values[c].weighted);
+        }
+        *sums += Int128(0, 1);
+    }
+    // Without weights, what they would multiply is not multiplied until the sums are settled.
+    void add_any(Int128 *sums, int64_t weight) noexcept {
         const bool weighted = weighted_;
         for_each_product(high_, [&](int64_t product) {
             *sums++ +=
