@@ -2344,7 +2344,8 @@ NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t
  * \param[in] orders [n] or NULL for 0: orders of derivatives, 0 to degree, or NURBS_ORDER_DIRECTION, which is
  *   of order 1; rising where parameters are equal.
  * \param[in] dim dimension of the targets.
- * \param[in] targets [n][dim] points, derivatives and directions of any length but 0.
+ * \param[in] targets [n][dim] points, derivatives and directions of any length but 0,
+ *   whose factors are representable.
  * \param[in] target_stride,target_component_stride layout of targets, 0 = packed.
  * \param[in] knots [knot_count] or NULL: a full knot vector; NULL for nurbs_knots_averaged() of the
  *   parameters.
