@@ -166,7 +166,84 @@ private:
     Front front_;
 };
 
+// The rows below a supernode are brought together, so that its columns read neighbours.
+class BlockSolution {
+public:
+    BlockSolution(const Supernodes &supernodes, std::span<const int64_t> starts,
+                  std::span<const double> values, double *x, int64_t width)
+        : supernodes_(supernodes), starts_(starts), values_(values), x_(x), width_(width) {}
+
+    void forwards(int64_t s) {
+        const int64_t first = supernodes_.first[at(s)], end = supernodes_.first[at(s) + 1];
+        const auto rows = supernodes_.below(s);
+        below_.setZero(std::ssize(rows), width_);
+        for (int64_t j = first; j < end; ++j) {
+            const double *const own = values_.data() + starts_[at(j)];
+            for (int64_t c = 0; c < width_; ++c) {
+                const double solved = x_[j * width_ + c];
+                for (int64_t i = j + 1; i < end; ++i) {
+                    x_[i * width_ + c] -= own[i - j - 1] * solved;
+                }
+                below_.col(c) += solved * ConstColumn(own + (end - 1 - j), below_.rows());
+            }
+        }
+        for (size_t i = 0; i < rows.size(); ++i) {
+            for (int64_t c = 0; c < width_; ++c) {
+                x_[rows[i] * width_ + c] -= below_(static_cast<Eigen::Index>(i), c);
+            }
+        }
+        count_work(2 * width_ * (end - first) * (end - first + below_.rows()));
+    }
+
+    void backwards(int64_t s) {
+        const int64_t first = supernodes_.first[at(s)], end = supernodes_.first[at(s) + 1];
+        const auto rows = supernodes_.below(s);
+        below_.resize(std::ssize(rows), width_);
+        for (size_t i = 0; i < rows.size(); ++i) {
+            for (int64_t c = 0; c < width_; ++c) {
+                below_(static_cast<Eigen::Index>(i), c) = x_[rows[i] * width_ + c];
+            }
+        }
+        for (int64_t j = end; j-- > first;) {
+            const double *const own = values_.data() + starts_[at(j)];
+            for (int64_t c = 0; c < width_; ++c) {
+                double &sum = x_[j * width_ + c];
+                for (int64_t i = j + 1; i < end; ++i) {
+                    sum -= own[i - j - 1] * x_[i * width_ + c];
+                }
+                sum -= ConstColumn(own + (end - 1 - j), below_.rows()).dot(below_.col(c));
+            }
+        }
+        count_work(2 * width_ * (end - first) * (end - first + below_.rows()));
+    }
+
+private:
+    using ConstColumn = Eigen::Map<const Eigen::VectorXd>;
+
+    const Supernodes &supernodes_;
+    std::span<const int64_t> starts_;
+    std::span<const double> values_;
+    double *x_;
+    int64_t width_;
+    Eigen::MatrixXd below_; // [rows][width], by right sides
+};
+
 } // namespace
+
+void solve_fronts(const Supernodes &supernodes, std::span<const int64_t> starts,
+                  std::span<const double> values, std::span<const double> diagonal, double *x,
+                  int64_t width) {
+    BlockSolution solution(supernodes, starts, values, x, width);
+    for (int64_t s = 0; s < supernodes.count(); ++s) {
+        solution.forwards(s);
+    }
+    for (int64_t j = 0; j < std::ssize(diagonal); ++j) {
+        std::for_each_n(x + j * width, width, [&](double &value) { value /= diagonal[at(j)]; });
+    }
+    for (int64_t s = supernodes.count(); s-- > 0;) {
+        solution.backwards(s);
+    }
+}
 
 int64_t factorise_fronts(const SparseColumns &matrix, const Supernodes &supernodes,
                          std::span<const double> floors, std::span<const int64_t> starts,

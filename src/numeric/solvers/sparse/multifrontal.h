@@ -18,4 +18,8 @@ int64_t factorise_fronts(const SparseColumns &matrix, const Supernodes &supernod
                          std::span<const double> floors, std::span<const int64_t> starts,
                          std::span<double> values, std::span<double> diagonal);
 
+// Solves for `width` right sides side by side, x[size][width], in place.
+void solve_fronts(const Supernodes &supernodes, std::span<const int64_t> starts,
+                  std::span<const double> values, std::span<const double> diagonal, double *x, int64_t width);
+
 } // namespace nrb::inline numeric

@@ -175,6 +175,11 @@ int64_t LdltOf<Number>::factorise_rows(const ColumnsOf<Number> &matrix, std::spa
 
 template <class Number>
 void LdltOf<Number>::solve(Number *x, int64_t width) const {
+    if constexpr (std::is_same_v<Number, double>) {
+        if (!supernodes_.empty()) {
+            return solve_fronts(supernodes_, starts_, values_, diagonal_, x, width);
+        }
+    }
     const auto n = static_cast<int64_t>(diagonal_.size());
     const auto add = [&](int64_t to, const Number &factor, int64_t from) {
         for (int64_t c = 0; c < width; ++c) {
