@@ -287,7 +287,7 @@ static void refused_grids(void) {
     CHECK_NO_HANDLE(
         g,
         nurbs_interpolate_derivatives(1, degrees, counts, at, orders, 1, y, 0, 0, NULL, NURBS_PERIODIC, &g),
-        NURBS_ERROR_ORDER, "orders[1] = 1|axis 0");
+        NURBS_ERROR_ORDER, "orders[1] = 1|axis 0 is periodic");
     CHECK_NO_HANDLE(g,
                     nurbs_interpolate_derivatives(1, degrees, counts, at, orders, 1, VALUES(1, NAN, 3, 4, 5),
                                                   0, 0, NULL, 0, &g),

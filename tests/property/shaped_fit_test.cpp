@@ -140,6 +140,8 @@ TEST(ShapedFit, of_few_data_meets_them) {
         const auto points = read_back(fit(sample).get()).points;
         ASSERT_TRUE(has_shape(fit.over, points, shape)) << "seed " << seed;
         ASSERT_LE(std::sqrt(squares_of(fit.over, points, sample)), 1e-14) << "seed " << seed;
+        ASSERT_EQ(fit.report.freedom, std::round(fit.report.freedom)) << "seed " << seed;
+        ASSERT_LE(fit.report.freedom, 8) << "seed " << seed;
     });
 }
 

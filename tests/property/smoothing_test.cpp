@@ -50,6 +50,21 @@ TEST(Smoothing, ends_in_the_polynomial_that_costs_nothing) {
     });
 }
 
+// What the data determine in spite of rounding a penalty does not take away.
+TEST(Smoothing, of_the_highest_degree) {
+    support::Random random(898400);
+    const Sample sample = noisy(random, 400, 0);
+    Fit fit(even_curve(31, 40));
+    fit.options.smoothing = NURBS_SMOOTHING_LAMBDA;
+    for (const double lambda : {1e-20, 1e-15, 1e-10}) {
+        fit.options.lambda = lambda;
+        (void)fit(sample);
+        ASSERT_LE(fit.report.rms, std::sqrt(lambda) + 1e-13) << lambda;
+        ASSERT_GE(fit.report.freedom, 0);
+        ASSERT_LE(fit.report.freedom, 40);
+    }
+}
+
 // With more control points than data they could all be met, and the criterion would be 0 / 0.
 TEST(Smoothing, finds_the_noise_among_more_control_points_than_data) {
     for_each_case(898500, 10, [](Random &random, uint64_t seed) {

@@ -110,10 +110,12 @@ std::vector<int64_t> CloudFeet::without_proof() const {
     return open;
 }
 
-// The fewer are left, the more pieces each of them may look at, as long as that proves some.
+// The fewer are left, the more pieces each of them may look at, as long as that proves a quarter of them: the passes are few
+// where whole lines of parameters are as near.
 void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
     std::vector<int64_t> open = without_proof();
-    for (size_t before = status.size() + 1; !open.empty() && open.size() < before; open = without_proof()) {
+    for (size_t before = 2 * open.size(); !open.empty() && 4 * open.size() <= 3 * before;
+         open = without_proof()) {
         before = open.size();
         const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
         take(CloudFeet(spline, cloud.part(open), std::min(share, closest::usual_budget(spline))), open,

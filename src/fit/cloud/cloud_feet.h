@@ -21,7 +21,7 @@ struct CloudFeet {
     // tangent space: on others whole arcs are equally near, to rounding, which takes 1000 times as long to tell.
     CloudFeet(const Spline &spline, const Cloud &cloud);
     // Looks longer for a proof of those that have none, all together not much longer than a round takes at most, and again
-    // while that leaves fewer of them.
+    // while that leaves far fewer of them.
     void prove(const Spline &spline, const Cloud &cloud);
     // The distances from the spline of the caller, whose control points are rounded, at the same feet.
     void measure_given(const Spline &spline, const Cloud &cloud);
