@@ -2796,7 +2796,8 @@ NURBS_API nurbs_status nurbs_fit_errors_with(const nurbs_statistics *statistics,
 /** \brief What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and
  * _REML: with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i - s(t_i)|^2
  * and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R + lambda P) + log
- * det(G + lambda P) - (N - M) log lambda.
+ * det(G + lambda P) - (N - M) log lambda. Where rounding makes t unsure GCV is infinite, and with N >= n, where
+ * it ends in 0 / 0, also where n - t is not above 2^-10 n: NURBS_SMOOTHING_GCV passes over such factors.
  * \param[in] statistics a handle.
  * \param[in] g a spline: only its knots count, which are to be as for nurbs_fit().
  * \param[in] penalty_order order of the derivative that is penalised, >= 1.

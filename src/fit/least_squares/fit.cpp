@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace nrb::fit {
@@ -42,13 +43,8 @@ PenalisedSystem::Numbers settled(const NormalEquations &equations, PenalisedSyst
     PenalisedSystem::Numbers x(equations.right.size()), rest = equations.right;
     for (int step = 0; step < most; ++step) {
         const PenalisedSystem::Numbers change = system.solve(rest, equations.dim);
-        double size = 0, moved = 0;
-        for (size_t i = 0; i < x.size(); ++i) {
-            x[i] = x[i] + change[i];
-            size = std::max(size, std::abs(x[i].high));
-            moved = std::max(moved, std::abs(change[i].high));
-        }
-        if (!(moved > enough * size)) {
+        std::transform(x.begin(), x.end(), change.begin(), x.begin(), std::plus<>());
+        if (!(largest_of(change) > enough * largest_of(x))) {
             break;
         }
         rest = system.missing(x);
@@ -206,15 +202,6 @@ Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form,
     }
 }
 
-double largest_change(const std::vector<DoubleDouble> &from, const std::vector<DoubleDouble> &to) noexcept {
-    double moved = 0, size = 0;
-    for (size_t i = 0; i < to.size(); ++i) {
-        moved = std::max(moved, std::abs((to[i] - from[i]).high));
-        size = std::max(size, std::abs(to[i].high));
-    }
-    return size > 0 ? moved / size : 0;
-}
-
 // Of the minima of the data that have the shape one with a small penalty: the penalty of the change from what was found last,
 // until that is 0, decides without costing the data anything (R. Rockafellar, "Monotone operators and the proximal point
 // algorithm", SIAM J. Control Optim. 14 (1976)).
@@ -228,9 +215,10 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
     PenalisedSystem penalty(equations, nullptr);
     penalty.set_matrix(form);
     for (int step = 0; step < most; ++step) {
-        const std::vector<DoubleDouble> before = found.x;
+        std::vector<DoubleDouble> change = found.x;
         impose_shape(data, from, &form, factor, conditions.rows(), wishes.shape, found);
-        if (step > 0 && !(largest_change(before, found.x) > enough)) {
+        std::transform(found.x.begin(), found.x.end(), change.begin(), change.begin(), std::minus<>());
+        if (step > 0 && !(largest_of(change) > enough * largest_of(found.x))) {
             break;
         }
         const std::vector<DoubleDouble> pull =
