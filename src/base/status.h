@@ -72,6 +72,7 @@ enum class Status : int32_t {
     schoenberg_whitney = 65,
     rank = 66,
     scale = 67,
+    orientation = 68,
     // domain
     outside_domain = 100,
     // numbers

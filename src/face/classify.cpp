@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "base/watch.h"
+#include "eval/evaluate.h"
+#include "face/face.h"
+#include "face/trims/near.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+constexpr int64_t block = 64;
+constexpr int64_t work_of_a_place = 100; // multiply-adds, about
+
+// Places near the boundary, by the derivatives of the surface at each.
+class Nearness {
+public:
+    Nearness(const Face &face, double tolerance)
+        : face_(face), tolerance_(tolerance), dim_(face.surface()->dim()),
+          jets_(static_cast<size_t>(block * 3 * dim_)) {}
+
+    // Whether places count as being on the boundary: sides become 0. Precondition: the places are in the domain.
+    void mark(const std::vector<Point2> &places, const std::vector<int64_t> &numbers, int32_t *sides) {
+        const auto count = std::ssize(places);
+        const int width = 3 * dim_;
+        eval::evaluate_points(*face_.surface(), {}, 1, {places.front().data(), count, 2, 2, 1},
+                              {jets_.data(), count, width, width, 1});
+        for (size_t i = 0; i < places.size(); ++i) {
+            const double *jet = jets_.data() + i * static_cast<size_t>(width);
+            const Metric metric = Metric::of(jet + dim_, jet + 2 * dim_, dim_, tolerance_);
+            if (near(places[i], metric)) {
+                sides[numbers[i]] = 0;
+            }
+        }
+    }
+
+private:
+    // Pieces near the other end of a closed axis are as near.
+    [[nodiscard]] bool near(const Point2 &x, const Metric &metric) const {
+        const Point2 reach = metric.reach();
+        const Covering &covering = face_.covering();
+        for (const double i : {0.0, -1.0, 1.0}) {
+            for (const double j : {0.0, -1.0, 1.0}) {
+                const bool copy = (i == 0 || covering.closed(0)) && (j == 0 || covering.closed(1));
+                const Point2 at{x[0] + i * covering.period(0), x[1] + j * covering.period(1)};
+                if (copy && near_copy(at, reach, metric)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] bool near_copy(const Point2 &x, const Point2 &reach, const Metric &metric) const {
+        const Covering &covering = face_.covering();
+        const Point2 lower{x[0] - reach[0], x[1] - reach[1]}, upper{x[0] + reach[0], x[1] + reach[1]};
+        for (const int k : {0, 1}) {
+            const auto at = static_cast<size_t>(k);
+            if (upper[at] < covering.domain(k).lower || lower[at] > covering.domain(k).upper) {
+                return false;
+            }
+        }
+        const TrimMap &trims = face_.trims();
+        return trims.any_in(
+            lower, upper, [&](const TrimPiece &piece) { return is_near(trims.pieces(), piece, x, metric); });
+    }
+
+    const Face &face_;
+    double tolerance_;
+    int dim_;
+    std::vector<double> jets_;
+};
+
+} // namespace
+
+void classify(const Face &face, const ConstRecords &params, double tolerance, int32_t *sides) {
+    Nearness nearness(face, tolerance);
+    std::vector<Point2> places;
+    std::vector<int64_t> numbers;
+    Steps steps(params.count / block + 1);
+    for (int64_t first = 0; first < params.count; first += block) {
+        places.clear();
+        numbers.clear();
+        for (int64_t i = first; i < std::min(first + block, params.count); ++i) {
+            const Point2 x{params(i, 0), params(i, 1)};
+            sides[i] = face.trims().side(x);
+            const Point2 inside = face.covering().in_domain(x);
+            if (tolerance > 0 && sides[i] != 0) {
+                places.push_back(inside);
+                numbers.push_back(i);
+            }
+        }
+        if (!places.empty()) {
+            nearness.mark(places, numbers, sides);
+        }
+        steps.next(block * work_of_a_place);
+    }
+}
+
+} // namespace nrb::face

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "face/covering.h"
+
+#include "analysis/contacts.h"
+#include "base/numbers.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+// Places along each end at which samples are compared before anything is proven.
+constexpr int samples = 4;
+
+// Points along both ends of an axis, one end after the other.
+std::vector<double> end_points(const Spline &surface, int k) {
+    std::vector<double> params;
+    for (const bool upper : {false, true}) {
+        for (int i = 0; i < samples; ++i) {
+            const Interval across = surface.axis(k).domain(), along = surface.axis(1 - k).domain();
+            const double place = i / (samples - 1.0);
+            Point2 x;
+            x[static_cast<size_t>(k)] = upper ? across.upper : across.lower;
+            x[static_cast<size_t>(1 - k)] =
+                std::clamp(along.lower * (1 - place) + along.upper * place, along.lower, along.upper);
+            params.insert(params.end(), x.begin(), x.end());
+        }
+    }
+    const int dim = surface.dim();
+    std::vector<double> points(static_cast<size_t>(2 * samples * dim));
+    eval::AxisRules rules{};
+    eval::evaluate_points(surface, rules, 0, {params.data(), 2 * samples, 2, 2, 1},
+                          {points.data(), 2 * samples, dim, dim, 1});
+    return points;
+}
+
+// What the samples do not rule out. Rounding of evaluation is a little of their magnitude.
+struct Suspicion {
+    bool closed = true;
+    std::array<bool, 2> collapsed{true, true};
+};
+
+Suspicion suspicion(const Spline &surface, int k, double tolerance) {
+    const std::vector<double> points = end_points(surface, k);
+    const int dim = surface.dim();
+    double magnitude = 0;
+    for (const double x : points) {
+        magnitude = std::max(magnitude, std::abs(x));
+    }
+    const double most = 2 * tolerance + 1e-12 * magnitude;
+    const auto point = [&](int end, int i) { return points.data() + (end * samples + i) * dim; };
+    Suspicion result;
+    for (int i = 0; i < samples; ++i) {
+        result.closed = result.closed && distance(point(0, i), point(1, i), dim) <= most;
+        for (const int end : {0, 1}) {
+            bool &collapsed = result.collapsed[static_cast<size_t>(end)];
+            collapsed = collapsed && distance(point(end, 0), point(end, i), dim) <= most;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<double> point_at(const Spline &surface, const Point2 &x) {
+    std::vector<double> point(static_cast<size_t>(surface.dim()));
+    eval::evaluate_points(surface, {}, 0, {x.data(), 1, 2, 2, 1},
+                          {point.data(), 1, surface.dim(), surface.dim(), 1});
+    return point;
+}
+
+Covering::Covering(const Spline &surface, double tolerance)
+    : domain_{surface.axis(0).domain(), surface.axis(1).domain()} {
+    const std::array suspicions{suspicion(surface, 0, tolerance), suspicion(surface, 1, tolerance)};
+    const bool any = std::any_of(suspicions.begin(), suspicions.end(), [](const Suspicion &s) {
+        return s.closed || s.collapsed[0] || s.collapsed[1];
+    });
+    if (!any) {
+        return;
+    }
+    const analysis::Contacts contacts = analysis::boundary_contacts(surface, tolerance);
+    for (size_t k = 0; k < 2; ++k) {
+        for (size_t end = 0; end < 2; ++end) {
+            if (suspicions[k].collapsed[end] && contacts.boundaries[2 * k + end].collapsed) {
+                add_pole(surface, static_cast<int>(k), static_cast<int>(end));
+            }
+        }
+        // Two poles in one place, or an axis of no extent, close nothing.
+        closed_[k] =
+            suspicions[k].closed && contacts.axes[k].closed && !(collapsed_[k][0] && collapsed_[k][1]);
+    }
+}
+
+Point2 Covering::in_domain(Point2 x) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval range = domain_[k];
+        if (closed_[k] && !(range.lower <= x[k] && x[k] <= range.upper)) {
+            const double period = range.upper - range.lower;
+            x[k] -= std::floor((x[k] - range.lower) / period) * period;
+        }
+        x[k] = std::clamp(x[k], range.lower, range.upper);
+    }
+    return x;
+}
+
+Point2 Covering::nearest_copy(Point2 x, const Point2 &to) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        if (closed_[k]) {
+            const double length = period(static_cast<int>(k));
+            x[k] += std::round((to[k] - x[k]) / length) * length;
+        }
+    }
+    return x;
+}
+
+void Covering::add_pole(const Spline &surface, int k, int end) {
+    collapsed_[static_cast<size_t>(k)][static_cast<size_t>(end)] = true;
+    Point2 x{domain_[0].lower, domain_[1].lower};
+    x[static_cast<size_t>(k)] = end == 0 ? domain(k).lower : domain(k).upper;
+    poles_.push_back({{k, end}, point_at(surface, x)});
+}
+
+Covering::Pole Covering::pole_near(const double *point, double distance) const noexcept {
+    for (const PolePoint &pole : poles_) {
+        if (nrb::distance(point, pole.point.data(), static_cast<int>(pole.point.size())) <= distance) {
+            return pole.pole;
+        }
+    }
+    return {};
+}
+
+} // namespace nrb::face

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// How the domain of a surface closes up, and the plane that covers it.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+#include <vector>
+
+namespace nrb::face {
+
+using Point2 = std::array<double, 2>;
+
+// On a closed axis the two ends of the domain are one curve: curves in the domain may run on over an end into the next copy of
+// the domain, in the plane that is covered by all copies. A collapsed end is a single point of space, the pole of a globe.
+class Covering {
+public:
+    // Ends that are nowhere farther apart than the tolerance close an axis; those no larger than it are poles.
+    // Precondition: a surface.
+    Covering(const Spline &surface, double tolerance);
+
+    [[nodiscard]] Interval domain(int k) const noexcept { return domain_[static_cast<size_t>(k)]; }
+    [[nodiscard]] double period(int k) const noexcept { return domain(k).upper - domain(k).lower; }
+    [[nodiscard]] bool closed(int k) const noexcept { return closed_[static_cast<size_t>(k)]; }
+    // End 0 or 1 of axis k.
+    [[nodiscard]] bool collapsed(int k, int end) const noexcept {
+        return collapsed_[static_cast<size_t>(k)][static_cast<size_t>(end)];
+    }
+
+    // The place in the domain that a place of the plane covers; on axes that are not closed, the nearest one.
+    [[nodiscard]] Point2 in_domain(Point2 x) const noexcept;
+    // The copy of a place nearest to another one.
+    [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
+    // The pole within a distance of a point of space [dim], as axis and end; axis -1: none.
+    struct Pole {
+        int axis = -1;
+        int end = 0;
+    };
+    [[nodiscard]] Pole pole_near(const double *point, double distance) const noexcept;
+
+private:
+    void add_pole(const Spline &surface, int k, int end);
+
+    struct PolePoint {
+        Pole pole;
+        std::vector<double> point;
+    };
+    std::array<Interval, 2> domain_;
+    std::array<bool, 2> closed_{};
+    std::array<std::array<bool, 2>, 2> collapsed_{};
+    std::vector<PolePoint> poles_;
+};
+
+// Precondition: x in the domain.
+std::vector<double> point_at(const Spline &surface, const Point2 &x);
+
+} // namespace nrb::face

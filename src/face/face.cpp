@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "face/face.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "bounds/box.h"
+#include "face/trims/monotone.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+// A curve that runs over more copies of the domain than this is a mistake.
+constexpr double most_copies = 65536;
+
+void check_curve(const Spline &curve, size_t loop, size_t index) {
+    const Spline::WeightRange weights = curve.all_weights();
+    if (curve.rational() && !(weights.smallest > 0)) {
+        fail(Status::weight_sign, "curve %zu of loop %zu has the weight %s; its weights must be positive",
+             index, loop, Number(weights.smallest).text);
+    }
+}
+
+// How far curves may leave the domain along an axis: by as much as moves points by the tolerance, at the speed with which the
+// surface arrives at its end.
+class Borders {
+public:
+    Borders(const Spline &surface, const Covering &covering, double tolerance)
+        : surface_(surface), covering_(covering), tolerance_(tolerance) {}
+
+    void check(const PlacedCurve &placed, size_t loop, size_t index) const {
+        if (polygon_inside(*placed.curve)) {
+            return;
+        }
+        const bounds::Box box = bounds::bounding_box(*placed.curve, whole_domain(*placed.curve), 0x1p-40);
+        for (const int k : {0, 1}) {
+            const auto at = static_cast<size_t>(k);
+            const Interval domain = covering_.domain(k);
+            const double over = std::max(domain.lower - box.lower[at], box.upper[at] - domain.upper);
+            if (covering_.closed(k) ? !(over <= most_copies * covering_.period(k))
+                                    : over > 0 && !(over <= allowed(k))) {
+                fail(Status::outside_domain,
+                     "curve %zu of loop %zu runs from %s to %s on axis %d, outside of the domain [%s, %s]",
+                     index, loop, Number(box.lower[at]).text, Number(box.upper[at]).text, k,
+                     Number(domain.lower).text, Number(domain.upper).text);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] bool polygon_inside(const Spline &curve) const noexcept {
+        bool inside = true;
+        for (int64_t i = 0; i < curve.point_count() && inside; ++i) {
+            for (const int k : {0, 1}) {
+                const double x = curve.coordinate(i, k);
+                inside = inside && covering_.domain(k).lower <= x && x <= covering_.domain(k).upper;
+            }
+        }
+        return inside;
+    }
+    [[nodiscard]] double allowed(int k) const {
+        const double least =
+            64 * eps * std::max(std::abs(covering_.domain(k).lower), std::abs(covering_.domain(k).upper));
+        const bounds::Box box = bounds::bounding_box(surface_, whole_domain(surface_), infinity);
+        const double size = distance(box.lower.data(), box.upper.data(), surface_.dim());
+        return std::max(least, size > 0 ? tolerance_ / size * covering_.period(k) : covering_.period(k));
+    }
+
+    const Spline &surface_;
+    const Covering &covering_;
+    double tolerance_;
+};
+
+// The distance in space of two places of the plane.
+double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b) {
+    const std::vector<double> from = point_at(surface, covering.in_domain(a)),
+                              to = point_at(surface, covering.in_domain(b));
+    return distance(from.data(), to.data(), surface.dim());
+}
+
+} // namespace
+
+Face::Face(FaceParts parts, std::vector<double> *gaps)
+    : surface_(std::move(parts.surface)), loops_(std::move(parts.loops)), tolerance_(parts.tolerance),
+      covering_(*surface_, tolerance_) {
+    if (loops_.empty()) {
+        loops_ = natural_loops(covering_);
+        parts.as_oriented = true;
+    }
+    const TrimPieces plane = pieces(gaps, parts.keep_gaps);
+    const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
+    trims_ = std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, !parts.as_oriented);
+    for (size_t i = 0; i < loops_.size(); ++i) {
+        if (trims_->turned()[i]) {
+            loops_[i] = turned(loops_[i]);
+        }
+    }
+}
+
+TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) const {
+    TrimPieces plane;
+    const Borders borders(*surface_, covering_, tolerance_);
+    if (gaps != nullptr) {
+        gaps->assign(loops_.size(), 0);
+    }
+    for (size_t i = 0; i < loops_.size(); ++i) {
+        for (size_t j = 0; j < loops_[i].size(); ++j) {
+            check_curve(*loops_[i][j].curve, i, j);
+        }
+        const std::vector<PlacedCurve> curves = placed(*surface_, covering_, loops_[i], tolerance_);
+        for (size_t j = 0; j < curves.size(); ++j) {
+            borders.check(curves[j], i, j);
+        }
+        double largest = 0;
+        for (const Joint &joint : append_monotone(curves, static_cast<int32_t>(i), covering_, plane)) {
+            largest = std::max(largest, gap_between(*surface_, covering_, joint.from, joint.to));
+        }
+        if (gaps != nullptr) {
+            (*gaps)[i] = largest;
+        }
+        if (!keep && !(largest <= tolerance_)) {
+            fail(Status::gap, "loop %zu has a gap of %s, larger than the tolerance %s", i,
+                 Number(largest).text, Number(tolerance_).text);
+        }
+    }
+    return plane;
+}
+
+} // namespace nrb::face

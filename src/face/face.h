@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The face: the part of a surface that loops of curves in its domain bound.
+#pragma once
+
+#include "base/records.h"
+#include "face/loop.h"
+#include "face/trims/trim_map.h"
+
+#include <memory>
+#include <vector>
+
+namespace nrb::face {
+
+// What a face is made of.
+struct FaceParts {
+    SplinePtr surface;
+    std::vector<Loop> loops;
+    double tolerance = 0; // of space
+    bool as_oriented =
+        false; // the inside is to the left of the loops as they run; else they are turned to be so
+    bool keep_gaps = false; // larger ones than the tolerance are closed, too
+};
+
+// Immutable: any number of threads may ask at once.
+class Face {
+public:
+    // gaps, if not null: the largest gap of each loop, in space; filled where loops are not closed, too. Throws Status::gap for a
+    // gap larger than the tolerance, outside_domain for a curve that leaves it by more, orientation for loops that have no
+    // common inside, weight_sign for a weight that is not positive.
+    Face(FaceParts parts, std::vector<double> *gaps);
+    Face(const Face &) = delete;
+    Face &operator=(const Face &) = delete;
+
+    [[nodiscard]] const SplinePtr &surface() const noexcept { return surface_; }
+    [[nodiscard]] const std::vector<Loop> &loops() const noexcept { return loops_; }
+    [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+    [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
+    [[nodiscard]] const TrimMap &trims() const noexcept { return *trims_; }
+
+private:
+    [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep) const;
+
+    SplinePtr surface_;
+    std::vector<Loop> loops_;
+    double tolerance_;
+    Covering covering_;
+    std::unique_ptr<const TrimMap> trims_;
+};
+using FacePtr = std::shared_ptr<const Face>;
+
+// 1 inside, 0 no farther from a curve of the boundary than the tolerance, as its first derivatives measure it, or than rounding;
+// -1 outside and outside of the domain. sides: [params.count].
+void classify(const Face &face, const ConstRecords &params, double tolerance, int32_t *sides);
+
+} // namespace nrb::face

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The loops that bound a face.
+#pragma once
+
+#include "face/trims/monotone.h"
+#include "spline/spline.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace nrb::face {
+
+// A curve of a loop: in the domain of the surface, and in space.
+struct Coedge {
+    SplinePtr curve;
+    SplinePtr edge;       // null: not given
+    int64_t key = 0;      // by which faces know their common edges; 0: none
+    bool against = false; // whether the edge runs against the curve
+};
+using Loop = std::vector<Coedge>;
+
+// The curves of a loop one after the other in the plane that covers the domain, each in the copy in which it begins nearest to
+// where the one before it ends. At a pole the way leads around it, the inside to the left; where a loop comes back on the
+// meridian that it came on, once around.
+std::vector<PlacedCurve> placed(const Spline &surface, const Covering &covering, const Loop &loop,
+                                double tolerance);
+
+// The boundary of the whole domain: one loop, or two around a closed axis, or none where everything is closed. Poles have no
+// curves.
+std::vector<Loop> natural_loops(const Covering &covering);
+
+// The loop backwards.
+Loop turned(const Loop &loop);
+
+} // namespace nrb::face

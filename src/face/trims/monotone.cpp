@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "face/trims/monotone.h"
+
+#include "base/numbers.h"
+#include "bernstein/sign_runs.h"
+#include "pieces/derivative_pieces.h"
+#include "refine/algebra/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace nrb::face {
+
+namespace {
+
+bool runs_one_way(std::span<const double> values) noexcept {
+    return std::is_sorted(values.begin(), values.end()) || std::is_sorted(values.rbegin(), values.rend());
+}
+
+// Places where the derivative of a coordinate changes its sign.
+void append_turns(const RoundedPolynomial &derivative, std::vector<double> &places) {
+    int before = 0;
+    double hidden = 0;
+    for (const SignRun &run : sign_runs(derivative).runs) {
+        if (run.sign == 0) {
+            hidden = run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2;
+            continue;
+        }
+        if (before * run.sign < 0) {
+            places.push_back(hidden);
+        }
+        before = run.sign;
+        hidden = run.to;
+    }
+}
+
+// The places between which both coordinates of a span run one way, 0 and 1 among them.
+std::vector<double> turning_places(const Spline &curve, const refine::CurvePiece &span) {
+    std::vector<double> places{0};
+    std::optional<RoundedPolynomial> derivatives;
+    for (const int k : {0, 1}) {
+        if (!runs_one_way(span.coefficients(k))) {
+            if (!derivatives) {
+                const Part part{Interval{span.lower(), span.upper()}};
+                derivatives = pieces::tangent_numerator(pieces::PieceMaker(curve, part).piece(0), 0);
+            }
+            append_turns(component(*derivatives, k), places);
+        }
+    }
+    places.push_back(1);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+}
+
+class LoopPieces {
+public:
+    LoopPieces(int32_t number, TrimPieces &out) noexcept : number_(number), out_(out) {}
+
+    void add(const PlacedCurve &placed) {
+        const KnotVector &axis = placed.curve->axis(0);
+        for (int64_t span = axis.degree(); span < axis.count(); ++span) {
+            if (axis[span] < axis[span + 1]) {
+                add_span(placed, refine::CurvePiece(*placed.curve, span));
+            }
+        }
+    }
+    // A loop around a closed axis ends in a copy of the place where it began.
+    std::vector<Joint> close(const Covering &covering) {
+        if (first_) {
+            join(covering.nearest_copy(*first_, *last_));
+        }
+        return std::move(joints_);
+    }
+
+private:
+    void add_span(const PlacedCurve &placed, const refine::CurvePiece &span) {
+        TrimPieces whole;
+        whole.add(piece_of(placed, span), coefficients_of(placed, span));
+        const TrimPiece &piece = whole.all().front();
+        step_to(piece);
+        const std::vector<double> places = turning_places(*placed.curve, span);
+        for (size_t i = 0; i + 1 < places.size(); ++i) {
+            const Point2 end = places[i + 1] == 1 ? piece.end : whole.point(piece, places[i + 1]);
+            out_.add_part(whole, piece, {places[i], places[i + 1]}, *last_, end, {0, 0});
+            last_ = end;
+        }
+    }
+    // What rounding alone sets apart is one place.
+    void step_to(const TrimPiece &piece) {
+        if (!first_) {
+            first_ = last_ = piece.start;
+        }
+        if (std::abs((*last_)[0] - piece.start[0]) > 2 * piece.noise[0] ||
+            std::abs((*last_)[1] - piece.start[1]) > 2 * piece.noise[1]) {
+            join(piece.start);
+        }
+    }
+    void join(const Point2 &next) {
+        if (*last_ != next) {
+            joints_.push_back({*last_, next});
+            out_.add_line(number_, *last_, next);
+            last_ = next;
+        }
+    }
+    [[nodiscard]] TrimPiece piece_of(const PlacedCurve &placed, const refine::CurvePiece &span) const {
+        TrimPiece piece;
+        piece.loop = number_;
+        piece.degree = span.degree();
+        piece.weighted = !span.weights().empty();
+        for (size_t k = 0; k < 2; ++k) {
+            const auto values = span.coefficients(static_cast<int>(k));
+            piece.start[k] = values.front() + placed.shift[k];
+            piece.end[k] = values.back() + placed.shift[k];
+            double largest = std::abs(placed.shift[k]);
+            for (const double x : values) {
+                largest = std::max(largest, std::abs(x + placed.shift[k]));
+            }
+            piece.noise[k] = span.rounding(static_cast<int>(k)) + 2 * (span.degree() + 2) * eps * largest;
+        }
+        return piece;
+    }
+    static std::vector<double> coefficients_of(const PlacedCurve &placed, const refine::CurvePiece &span) {
+        std::vector<double> result;
+        for (size_t i = 0; i <= static_cast<size_t>(span.degree()); ++i) {
+            const double weight = span.weights().empty() ? 1 : span.weights()[i];
+            for (size_t k = 0; k < 2; ++k) {
+                result.push_back((span.coefficients(static_cast<int>(k))[i] + placed.shift[k]) * weight);
+            }
+            if (!span.weights().empty()) {
+                result.push_back(weight);
+            }
+        }
+        return result;
+    }
+
+    int32_t number_;
+    TrimPieces &out_;
+    std::optional<Point2> first_, last_;
+    std::vector<Joint> joints_;
+};
+
+} // namespace
+
+std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t number,
+                                   const Covering &covering, TrimPieces &out) {
+    LoopPieces pieces(number, out);
+    for (const PlacedCurve &placed : loop) {
+        pieces.add(placed);
+    }
+    return pieces.close(covering);
+}
+
+} // namespace nrb::face

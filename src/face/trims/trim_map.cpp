@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "face/trims/trim_map.h"
+
+#include "base/error.h"
+#include "face/trims/nesting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace nrb::face {
+
+namespace {
+
+constexpr size_t none = std::numeric_limits<size_t>::max();
+// Items for each piece, at most, that columns may take: pieces that are as wide as the domain lie in all of them.
+constexpr double most_items = 16;
+// Places of a loop at which its left side is looked for before it counts as hidden by others.
+constexpr int most_probes = 16;
+
+} // namespace
+
+TrimMap::TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops,
+                 bool turn)
+    : pieces_(std::move(folded.pieces)), passages_(std::move(folded.passages)), covering_(&covering),
+      turned_(loops.size(), false) {
+    fill_buckets();
+    orient(loops, turn);
+}
+
+size_t TrimMap::bucket(double u) const noexcept {
+    const double column = (u - covering_->domain(0).lower) * columns_per_unit_;
+    const auto last = static_cast<double>(starts_.size() - 2);
+    return static_cast<size_t>(std::clamp(column, 0.0, last));
+}
+
+void TrimMap::fill_buckets() {
+    const auto &all = pieces_.all();
+    const auto n = static_cast<double>(all.size());
+    double widths = 0; // in domains
+    for (const TrimPiece &piece : all) {
+        widths += (piece.upper[0] - piece.lower[0]) / covering_->period(0);
+    }
+    const double columns =
+        std::clamp(std::floor((most_items - 1) * n / std::max(widths, 1.0)), 1.0, 2 * n + 1);
+    columns_per_unit_ = columns / covering_->period(0);
+    starts_.assign(static_cast<size_t>(columns) + 1, 0);
+    const auto for_each = [&](auto &&put) {
+        for (size_t i = 0; i < all.size(); ++i) {
+            const size_t end = bucket(all[i].upper[0]);
+            for (size_t b = bucket(all[i].lower[0]); b <= end; ++b) {
+                put(b, i);
+            }
+        }
+    };
+    for_each([&](size_t b, size_t) { ++starts_[b + 1]; });
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    items_.resize(starts_.back());
+    std::vector<size_t> next(starts_.begin(), starts_.end() - 1);
+    for_each([&](size_t b, size_t i) {
+        const int32_t passed = all[i].start[0] < all[i].end[0] ? -1 : 1;
+        items_[next[b]++] = {all[i].lower, all[i].upper, static_cast<uint32_t>(i), passed};
+    });
+}
+
+// Adds what is passed on the way from x; true if x lies on a piece. The columns of a piece reach from its left end to before its
+// right one, so that each column meets one of two neighbours that go on.
+template <class Add>
+bool TrimMap::walk(const Point2 &x, size_t except, Add &&add) const noexcept {
+    bool on = false;
+    const size_t b = bucket(x[0]);
+    for (size_t i = starts_[b]; i < starts_[b + 1]; ++i) {
+        const Item &item = items_[i];
+        if (x[1] > item.upper[1] || x[0] < item.lower[0] || x[0] > item.upper[0] || item.piece == except) {
+            continue;
+        }
+        int side = 1;
+        if (x[1] >= item.lower[1]) {
+            side = pieces_.side(pieces_.all()[item.piece], x);
+            on = on || side == 0;
+        }
+        if (side > 0 && x[0] < item.upper[0]) {
+            add(pieces_.all()[item.piece].loop, item.passed);
+        }
+    }
+    for (const SeamPassage &passage : passages_) {
+        if (passage.at > x[0]) {
+            add(passage.loop, passage.upwards);
+        }
+    }
+    return on;
+}
+
+int TrimMap::side(const Point2 &x) const noexcept {
+    Point2 at = x;
+    bool on = false;
+    for (const int k : {0, 1}) {
+        const Interval domain = covering_->domain(k);
+        double &coordinate = at[static_cast<size_t>(k)];
+        if (covering_->closed(k)) {
+            coordinate = covering_->in_domain(at)[static_cast<size_t>(k)];
+        } else if (!(domain.lower <= coordinate && coordinate <= domain.upper)) {
+            return -1;
+        }
+    }
+    int value = corner_;
+    const auto add = [&](int32_t loop, int passed) {
+        value += turned_[static_cast<size_t>(loop)] ? -passed : passed;
+    };
+    // The other end of a closed axis is the same place.
+    for (const int k : {0, 1}) {
+        const Interval domain = covering_->domain(k);
+        double &coordinate = at[static_cast<size_t>(k)];
+        if (covering_->closed(k) && (coordinate == domain.lower || coordinate == domain.upper)) {
+            coordinate = domain.upper;
+            on = on || walk(at, none, [](int32_t, int) {});
+            coordinate = domain.lower;
+        }
+    }
+    on = walk(at, none, add) || on;
+    return on ? 0 : value > 0 ? 1 : -1;
+}
+
+int TrimMap::value_at_top(double u) const noexcept {
+    int value = corner_;
+    for (const SeamPassage &passage : passages_) {
+        value += passage.at <= u ? 0 : turned_[static_cast<size_t>(passage.loop)] ? -passage.upwards : passage.upwards;
+    }
+    return value;
+}
+
+std::optional<PassedSums> TrimMap::sums(const Point2 &x, size_t except) const {
+    PassedSums passed;
+    if (walk(x, except, [&](int32_t loop, int value) { passed.push_back({loop, value}); })) {
+        return std::nullopt;
+    }
+    std::sort(passed.begin(), passed.end(),
+              [](const PassedSum &a, const PassedSum &b) { return a.loop < b.loop; });
+    PassedSums result;
+    for (const PassedSum &sum : passed) {
+        if (result.empty() || result.back().loop != sum.loop) {
+            result.push_back({sum.loop, 0});
+        }
+        result.back().value += sum.value;
+    }
+    return result;
+}
+
+PassedSums TrimMap::sums_left_of(int32_t loop) const {
+    const auto &all = pieces_.all();
+    std::vector<size_t> own;
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (all[i].loop == loop && all[i].lower[0] < all[i].upper[0]) {
+            own.push_back(i);
+        }
+    }
+    const auto width = [&](size_t i) { return all[i].upper[0] - all[i].lower[0]; };
+    std::sort(own.begin(), own.end(), [&](size_t a, size_t b) { return width(a) > width(b); });
+    for (int probe = 0; probe < most_probes && !own.empty(); ++probe) {
+        const size_t i = own[static_cast<size_t>(probe) % own.size()];
+        const double share = (probe + 1) * 0.381966 - std::floor((probe + 1) * 0.381966);
+        const double u = all[i].lower[0] + share * width(i);
+        if (!(all[i].lower[0] < u && u < all[i].upper[0])) {
+            continue;
+        }
+        const Point2 x{u, std::clamp(pieces_.point(all[i], pieces_.place_of(all[i], 0, u))[1],
+                                     all[i].lower[1], all[i].upper[1])};
+        if (auto found = sums(x, i)) {
+            found->push_back({loop, all[i].start[0] < all[i].end[0] ? 0 : 1});
+            return *found;
+        }
+    }
+    fail(Status::orientation, "loop %d encloses nothing, or lies on others", static_cast<int>(loop));
+}
+
+// Of the loop as it is turned.
+int TrimMap::value_left_of(size_t loop, const PassedSums &sums) const {
+    int result =
+        turned_[loop] ? 1 : 0; // its right side has one less of it, and it counts the other way round
+    for (const PassedSum &sum : sums) {
+        result += turned_[static_cast<size_t>(sum.loop)] ? -sum.value : sum.value;
+    }
+    return result;
+}
+
+void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
+    std::vector<PassedSums> left;
+    for (size_t i = 0; i < loops.size(); ++i) {
+        left.push_back(sums_left_of(static_cast<int32_t>(i)));
+    }
+    if (turn) {
+        turned_ = Nesting(loops, left).loops_to_turn();
+    }
+    for (size_t i = 0; i < loops.size(); ++i) {
+        const int corner = 1 - value_left_of(i, left[i]);
+        if (i > 0 && corner != corner_) {
+            fail(Status::orientation, "loop %d has its left side where loop 0 has its right side",
+                 static_cast<int>(i));
+        }
+        corner_ = corner;
+    }
+}
+
+} // namespace nrb::face

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// On which side of the loops of a face places of its domain lie.
+#pragma once
+
+#include "face/trims/fold.h"
+#include "face/trims/loop_shape.h"
+#include "face/trims/passed.h"
+
+#include <optional>
+#include <vector>
+
+namespace nrb::face {
+
+// Along a column of the domain, upwards from a place, each piece that is passed says by its direction from which side of its
+// loop it is passed; from the end of the column the way goes along the seam of axis 1, if there is one, to the corner where both
+// axes end. So the sum of what was passed, and the value at the corner, is 1 inside and 0 outside, also where loops run around a
+// closed axis, and there is no first loop. Pieces are found by their columns.
+class TrimMap {
+public:
+    // The value at the corner is that which puts the left side of every loop inside. Throws Status::orientation if there is
+    // none. With `turn` loops that do not run around an axis are turned where that is needed.
+    TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops, bool turn);
+
+    // 1 inside, 0 on a curve to rounding, -1 outside.
+    [[nodiscard]] int side(const Point2 &x) const noexcept;
+    [[nodiscard]] const TrimPieces &pieces() const noexcept { return pieces_; }
+    [[nodiscard]] const std::vector<SeamPassage> &passages() const noexcept { return passages_; }
+    // What the value below a piece has more than the one above it: 1, or -1 for one that runs to larger x[0].
+    [[nodiscard]] int passed(const TrimPiece &piece) const noexcept {
+        return (piece.start[0] < piece.end[0]) == turned_[static_cast<size_t>(piece.loop)] ? 1 : -1;
+    }
+    // The value, 1 inside and 0 outside, at the upper end of a column.
+    [[nodiscard]] int value_at_top(double u) const noexcept;
+    // Of each loop: whether it was turned.
+    [[nodiscard]] const std::vector<bool> &turned() const noexcept { return turned_; }
+    // Calls visit(piece) for the pieces whose boxes meet a box of the domain, some of them more than once, until it is true.
+    template <class Visit>
+    bool any_in(const Point2 &lower, const Point2 &upper, Visit &&visit) const {
+        for (size_t b = bucket(lower[0]); b <= bucket(upper[0]); ++b) {
+            for (size_t i = starts_[b]; i < starts_[b + 1]; ++i) {
+                const Item &item = items_[i];
+                const bool apart = item.lower[0] > upper[0] || item.upper[0] < lower[0] ||
+                                   item.lower[1] > upper[1] || item.upper[1] < lower[1];
+                if (!apart && visit(pieces_.all()[item.piece])) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+private:
+    struct Item {
+        Point2 lower, upper;
+        uint32_t piece;
+        int32_t passed; // what passing it upwards adds: -1 for a piece that runs to larger x[0]
+    };
+
+    void fill_buckets();
+    [[nodiscard]] size_t bucket(double u) const noexcept;
+    template <class Add>
+    bool walk(const Point2 &x, size_t except, Add &&add) const noexcept;
+    [[nodiscard]] std::optional<PassedSums> sums(const Point2 &x, size_t except) const;
+    // What is passed from the left side of a loop on, at some place of it.
+    [[nodiscard]] PassedSums sums_left_of(int32_t loop) const;
+    void orient(const std::vector<LoopShape> &loops, bool turn);
+    [[nodiscard]] int value_left_of(size_t loop, const PassedSums &sums) const;
+
+    TrimPieces pieces_;
+    std::vector<SeamPassage> passages_;
+    const Covering *covering_;
+    std::vector<Item> items_;
+    std::vector<size_t> starts_;
+    double columns_per_unit_ = 0;
+    std::vector<bool> turned_;
+    int corner_ = 1; // the value at the corner
+};
+
+} // namespace nrb::face

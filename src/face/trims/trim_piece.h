@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Pieces of the curves that bound a face, on which both parameters run one way.
+#pragma once
+
+#include "face/covering.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace nrb::face {
+
+// A Bezier piece in the domain. Its ends are those of its neighbours bit for bit, so that nothing passes between two pieces
+// however their coefficients are rounded.
+struct TrimPiece {
+    Point2 start, end;
+    Point2 lower, upper; // the box of the ends, which is that of the piece
+    int32_t loop = 0;
+    int32_t degree = 1;
+    bool weighted = false;
+    int64_t first = 0;  // of its coefficients
+    Point2 noise{0, 0}; // how far evaluated coordinates may be from those of the stored curve
+};
+
+// Pieces and their coefficients: (u, v), or (u w, v w, w).
+class TrimPieces {
+public:
+    [[nodiscard]] const std::vector<TrimPiece> &all() const noexcept { return pieces_; }
+    [[nodiscard]] std::span<const double> coefficients(const TrimPiece &piece) const noexcept {
+        const auto width = static_cast<size_t>(piece.weighted ? 3 : 2);
+        return std::span(pool_).subspan(static_cast<size_t>(piece.first),
+                                        (static_cast<size_t>(piece.degree) + 1) * width);
+    }
+    struct Jet {
+        Point2 point, derivative; // by the place on the piece
+    };
+    [[nodiscard]] Jet jet(const TrimPiece &piece, double place) const noexcept;
+    [[nodiscard]] Point2 point(const TrimPiece &piece, double place) const noexcept;
+    // Where coordinate k passes a value between those of the ends, to rounding.
+    [[nodiscard]] double place_of(const TrimPiece &piece, int k, double value) const noexcept;
+
+    // Where the piece is in the column at x[0], relative to x: 1 above, -1 below, 0 on it to rounding. Precondition: x is in
+    // the box of the piece, ends included. Cost: a few evaluations, one for lines.
+    [[nodiscard]] int side(const TrimPiece &piece, const Point2 &x) const noexcept;
+
+    void add(TrimPiece piece, std::span<const double> coefficients);
+    // The segment between two places.
+    void add_line(int32_t loop, const Point2 &start, const Point2 &end);
+    // The part between two places of a piece of another set, moved, with these ends.
+    void add_part(const TrimPieces &from, const TrimPiece &piece, Interval part, const Point2 &start,
+                  const Point2 &end, const Point2 &move);
+
+private:
+    std::vector<TrimPiece> pieces_;
+    std::vector<double> pool_;
+};
+
+} // namespace nrb::face
