@@ -6,6 +6,7 @@
 #include "bounds/box.h"
 #include "face/trims/monotone.h"
 #include "numeric/norm.h"
+#include "refine/forms/parametrization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,12 +92,36 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
         loops_ = natural_loops(covering_);
         parts.as_oriented = true;
     }
+    make_curves();
     const TrimPieces plane = pieces(gaps, parts.keep_gaps);
     const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
     trims_ = std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, !parts.as_oriented);
     for (size_t i = 0; i < loops_.size(); ++i) {
         if (trims_->turned()[i]) {
             loops_[i] = turned(loops_[i]);
+        }
+    }
+}
+
+// Errors say which edge they are about.
+MadeCurve Face::named_curve_under(const SplinePtr &edge, size_t loop, size_t index) const {
+    try {
+        return curve_under(surface_, covering_, edge, tolerance_);
+    } catch (const Error &error) {
+        fail(error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
+    }
+}
+
+// Those that are missing, in the direction of their loop.
+void Face::make_curves() {
+    for (size_t i = 0; i < loops_.size(); ++i) {
+        for (size_t j = 0; j < loops_[i].size(); ++j) {
+            Coedge &coedge = loops_[i][j];
+            if (coedge.curve == nullptr) {
+                const MadeCurve made = named_curve_under(coedge.edge, i, j);
+                coedge.curve = coedge.against ? refine::reverse(*made.curve, 0, false) : made.curve;
+                coedge.deviation = {made.distance, made.proven};
+            }
         }
     }
 }

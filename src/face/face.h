@@ -4,6 +4,7 @@
 
 #include "base/records.h"
 #include "face/loop.h"
+#include "face/made/curve_under.h"
 #include "face/trims/trim_map.h"
 
 #include <memory>
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] const TrimMap &trims() const noexcept { return *trims_; }
 
 private:
+    [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index) const;
+    void make_curves();
     [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep) const;
 
     SplinePtr surface_;

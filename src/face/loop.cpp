@@ -86,7 +86,7 @@ std::vector<Loop> natural_loops(const Covering &covering) {
         if (result.empty() || around) {
             result.emplace_back();
         }
-        result.back().push_back({segment(side.from, side.to), nullptr, 0});
+        result.back().push_back({segment(side.from, side.to), nullptr});
     }
     return result;
 }
@@ -94,7 +94,8 @@ std::vector<Loop> natural_loops(const Covering &covering) {
 Loop turned(const Loop &loop) {
     Loop result;
     for (auto coedge = loop.rbegin(); coedge != loop.rend(); ++coedge) {
-        result.push_back({refine::reverse(*coedge->curve, 0, false), coedge->edge, coedge->key});
+        result.push_back(*coedge);
+        result.back().curve = refine::reverse(*coedge->curve, 0, false);
         result.back().against = !coedge->against;
     }
     return result;

@@ -6,16 +6,24 @@
 #include "spline/spline.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace nrb::face {
 
-// A curve of a loop: in the domain of the surface, and in space.
+// How far apart a curve in space and what the surface makes of one in its domain are, at most if `proven`.
+struct Deviation {
+    double distance = 0;
+    bool proven = false;
+};
+
+// A curve of a loop: in the domain of the surface, and in space. One of the two may be null.
 struct Coedge {
     SplinePtr curve;
-    SplinePtr edge;       // null: not given
-    int64_t key = 0;      // by which faces know their common edges; 0: none
-    bool against = false; // whether the edge runs against the curve
+    SplinePtr edge;
+    int64_t key = 0;                      // by which faces know their common edges; 0: none
+    bool against = false;                 // whether the edge runs against the curve
+    std::optional<Deviation> deviation{}; // of a curve that was made from the edge
 };
 using Loop = std::vector<Coedge>;
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "face/deviation.h"
+
+#include "base/error.h"
+#include "bounds/deviation.h"
+#include "closest/pair/hausdorff.h"
+#include "refine/forms/parametrization.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+MadeCurve over(const Face &face, const Coedge &coedge) {
+    return edge_over(face.surface(), face.covering(), coedge.curve, face.tolerance());
+}
+
+// The two as curves of equal parameters, if their domains can be made the same.
+std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePtr &edge, bool against) {
+    try {
+        const SplinePtr along = against ? refine::reverse(*edge, 0, false) : edge;
+        const SplinePtr same = refine::reparametrize(along, 0, image->axis(0).domain());
+        return bounds::deviation(*image, *same).upper;
+    } catch (const Error &) { // knots would merge
+        return std::nullopt;
+    }
+}
+
+Deviation to_nearest(const MadeCurve &image, const Spline &edge, double tolerance) {
+    const auto there = closest::one_sided_distance(*image.curve, edge, tolerance / 16, 0),
+               back = closest::one_sided_distance(edge, *image.curve, tolerance / 16, 0);
+    const bool proven = image.proven && there.certified && back.certified;
+    return {std::max(there.at_most, back.at_most) + image.distance, proven};
+}
+
+} // namespace
+
+SplinePtr edge_of(const Face &face, const Coedge &coedge) {
+    if (coedge.edge != nullptr) {
+        return coedge.edge;
+    }
+    const SplinePtr made = over(face, coedge).curve;
+    return coedge.against ? refine::reverse(*made, 0, false) : made;
+}
+
+Deviation deviation_of(const Face &face, const Coedge &coedge) {
+    if (coedge.deviation) {
+        return *coedge.deviation;
+    }
+    const MadeCurve image = over(face, coedge);
+    if (coedge.edge == nullptr) {
+        return {image.distance, image.proven};
+    }
+    const std::optional<double> equal = at_equal_parameters(image.curve, coedge.edge, coedge.against);
+    if (equal && *equal + image.distance <= face.tolerance()) {
+        return {*equal + image.distance, image.proven};
+    }
+    return to_nearest(image, *coedge.edge, face.tolerance());
+}
+
+} // namespace nrb::face

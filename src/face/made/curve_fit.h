@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Curves through as many places as a bound on their error takes.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <span>
+#include <vector>
+
+namespace nrb::face {
+
+// What a curve is to follow. Places are asked for one at a time, because the next one may depend on its neighbours.
+class CurveModel {
+public:
+    virtual ~CurveModel() = default;
+    [[nodiscard]] virtual int dim() const noexcept = 0;
+    // The place [dim()] at a parameter; `near`, if not null, is about where it has to be.
+    virtual void place(double t, const double *near, double *out) const = 0;
+    // The largest of the errors that count of a candidate at these parameters; each to its place in `errors`.
+    virtual void errors(const Spline &candidate, std::span<const double> params, double *errors) const = 0;
+    // Whether a place leaves its coordinate `free` open, which then follows its neighbours.
+    [[nodiscard]] virtual int open_coordinate(const double *) const { return -1; }
+};
+
+struct FittedCurve {
+    SplinePtr spline;
+    double error = 0; // the largest one seen between the places
+};
+
+// Over the intervals between breaks: the line between the places at the ends, else cubic splines through more and more places,
+// halving the intervals in which the error is above the tolerance. Where coordinates of all places of an interval agree to
+// `same[k]`, they are made equal. Throws Status::not_converged.
+FittedCurve fit_curve(const CurveModel &model, std::span<const double> breaks, std::span<const double> same,
+                      double tolerance);
+
+} // namespace nrb::face

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "face/made/curve_under.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "bounds/box.h"
+#include "bounds/deviation.h"
+#include "closest/closest.h"
+#include "eval/evaluate.h"
+#include "face/made/curve_fit.h"
+#include "face/made/plane_chart.h"
+#include "numeric/norm.h"
+#include "refine/algebra/compose.h"
+#include "refine/parts/cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+// What a fit may miss between the places that are looked at is left to the rest of the tolerance.
+constexpr double share_of_fit = 0.5;
+// Coordinates that differ by less than a step of this share of the tolerance in space are one.
+constexpr double share_of_same = 1e-3;
+
+std::vector<double> points_at(const Spline &spline, std::span<const double> params) {
+    const auto count = std::ssize(params) / spline.axes();
+    std::vector<double> points(static_cast<size_t>(count * spline.dim()));
+    eval::evaluate_points(spline, {}, 0, {params.data(), count, spline.axes(), spline.axes(), 1},
+                          {points.data(), count, spline.dim(), spline.dim(), 1});
+    return points;
+}
+
+// Points of the surface at places of the plane.
+std::vector<double> points_over(const Spline &surface, const Covering &covering, std::vector<double> places) {
+    for (size_t i = 0; i < places.size(); i += 2) {
+        const Point2 x = covering.in_domain({places[i], places[i + 1]});
+        std::copy(x.begin(), x.end(), places.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return points_at(surface, places);
+}
+
+void distances(const std::vector<double> &a, const std::vector<double> &b, int dim, double *out) {
+    for (size_t i = 0; i < a.size(); i += static_cast<size_t>(dim)) {
+        *out++ = distance(a.data() + i, b.data() + i, dim);
+    }
+}
+
+// The nearest places to those of an edge.
+class Projection : public CurveModel {
+public:
+    Projection(const Spline &surface, const Covering &covering, const Spline &edge, double tolerance)
+        : surface_(surface), covering_(covering), edge_(edge), tolerance_(tolerance),
+          locator_(closest::locator_of(surface)) {}
+
+    [[nodiscard]] int dim() const noexcept override { return 2; }
+    void place(double t, const double *near, double *out) const override {
+        const std::vector<double> point = points_at(edge_, {&t, 1});
+        const closest::Foot foot = foot_of(point.data(), near);
+        if (!(foot.distance <= tolerance_)) {
+            fail(Status::gap,
+                 "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
+                 Number(foot.distance).text, Number(t).text, Number(tolerance_).text);
+        }
+        Point2 x{foot.params[0], foot.params[1]};
+        if (near != nullptr) {
+            x = covering_.nearest_copy(x, {near[0], near[1]});
+            const int open = open_at(point.data());
+            if (open >= 0) {
+                x[static_cast<size_t>(open)] = near[open];
+            }
+        }
+        std::copy(x.begin(), x.end(), out);
+    }
+    void errors(const Spline &candidate, std::span<const double> params, double *errors) const override {
+        distances(points_over(surface_, covering_, points_at(candidate, params)), points_at(edge_, params),
+                  edge_.dim(), errors);
+    }
+    [[nodiscard]] int open_coordinate(const double *x) const override {
+        return open_at(point_at(surface_, covering_.in_domain({x[0], x[1]})).data());
+    }
+
+private:
+    // Along a pole one parameter is as good as another.
+    [[nodiscard]] int open_at(const double *point) const {
+        const Covering::Pole pole = covering_.pole_near(point, tolerance_);
+        return pole.axis < 0 ? -1 : 1 - pole.axis;
+    }
+    // Near the neighbour first: the surface may come near itself.
+    [[nodiscard]] closest::Foot foot_of(const double *point, const double *near) const {
+        if (near != nullptr) {
+            const Point2 guess = covering_.in_domain({near[0], near[1]});
+            const closest::Foot foot = locator_.local(point, guess.data());
+            if (foot.distance <= tolerance_ / 16) {
+                return foot;
+            }
+        }
+        return locator_.nearest({point, nullptr, tolerance_ / 16, 0, false, true});
+    }
+
+    const Spline &surface_;
+    const Covering &covering_;
+    const Spline &edge_;
+    double tolerance_;
+    const closest::Locator &locator_;
+};
+
+// The points over a curve.
+class Image : public CurveModel {
+public:
+    Image(const Spline &surface, const Covering &covering, const Spline &curve)
+        : surface_(surface), covering_(covering), curve_(curve) {}
+
+    [[nodiscard]] int dim() const noexcept override { return surface_.dim(); }
+    void place(double t, const double *, double *out) const override {
+        const std::vector<double> point = points_over(surface_, covering_, points_at(curve_, {&t, 1}));
+        std::copy(point.begin(), point.end(), out);
+    }
+    void errors(const Spline &candidate, std::span<const double> params, double *errors) const override {
+        distances(points_over(surface_, covering_, points_at(curve_, params)), points_at(candidate, params),
+                  dim(), errors);
+    }
+
+private:
+    const Spline &surface_;
+    const Covering &covering_;
+    const Spline &curve_;
+};
+
+bool inside(const Covering &covering, const Spline &curve) noexcept {
+    for (int64_t i = 0; i < curve.point_count(); ++i) {
+        for (const int k : {0, 1}) {
+            const double x = curve.coordinate(i, k);
+            if (!(covering.domain(k).lower <= x && x <= covering.domain(k).upper)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+SplinePtr composed(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
+    const int degrees = surface->axis(0).degree() + surface->axis(1).degree();
+    const bool possible = degrees * curve->axis(0).degree() <= max_degree && inside(covering, *curve);
+    return possible ? refine::compose(surface, curve) : nullptr;
+}
+
+std::vector<double> breaks_of(const Spline &curve) {
+    return refine::rough_knots(curve.axis(0), 2);
+}
+
+// Steps along each axis that move points by less than a share of the tolerance.
+std::array<double, 2> same_places(const Spline &surface, const Covering &covering, double tolerance) {
+    const bounds::Box box = bounds::bounding_box(surface, whole_domain(surface), infinity);
+    const double size = distance(box.lower.data(), box.upper.data(), surface.dim());
+    const double share = size > 0 ? std::min(share_of_same * tolerance / size, 1e-3) : 0;
+    return {share * covering.period(0), share * covering.period(1)};
+}
+
+} // namespace
+
+MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
+                      double tolerance) {
+    if (const auto chart = PlaneChart::of(*surface)) {
+        return chart->curve_under(*edge, tolerance);
+    }
+    const Projection model(*surface, covering, *edge, tolerance);
+    const FittedCurve fitted = fit_curve(
+        model, breaks_of(*edge), same_places(*surface, covering, tolerance), share_of_fit * tolerance);
+    if (const SplinePtr over = composed(surface, covering, fitted.spline)) {
+        const pieces::Enclosure found = bounds::deviation(*over, *edge);
+        return {fitted.spline, found.upper, std::isfinite(found.upper)};
+    }
+    return {fitted.spline, fitted.error, false};
+}
+
+MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
+                    double tolerance) {
+    if (SplinePtr exact = composed(surface, covering, curve)) {
+        return {std::move(exact), 0, true};
+    }
+    const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);
+    const FittedCurve fitted =
+        fit_curve(Image(*surface, covering, *curve), breaks_of(*curve), same, share_of_fit * tolerance);
+    return {fitted.spline, fitted.error, false};
+}
+
+} // namespace nrb::face

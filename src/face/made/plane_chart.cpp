@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "face/made/plane_chart.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
+    if (surface.form() != Form::polynomial || surface.axis(0).degree() != 1 ||
+        surface.axis(1).degree() != 1 || surface.point_count() != 4 || surface.axis(0).periodic() ||
+        surface.axis(1).periodic()) {
+        return std::nullopt;
+    }
+    const auto dim = static_cast<size_t>(surface.dim());
+    PlaneChart chart;
+    const KnotVector &u = surface.axis(0), &v = surface.axis(1);
+    chart.origin_ = {u[1], v[1]};
+    double off = 0, largest = 0;
+    for (size_t c = 0; c < dim; ++c) {
+        const auto p = [&](int64_t i) { return surface.coordinate(i, static_cast<int>(c)); };
+        chart.corner_.push_back(p(0));
+        chart.by_u_.push_back((p(2) - p(0)) / (u[2] - u[1]));
+        chart.by_v_.push_back((p(1) - p(0)) / (v[2] - v[1]));
+        off = std::max(off, std::abs((p(3) - p(2)) - (p(1) - p(0))));
+        for (int64_t i = 0; i < 4; ++i) {
+            largest = std::max(largest, std::abs(p(i)));
+        }
+    }
+    // The rows of the pseudoinverse, from the first fundamental form.
+    const double uu = dot(chart.by_u_, chart.by_u_), uv = dot(chart.by_u_, chart.by_v_),
+                 vv = dot(chart.by_v_, chart.by_v_);
+    const double determinant = uu * vv - uv * uv;
+    if (off > 8 * eps * largest || !(determinant > 1e-12 * uu * vv)) {
+        return std::nullopt;
+    }
+    for (size_t c = 0; c < dim; ++c) {
+        chart.to_u_.push_back((vv * chart.by_u_[c] - uv * chart.by_v_[c]) / determinant);
+        chart.to_v_.push_back((uu * chart.by_v_[c] - uv * chart.by_u_[c]) / determinant);
+    }
+    return chart;
+}
+
+Point2 PlaneChart::place(const double *point) const noexcept {
+    double u = 0, v = 0;
+    for (size_t c = 0; c < corner_.size(); ++c) {
+        u += to_u_[c] * (point[c] - corner_[c]);
+        v += to_v_[c] * (point[c] - corner_[c]);
+    }
+    return {origin_[0] + u, origin_[1] + v};
+}
+
+double PlaneChart::distance_of(const double *point, const Point2 &place) const noexcept {
+    return norm_of(static_cast<int>(corner_.size()), [&](int k) {
+        const auto c = static_cast<size_t>(k);
+        return point[c] - corner_[c] - by_u_[c] * (place[0] - origin_[0]) -
+               by_v_[c] * (place[1] - origin_[1]);
+    });
+}
+
+MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
+    std::vector<double> points, weights;
+    std::vector<double> point(corner_.size());
+    double farthest = 0;
+    for (int64_t i = 0; i < edge.point_count(); ++i) {
+        for (size_t c = 0; c < point.size(); ++c) {
+            point[c] = edge.coordinate(i, static_cast<int>(c));
+        }
+        const Point2 x = place(point.data());
+        farthest = std::max(farthest, distance_of(point.data(), x));
+        points.insert(points.end(), x.begin(), x.end());
+        if (edge.rational()) {
+            weights.push_back(edge.weight(i));
+        }
+    }
+    if (!(farthest <= tolerance)) {
+        fail(Status::gap, "the edge is %s from the plane of the surface, expected at most the tolerance %s",
+             Number(farthest).text, Number(tolerance).text);
+    }
+    return {make_result(edge.knot_vectors(), 2, edge.rational() ? Form::rational : Form::polynomial, points,
+                        weights),
+            farthest, true};
+}
+
+} // namespace nrb::face

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Surfaces that are plane parallelograms, whose parameters are affine functions of space.
+#pragma once
+
+#include "face/made/curve_under.h"
+
+#include <optional>
+#include <vector>
+
+namespace nrb::face {
+
+class PlaneChart {
+public:
+    // Of a bilinear polynomial surface whose fourth corner is where the other three put it, to rounding; else none.
+    static std::optional<PlaneChart> of(const Spline &surface);
+
+    // From the control points of the edge, with its weights; the distance is that of the farthest of them from the plane. Throws
+    // Status::gap if it exceeds the tolerance.
+    [[nodiscard]] MadeCurve curve_under(const Spline &edge, double tolerance) const;
+
+private:
+    PlaneChart() = default;
+    [[nodiscard]] Point2 place(const double *point) const noexcept;
+    [[nodiscard]] double distance_of(const double *point, const Point2 &place) const noexcept;
+
+    Point2 origin_{};                          // place of the first corner
+    std::vector<double> corner_, by_u_, by_v_; // and what a unit of each parameter adds
+    std::vector<double> to_u_, to_v_;          // the rows of the inverse
+};
+
+} // namespace nrb::face
