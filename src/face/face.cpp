@@ -126,7 +126,7 @@ void Face::make_curves() {
     }
 }
 
-TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) const {
+TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
     TrimPieces plane;
     const Borders borders(*surface_, covering_, tolerance_);
     if (gaps != nullptr) {
@@ -143,6 +143,7 @@ TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) const {
         double largest = 0;
         for (const Joint &joint : append_monotone(curves, static_cast<int32_t>(i), covering_, plane)) {
             largest = std::max(largest, gap_between(*surface_, covering_, joint.from, joint.to));
+            joints_.push_back(joint);
         }
         if (gaps != nullptr) {
             (*gaps)[i] = largest;

@@ -37,16 +37,19 @@ public:
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
     [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
     [[nodiscard]] const TrimMap &trims() const noexcept { return *trims_; }
+    // Where segments close what curves leave open.
+    [[nodiscard]] const std::vector<Joint> &joints() const noexcept { return joints_; }
 
 private:
     [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index) const;
     void make_curves();
-    [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep) const;
+    [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep);
 
     SplinePtr surface_;
     std::vector<Loop> loops_;
     double tolerance_;
     Covering covering_;
+    std::vector<Joint> joints_;
     std::unique_ptr<const TrimMap> trims_;
 };
 using FacePtr = std::shared_ptr<const Face>;

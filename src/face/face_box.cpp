@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "face/face_box.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "build/polylines.h"
+#include "face/deviation.h"
+#include "pieces/derivative_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+namespace nrb::face {
+
+namespace {
+
+constexpr int most_halved_cells = 20000;
+constexpr int64_t work_of_a_cell = 4000;
+
+// Sides of a box as the largest values of the coordinates and of their negatives.
+using Sides = std::vector<double>;
+
+Sides sides_of(const bounds::Box &box) {
+    Sides sides;
+    for (size_t c = 0; c < box.upper.size(); ++c) {
+        sides.push_back(box.upper[c]);
+        sides.push_back(-box.lower[c]);
+    }
+    return sides;
+}
+
+// Spans of both axes, or a part of one span of each.
+struct FaceCell {
+    std::array<std::array<size_t, 2>, 2> breaks; // first and last, of each axis
+    Part part{};
+    Sides sides;
+    bool alive = true;
+    bool examined = false; // whether sides on which nothing inside is extreme were taken out
+};
+
+// The breaks of an axis, and at which of them tangents may jump.
+struct CellAxis {
+    std::vector<double> breaks;
+    std::vector<char> crease;
+
+    CellAxis(const KnotVector &axis, bool closed) {
+        const Interval domain = axis.domain();
+        for (const KnotGroup &group : distinct_knots(axis.knots())) {
+            if (domain.lower <= group.knot && group.knot <= domain.upper) {
+                const bool end = group.knot == domain.lower || group.knot == domain.upper;
+                breaks.push_back(group.knot);
+                crease.push_back(end ? closed : group.multiplicity >= axis.degree());
+            }
+        }
+    }
+    [[nodiscard]] bool touches_crease(Interval part) const {
+        for (size_t i = 0; i < breaks.size(); ++i) {
+            if (crease[i] != 0 && (part.lower == breaks[i] || part.upper == breaks[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+using SideQueue = std::priority_queue<std::pair<double, size_t>>;
+
+class BoxSearch {
+public:
+    BoxSearch(const Face &face, double tolerance)
+        : face_(face), surface_(*face.surface()), dim_(static_cast<size_t>(surface_.dim())),
+          tolerance_(tolerance), axes_{CellAxis(surface_.axis(0), face.covering().closed(0)),
+                                       CellAxis(surface_.axis(1), face.covering().closed(1))},
+          reached_(2 * dim_, -infinity), boundary_(2 * dim_, -infinity), farthest_(2 * dim_) {}
+
+    bounds::Box run() {
+        add_boundary();
+        add({{{0, axes_[0].breaks.size() - 1}, {0, axes_[1].breaks.size() - 1}}});
+        for (int step = 0; step < most_halved_cells; ++step) {
+            const std::optional<size_t> cell = farthest_cell();
+            if (!cell || !refine(*cell)) {
+                break;
+            }
+            count_work(work_of_a_cell);
+        }
+        return box();
+    }
+
+private:
+    void reach(size_t side, double value) { reached_[side] = std::max(reached_[side], value); }
+
+    // What the edges and the segments that close gaps reach.
+    void add_boundary() {
+        for (const Loop &loop : face_.loops()) {
+            for (const Coedge &coedge : loop) {
+                add_curve(coedge.curve);
+            }
+        }
+        for (const Joint &joint : face_.joints()) {
+            add_curve(build::polyline(2, {joint.from[0], joint.from[1], joint.to[0], joint.to[1]}, {0, 1}));
+        }
+    }
+    void add_curve(const SplinePtr &curve) {
+        const MadeCurve edge =
+            edge_over(face_.surface(), face_.covering(), curve, std::max(tolerance_ / 4, face_.tolerance()));
+        const bounds::Box box = bounds::bounding_box(*edge.curve, whole_domain(*edge.curve), tolerance_ / 4);
+        const Sides sides = sides_of(box);
+        for (size_t side = 0; side < 2 * dim_; ++side) {
+            boundary_[side] = std::max(boundary_[side], sides[side] + edge.distance);
+            reach(side, sides[side] - box.gap - edge.distance);
+        }
+    }
+
+    // The cell between breaks, unless the face does not meet it or it reaches no farther than others.
+    void add(const std::array<std::array<size_t, 2>, 2> &breaks) {
+        FaceCell cell{breaks, {}, {}};
+        for (size_t k = 0; k < 2; ++k) {
+            cell.part[k] = {axes_[k].breaks[breaks[k][0]], axes_[k].breaks[breaks[k][1]]};
+        }
+        add(std::move(cell));
+    }
+    void add(FaceCell cell) {
+        const Point2 lower{cell.part[0].lower, cell.part[1].lower},
+            upper{cell.part[0].upper, cell.part[1].upper};
+        const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
+        const bool cut = face_.trims().any_in(lower, upper, [](const TrimPiece &) { return true; });
+        const bool inside = face_.trims().side(middle) >= 0;
+        if (!inside && !cut) {
+            return;
+        }
+        if (inside) {
+            const std::vector<double> point = point_at(surface_, middle);
+            for (size_t c = 0; c < dim_; ++c) {
+                reach(2 * c, point[c]);
+                reach(2 * c + 1, -point[c]);
+            }
+        }
+        cell.sides = sides_of(bounds::bounding_box(surface_, cell.part, infinity));
+        push(std::move(cell));
+    }
+    void push(FaceCell cell) {
+        bool matters = false;
+        for (size_t side = 0; side < 2 * dim_; ++side) {
+            if (cell.sides[side] > reached_[side]) {
+                matters = true;
+                farthest_[side].push({cell.sides[side], cells_.size()});
+            }
+        }
+        if (matters) {
+            cells_.push_back(std::move(cell));
+        }
+    }
+
+    // How far the cells that are left reach on a side, where that is more than points of the face do.
+    double outermost(size_t side) {
+        SideQueue &queue = farthest_[side];
+        while (!queue.empty() && !cells_[queue.top().second].alive) {
+            queue.pop();
+        }
+        const double known = std::max(reached_[side], boundary_[side]);
+        return queue.empty() ? known : std::max(known, queue.top().first);
+    }
+    // The cell that reaches farthest on the side where the box is farthest from the face, unless that is near enough.
+    std::optional<size_t> farthest_cell() {
+        std::optional<size_t> farthest;
+        double largest = tolerance_;
+        for (size_t side = 0; side < 2 * dim_; ++side) {
+            const double gap = outermost(side) - reached_[side];
+            const SideQueue &queue = farthest_[side];
+            if (gap > largest && !queue.empty() && queue.top().first > boundary_[side]) {
+                largest = gap;
+                farthest = queue.top().second;
+            }
+        }
+        return farthest;
+    }
+
+    // False if a cell cannot be made smaller.
+    bool refine(size_t index) {
+        FaceCell cell = cells_[index];
+        cells_[index].alive = false;
+        const bool one_span =
+            cell.breaks[0][1] - cell.breaks[0][0] == 1 && cell.breaks[1][1] - cell.breaks[1][0] == 1;
+        if (one_span && !cell.examined) {
+            examine(cell);
+            push(std::move(cell));
+            return true;
+        }
+        if (one_span) {
+            return quarter(cell);
+        }
+        const size_t k =
+            cell.breaks[0][1] - cell.breaks[0][0] >= cell.breaks[1][1] - cell.breaks[1][0] ? 0 : 1;
+        auto first = cell.breaks, second = cell.breaks;
+        first[k][1] = second[k][0] = (cell.breaks[k][0] + cell.breaks[k][1]) / 2;
+        add(first);
+        add(second);
+        return true;
+    }
+    // A point inside the face at which a coordinate is extreme has no derivative of it along either axis, unless tangents jump
+    // there; extreme points on the boundary are known.
+    void examine(FaceCell &cell) const {
+        cell.examined = true;
+        const pieces::HomogeneousPiece piece = pieces::PieceMaker(surface_, cell.part).piece(0);
+        const std::array numerators{pieces::tangent_numerator(piece, 0), pieces::tangent_numerator(piece, 1)};
+        for (size_t c = 0; c < dim_; ++c) {
+            std::array<bool, 2> runs{};
+            for (size_t k = 0; k < 2; ++k) {
+                runs[k] = certain_sign(component(numerators[k], static_cast<int>(c))) != 0;
+            }
+            const bool first = runs[0] && (runs[1] || !axes_[0].touches_crease(cell.part[0])),
+                       second = runs[1] && (runs[0] || !axes_[1].touches_crease(cell.part[1]));
+            if (first || second) {
+                cell.sides[2 * c] = cell.sides[2 * c + 1] = -infinity;
+            }
+        }
+    }
+    bool quarter(const FaceCell &cell) {
+        Point2 middle;
+        for (size_t k = 0; k < 2; ++k) {
+            middle[k] = cell.part[k].lower / 2 + cell.part[k].upper / 2;
+            if (!(cell.part[k].lower < middle[k] && middle[k] < cell.part[k].upper)) {
+                return false;
+            }
+        }
+        for (int number = 0; number < 4; ++number) {
+            FaceCell part{cell.breaks, cell.part, {}};
+            for (size_t k = 0; k < 2; ++k) {
+                ((number >> k & 1) != 0 ? part.part[k].lower : part.part[k].upper) = middle[k];
+            }
+            add(std::move(part));
+        }
+        return true;
+    }
+
+    bounds::Box box() {
+        bounds::Box result;
+        for (size_t c = 0; c < dim_; ++c) {
+            result.upper.push_back(outermost(2 * c));
+            result.lower.push_back(-outermost(2 * c + 1));
+        }
+        for (size_t side = 0; side < 2 * dim_; ++side) {
+            result.gap = std::max(result.gap, outermost(side) - reached_[side]);
+        }
+        return result;
+    }
+
+    const Face &face_;
+    const Spline &surface_;
+    size_t dim_;
+    double tolerance_;
+    std::array<CellAxis, 2> axes_;
+    Sides reached_, boundary_;
+    std::vector<FaceCell> cells_;
+    std::vector<SideQueue> farthest_; // of each side, cells that are not alive among them
+};
+
+} // namespace
+
+bounds::Box bounding_box(const Face &face, double tolerance) {
+    return BoxSearch(face, tolerance).run();
+}
+
+} // namespace nrb::face
