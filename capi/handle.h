@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The two opaque types of the C API.
+// The opaque types of the C API.
 #pragma once
 
+#include "face/face.h"
 #include "model/model.h"
 #include "refine/parts/cut.h"
 #include "spline/spline.h"
@@ -25,6 +26,10 @@ struct Parts {
 };
 
 } // namespace nrb::capi
+
+struct nurbs_face {
+    nrb::face::FacePtr face;
+};
 
 struct nurbs_list {
     std::variant<nrb::capi::NamedSplines, nrb::capi::Parts, nrb::model::Model> contents;

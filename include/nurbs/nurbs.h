@@ -273,6 +273,9 @@ typedef struct nurbs_list nurbs_list;
 /** \brief What a fit needs to know of data: sums that can be added and subtracted. \since 1.1 */
 typedef struct nurbs_statistics nurbs_statistics;
 
+/** \brief A trimmed face: immutable, reference counted, opaque. \since 1.1 */
+typedef struct nurbs_face nurbs_face;
+
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
 typedef int32_t nurbs_status;
 
@@ -341,8 +344,9 @@ enum {
     NURBS_ERROR_RULE = 64,          /**< not one of the constants of a rule, or one that does not suit */
     NURBS_ERROR_SCHOENBERG_WHITNEY =
         65, /**< data lie outside the support of the control point that they have to determine */
-    NURBS_ERROR_RANK = 66,  /**< data or conditions do not determine the result */
-    NURBS_ERROR_SCALE = 67, /**< a value or weight is above the scale of the statistics */
+    NURBS_ERROR_RANK = 66,        /**< data or conditions do not determine the result */
+    NURBS_ERROR_SCALE = 67,       /**< a value or weight is above the scale of the statistics */
+    NURBS_ERROR_ORIENTATION = 68, /**< loops of a face have no common inside, or enclose nothing */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -420,6 +424,8 @@ enum {
 /** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of
  * an error. */
 #define NURBS_NAN_POINTS 0x01000000u
+/** \brief nurbs_face_create(): the inside is to the left of the loops as they run. */
+#define NURBS_AS_ORIENTED 0x01000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -5869,6 +5875,256 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
                                             double cotangent, double *grad_points, int64_t grad_point_stride,
                                             int64_t grad_point_component_stride, double *grad_weights,
                                             int64_t grad_weight_stride, double *error, uint32_t flags);
+/** @} */
+
+/** \defgroup face Trimmed faces
+ * \code
+ * nurbs_face *face = NULL;
+ * int64_t size = 1; // one loop of one closed curve
+ * double gap = 0, area = 0, error = 0;
+ * nurbs_face_create(surface, 1, &size, &curve, NULL, NULL, 1e-6, 0, &gap, &face);
+ * nurbs_face_area(face, 1e-9, &area, &error);
+ * nurbs_face_destroy(face);
+ * \endcode
+ * A face is the part of a surface that loops of curves in its domain bound. The curves of a loop follow one
+ * another, each beginning where the one before it ends, and the first where the last one ends. Inside is what
+ * lies to the left of the loops, in a plane with u to the right and v upwards: outer loops run
+ * counterclockwise, holes clockwise.
+ *
+ * Surfaces close up. An axis is closed if its two boundaries are nowhere farther apart than the tolerance of
+ * the face (nurbs_boundary_contacts()); periodic axes are. Loops live in the plane that is covered by copies
+ * of the domain: on a closed axis a curve may run over an end into the next copy, each curve is taken in the
+ * copy in which it begins nearest to the end of the one before, and a loop may end in another copy of the
+ * place where it began, having run around the axis. One such loop bounds a cap of a sphere, two a band of a
+ * cylinder; what lies to their left is inside. A boundary no larger than the tolerance is a pole. Two curves
+ * that end and begin at a pole are joined along it, the inside to the left.
+ *
+ * Edges are the curves in space that belong to the curves of the loops. Either may be missing. A missing curve
+ * of the domain is made under its edge, a missing edge over its curve; both then have equal parameters
+ * (opposite ones if the edge runs against the curve), and nurbs_face_deviation() tells how far apart they are.
+ *
+ * Answers are exact for the stored curves, and for the segments that join ends which do not meet. Faces never
+ * change, are counted as splines are, and may be used by any number of threads at once.
+ * @{ */
+
+/** \brief A face of a surface and loops of curves. Outer loops and holes are recognised, whatever their order
+ * and direction, by which loops lie in which: those that do not run around a closed axis are turned so that
+ * loops in an even number of others enclose what is inside. Where loops run around a closed axis, these say
+ * what is inside before the others. With NURBS_AS_ORIENTED no loop is turned. A loop that is turned has its
+ * curves in the opposite order and each of them reversed, t -> -t. Costs: curves that are made take a nearest
+ * point for each place that they go through, the rest is linear in the number of spans.
+ * \param[in] surface a surface.
+ * \param[in] loops number of loops; 0: the whole surface, bounded by those of its boundaries that neither meet
+ *   nor are poles, from the lower left corner on.
+ * \param[in] sizes [loops] number of curves of each loop, at least 1.
+ * \param[in] curves [size] or NULL for none, size being the sum of the sizes: curves of dimension 2 in the
+ *   domain of the surface, with positive weights, in the direction of their loops, loop by loop. An entry may
+ *   be NULL where there is an edge.
+ * \param[in] edges [size] or NULL for none: curves of the dimension of the surface. An entry may be NULL where
+ *   there is a curve.
+ * \param[in] keys [size] or NULL for zeros: numbers of edges, the same in all faces that share an edge,
+ *   negative if the edge runs against the direction of the loop. 0: an edge without number, which runs with
+ *   the loop.
+ * \param[in] tolerance the largest distance in space that counts as none, >= 0: of ends that are to meet, of
+ *   edges from the surface, of curves beyond the domain.
+ * \param[in] flags NURBS_AS_ORIENTED; NURBS_KEEP_GAPS: gaps larger than the tolerance are closed by segments,
+ *   too.
+ * \param[out] gaps [loops] or NULL: the largest distance in space of two ends that are to meet, for each loop;
+ *   written in case of NURBS_ERROR_GAP, too, where curves do not meet.
+ * \param[out] out the new face.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _FLAGS, _OVERLAP; _GAP
+ *   naming the loop if curves do not meet, or the edge that is off the surface; _OUTSIDE_DOMAIN naming a
+ *   curve that leaves the domain on an axis that is not closed; _WEIGHT_SIGN; _ORIENTATION naming a loop that
+ *   encloses nothing, or has its left side where another one has its right side; _NOT_CONVERGED for an edge
+ *   without a curve under it.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_create(const nurbs *surface, int64_t loops, const int64_t *sizes,
+                                         const nurbs *const *curves, const nurbs *const *edges,
+                                         const int64_t *keys, double tolerance, uint32_t flags, double *gaps,
+                                         nurbs_face **out);
+
+/** \brief nurbs_face_create() as a call that can be watched and ended.
+ * \param[in] surface,loops,sizes,curves,edges,keys,tolerance,flags as for nurbs_face_create().
+ * \param[out] gaps as for nurbs_face_create().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new face.
+ * \return as for nurbs_face_create(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_create_with(const nurbs *surface, int64_t loops, const int64_t *sizes,
+                                              const nurbs *const *curves, const nurbs *const *edges,
+                                              const int64_t *keys, double tolerance, uint32_t flags,
+                                              double *gaps, const nurbs_call_options *call, nurbs_face **out);
+
+/** \brief Another handle on the same face, in constant time.
+ * \param[in] face a face.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_clone(const nurbs_face *face, nurbs_face **out);
+
+/** \brief Frees a handle on a face.
+ * \param[in] face or NULL, which does nothing: a face.
+ * \since 1.1 */
+NURBS_API void nurbs_face_destroy(nurbs_face *face);
+
+/** \brief The surface of a face.
+ * \param[in] face a face.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_surface(const nurbs_face *face, nurbs **out);
+
+/** \brief The number of curves of each loop.
+ * \param[in] face a face.
+ * \param[in] cap length of sizes, 0 to ask for the number of loops.
+ * \param[out] sizes [cap] or NULL when cap is 0.
+ * \param[out] count or NULL: the number of loops.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_loops(const nurbs_face *face, int64_t cap, int64_t *sizes, int64_t *count);
+
+/** \brief A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+ * \param[in] face a face.
+ * \param[in] loop 0-based.
+ * \param[in] index 0-based, in the loop.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_curve(const nurbs_face *face, int64_t loop, int64_t index, nurbs **out);
+
+/** \brief The edge in space that belongs to a curve of a loop: the one that was given, in its own direction, or
+ * one that is made. That is the surface composed with the curve where its degree is at most NURBS_MAX_DEGREE
+ * and the curve stays in the domain (nurbs_compose()), else a curve through as many places as the tolerance of
+ * the face takes.
+ * \param[in] face a face.
+ * \param[in] loop 0-based.
+ * \param[in] index 0-based, in the loop.
+ * \param[out] key or NULL: its number, negative if it runs against the loop; 0 if it has none and runs with
+ *   the loop.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_edge(const nurbs_face *face, int64_t loop, int64_t index, int64_t *key,
+                                       nurbs **out);
+
+/** \brief How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if that
+ * is within the tolerance of the face, else from each to the nearest point of the other. The largest of these
+ * is the true tolerance of a face.
+ * \param[in] face a face.
+ * \param[in] loop 0-based.
+ * \param[in] index 0-based, in the loop.
+ * \param[out] distance the distance.
+ * \param[out] proven or NULL: 1 if it is a bound; 0 if it is the largest one seen, because the composed curve
+ *   would have a degree above NURBS_MAX_DEGREE, or the search ended at its limit.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_deviation(const nurbs_face *face, int64_t loop, int64_t index,
+                                            double *distance, int32_t *proven);
+
+/** \brief The tolerance that a face was created with.
+ * \param[in] face a face.
+ * \param[out] tolerance the tolerance.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_tolerance(const nurbs_face *face, double *tolerance);
+
+/** \brief On which side of the boundary of a face parameters lie. Curves are cut into pieces on which both
+ * parameters run one way; of the pieces in the column above a place each says by its direction from which side
+ * it is passed, so that the answer is exact for the stored curves. It is 0 where rounding would have to
+ * decide, which takes a distance of some units of rounding. On closed axes parameters outside of the domain
+ * are wrapped; on others they are outside.
+ * \param[in] face a face.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][2] finite.
+ * \param[in] param_stride distance between parameters, 0 = packed.
+ * \param[in] param_component_stride distance between their components, 0 = 1.
+ * \param[in] tolerance the distance in space from the boundary within which a place counts as on it, >= 0,
+ *   measured by the first derivatives of the surface at the place.
+ * \param[out] sides [n] 1 inside, 0 on the boundary, -1 outside.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _PARAMETER_NOT_FINITE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_classify(const nurbs_face *face, int64_t n, const double *params,
+                                           int64_t param_stride, int64_t param_component_stride,
+                                           double tolerance, int32_t *sides);
+
+/** \brief nurbs_face_classify() as a call that can be watched and ended.
+ * \param[in] face,n,params,param_stride,param_component_stride,tolerance as for nurbs_face_classify().
+ * \param[out] sides as for nurbs_face_classify().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_classify(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_classify_with(const nurbs_face *face, int64_t n, const double *params,
+                                                int64_t param_stride, int64_t param_component_stride,
+                                                double tolerance, int32_t *sides,
+                                                const nurbs_call_options *call);
+
+/** \brief Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
+ * Weiss, Evans 2021), each within one span of the surface.
+ * \param[in] face a face.
+ * \param[in] relative_tolerance >= 0; 0 asks for the best that double precision and a limit of work give.
+ * \param[out] area the area.
+ * \param[out] error or NULL: estimate of the error.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED naming the error reached,
+ *   _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_area(const nurbs_face *face, double relative_tolerance, double *area,
+                                       double *error);
+
+/** \brief nurbs_face_area() as a call that can be watched and ended.
+ * \param[in] face,relative_tolerance as for nurbs_face_area().
+ * \param[out] area,error as for nurbs_face_area().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_area_with(const nurbs_face *face, double relative_tolerance, double *area,
+                                            double *error, const nurbs_call_options *call);
+
+/** \brief Area, centroid and inertia of a face, as nurbs_moments() has them of a whole surface; dim is its
+ * dimension.
+ * \param[in] face a face.
+ * \param[in] relative_tolerance as for nurbs_face_area().
+ * \param[out] content the area.
+ * \param[out] centroid [dim] or NULL.
+ * \param[out] inertia [dim][dim] or NULL: about the centroid.
+ * \param[out] error or NULL: estimate of the error of content.
+ * \return as for nurbs_face_area(), and NURBS_ERROR_LENGTH if the area is 0 and centroid or inertia are
+ *   wanted.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_moments(const nurbs_face *face, double relative_tolerance, double *content,
+                                          double *centroid, double *inertia, double *error);
+
+/** \brief nurbs_face_moments() as a call that can be watched and ended.
+ * \param[in] face,relative_tolerance as for nurbs_face_moments().
+ * \param[out] content,centroid,inertia,error as for nurbs_face_moments().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_moments(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_moments_with(const nurbs_face *face, double relative_tolerance,
+                                               double *content, double *centroid, double *inertia,
+                                               double *error, const nurbs_call_options *call);
+
+/** \brief An axis-aligned box that contains a face; dim is the dimension of its surface. Edges that are
+ * composed are bounded as splines are; inside, parts of the surface on which a coordinate may be extreme are
+ * halved.
+ * \param[in] face a face.
+ * \param[in] tolerance how far a side may be from the nearest point of the face, >= 0.
+ * \param[out] lower [dim].
+ * \param[out] upper [dim].
+ * \param[out] gap or NULL: the largest distance of a side from the face, proven; at most the tolerance apart
+ *   from rounding unless 20000 halvings do not reach it.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_box(const nurbs_face *face, double tolerance, double *lower, double *upper,
+                                      double *gap);
+
+/** \brief nurbs_face_box() as a call that can be watched and ended.
+ * \param[in] face,tolerance as for nurbs_face_box().
+ * \param[out] lower,upper,gap as for nurbs_face_box().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_box(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_box_with(const nurbs_face *face, double tolerance, double *lower,
+                                           double *upper, double *gap, const nurbs_call_options *call);
 /** @} */
 
 /** \defgroup read Reading files
