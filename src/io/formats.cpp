@@ -4,6 +4,8 @@
 #include "base/error.h"
 #include "io/iges/lines.h"
 #include "io/iges/read_iges.h"
+#include "io/step/exchange.h"
+#include "io/step/read_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +15,9 @@ namespace nrb::io {
 
 namespace {
 
-bool begins_step(std::span<const char> bytes) noexcept {
-    return iges::first_line(bytes).starts_with("ISO-10303-21");
-}
-
 constexpr Format known[] = {
     {"IGES", iges::begins_iges, read_iges},
-    {"STEP", begins_step, nullptr},
+    {"STEP", step::begins_step, read_step},
     {"compressed IGES", iges::begins_compressed, nullptr},
 };
 
@@ -57,7 +55,8 @@ model::Model read(std::span<const char> bytes, const ReadSettings &settings) {
         fail_unknown(bytes);
     }
     if (format->read == nullptr) {
-        fail(Status::format, "line 1: this is a %s file, which is not read; fixed-length ASCII IGES is",
+        fail(Status::format,
+             "line 1: this is a %s file, which is not read; fixed-length ASCII IGES and STEP are",
              format->name);
     }
     return format->read(bytes, settings);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/placements.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::io::step {
+namespace {
+
+// A list of two or three numbers.
+Point read_numbers(Attributes &attributes, const char *name) {
+    Point point;
+    point.dim = 0;
+    attributes.open(name);
+    while (attributes.more(name)) {
+        const double value = attributes.real(name);
+        if (point.dim == 3) {
+            attributes.fail_attribute(Status::syntax, name, "more than 3 numbers");
+        }
+        point.x[static_cast<size_t>(point.dim++)] = value;
+    }
+    if (point.dim < 2) {
+        attributes.fail_attribute(Status::syntax, name,
+                                  std::to_string(point.dim) + " numbers, expected 2 or 3");
+    }
+    return point;
+}
+
+Vector3 unit_of(const Point &direction) noexcept {
+    return unit({direction.x[0], direction.x[1], direction.x[2]});
+}
+
+// X across Z as the standard builds it.
+Point default_x(const Point &z) noexcept {
+    const Vector3 sine = cross(unit_of(z), {1, 0, 0});
+    return largest(sine) > 1e-9 ? Point{{1, 0, 0}, 3} : Point{{0, 1, 0}, 3};
+}
+
+bool parallel(const Point &a, const Point &b) noexcept {
+    return largest(cross(unit_of(a), unit_of(b))) <= 1e-12;
+}
+
+build::Placement space_frame(const Point &origin, const Point &z, const Point &x) {
+    const Point &across = parallel(z, x) ? default_x(z) : x;
+    return build::make_placement(3, origin.x.data(), z.x.data(), across.x.data(), "location");
+}
+
+Attributes at_location(Entities &entities, const Instance &instance, Point &location, double length) {
+    Attributes attributes(entities.instances(), instance);
+    attributes.part("REPRESENTATION_ITEM");
+    attributes.skip("name");
+    attributes.part("PLACEMENT");
+    location = read_point(entities, attributes.reference("location"), attributes, "location", length);
+    return attributes;
+}
+
+// The direction that the next attribute names, if it names one.
+bool read_optional(Entities &entities, Attributes &attributes, const char *name, Point &direction) {
+    if (attributes.upcoming() == ')') { // left out at the end, as some writers do
+        return false;
+    }
+    const int64_t number = attributes.reference_or_none(name);
+    if (number != 0) {
+        direction = read_direction(entities, number, attributes, name);
+    }
+    return number != 0;
+}
+
+void check_dimension(const Attributes &attributes, const Point &point, int dim, const char *name) {
+    if (point.dim != dim) {
+        attributes.fail_attribute(Status::syntax, name,
+                                  std::to_string(point.dim) + " coordinates, expected " +
+                                      std::to_string(dim));
+    }
+}
+
+} // namespace
+
+Point read_point(Entities &entities, const Instance &instance, double length) {
+    Attributes attributes(entities.instances(), instance);
+    attributes.part("REPRESENTATION_ITEM");
+    attributes.skip("name");
+    attributes.part("CARTESIAN_POINT");
+    Point point = read_numbers(attributes, "coordinates");
+    for (double &value : point.x) {
+        value *= length;
+    }
+    return point;
+}
+
+Point read_point(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                 double length) {
+    return read_point(
+        entities, entities.at(number, Kind::cartesian_point, owner, attribute, "a CARTESIAN_POINT"), length);
+}
+
+Point read_direction(Entities &entities, int64_t number, const Attributes &owner, const char *attribute) {
+    Attributes attributes(entities.instances(),
+                          entities.at(number, Kind::direction, owner, attribute, "a DIRECTION"));
+    attributes.part("REPRESENTATION_ITEM");
+    attributes.skip("name");
+    attributes.part("DIRECTION");
+    const Point direction = read_numbers(attributes, "direction_ratios");
+    if (std::ranges::all_of(direction.x, [](double x) { return x == 0; })) {
+        attributes.fail_attribute(Status::direction, "direction_ratios", "all are 0");
+    }
+    return direction;
+}
+
+Point read_vector(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                  double length) {
+    Attributes attributes(entities.instances(),
+                          entities.at(number, Kind::vector, owner, attribute, "a VECTOR"));
+    attributes.part("REPRESENTATION_ITEM");
+    attributes.skip("name");
+    attributes.part("VECTOR");
+    const int64_t orientation = attributes.reference("orientation");
+    const double magnitude = attributes.real("magnitude");
+    if (!(magnitude > 0)) {
+        attributes.fail_attribute(Status::length, "magnitude",
+                                  std::string("found ") + Number(magnitude).text +
+                                      ", expected a length above 0");
+    }
+    Point vector = read_direction(entities, orientation, attributes, "orientation");
+    const Vector3 along = unit_of(vector);
+    const double factor = magnitude * length;
+    vector.x = {factor * along.x, factor * along.y, factor * along.z};
+    return vector;
+}
+
+build::Placement read_placement(Entities &entities, int64_t number, const Attributes &owner,
+                                const char *attribute, double length) {
+    const Instance &instance = entities.at(number, owner, attribute);
+    if (!is_axis2_placement(instance.kind())) {
+        entities.fail_kind(instance, owner, attribute, "an AXIS2_PLACEMENT_2D or _3D");
+    }
+    const bool plane = instance.kind() == Kind::axis2_placement_2d;
+    Point origin, z{{0, 0, 1}, 3}, x{{1, 0, 0}, 3};
+    Attributes attributes = at_location(entities, instance, origin, length);
+    check_dimension(attributes, origin, plane ? 2 : 3, "location");
+    attributes.part(plane ? "AXIS2_PLACEMENT_2D" : "AXIS2_PLACEMENT_3D");
+    if (plane) {
+        read_optional(entities, attributes, "ref_direction", x);
+        return build::make_placement(2, origin.x.data(), nullptr, x.x.data(), "location");
+    }
+    read_optional(entities, attributes, "axis", z);
+    if (!read_optional(entities, attributes, "ref_direction", x)) {
+        x = default_x(z);
+    }
+    return space_frame(origin, z, x);
+}
+
+build::Placement read_axis(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                           double length) {
+    const Instance &instance =
+        entities.at(number, Kind::axis1_placement, owner, attribute, "an AXIS1_PLACEMENT");
+    Point origin, z{{0, 0, 1}, 3};
+    Attributes attributes = at_location(entities, instance, origin, length);
+    check_dimension(attributes, origin, 3, "location");
+    attributes.part("AXIS1_PLACEMENT");
+    read_optional(entities, attributes, "axis", z);
+    return space_frame(origin, z, default_x(z));
+}
+
+} // namespace nrb::io::step

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Points, directions and placements.
+#pragma once
+
+#include "build/placement.h"
+#include "io/step/entities.h"
+
+#include <array>
+
+namespace nrb::io::step {
+
+struct Point {
+    std::array<double, 3> x{};
+    int dim = 3; // 2 or 3
+};
+
+// All take what an attribute of `owner` names, and throw Status::syntax for anything else. Coordinates are multiplied
+// by `length`.
+Point read_point(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                 double length);
+Point read_point(Entities &entities, const Instance &instance, double length);
+// Of any length but 0; not multiplied.
+Point read_direction(Entities &entities, int64_t number, const Attributes &owner, const char *attribute);
+// An orientation times its magnitude, and `length`.
+Point read_vector(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                  double length);
+
+// The frame of axis2_placement_2d and _3d. Directions that are missing are those that ISO 10303-42 builds: Z is (0, 0,
+// 1); X is the part across Z of (1, 0, 0), or of (0, 1, 0) where Z is parallel to that. A reference direction that is
+// parallel to the axis counts as missing.
+build::Placement read_placement(Entities &entities, int64_t number, const Attributes &owner,
+                                const char *attribute, double length);
+// A point and a direction, (0, 0, 1) where it is missing; X is any.
+build::Placement read_axis(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                           double length);
+
+} // namespace nrb::io::step

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Single units, and the measures of a context that they make.
+#pragma once
+
+#include "io/step/contexts.h"
+
+namespace nrb::io::step {
+
+enum class Quantity { length, angle, other };
+
+struct Unit {
+    Quantity quantity = Quantity::other;
+    double factor = 1; // metres or radians
+};
+
+// An SI unit with its prefix, or one by conversion from another. Factors that are a degree or an inch but for the digits
+// that a file gives are those exactly. Throws Status::syntax.
+Unit read_unit(Entities &entities, const Instance &instance);
+
+// The units and the uncertainty of a context. Throws Status::syntax.
+Measures read_measures(Entities &entities, const Instance &context);
+
+} // namespace nrb::io::step

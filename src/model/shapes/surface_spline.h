@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The exact splines of parts of surfaces.
+#pragma once
+
+#include "model/shapes/curve_map.h"
+#include "model/shapes/surface_shape.h"
+
+namespace nrb::model {
+
+// The surface over a part of its range, exact but for rounding, over the same parameters; in between, those of
+// circles, ellipses and hyperbolas are others. Throws Status::unsupported for an offset surface; length for infinite
+// ranges; empty_domain, and what the builders throw.
+SplinePtr surface_spline(const SurfaceShape &surface, const Rectangle &range);
+
+// How the parameters of the surface along an axis and those of its spline belong together (curve_map.h).
+ParameterLaw law_of(const SurfaceShape &surface, int axis) noexcept;
+
+} // namespace nrb::model
