@@ -13,6 +13,9 @@ namespace nrb::face {
 
 namespace {
 
+// Pieces of both curves that the search for the largest distance may look at.
+constexpr int64_t most_pieces = 2000000;
+
 MadeCurve over(const Face &face, const Coedge &coedge) {
     return edge_over(face.surface(), face.covering(), coedge.curve, face.tolerance());
 }
@@ -29,8 +32,8 @@ std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePt
 }
 
 Deviation to_nearest(const MadeCurve &image, const Spline &edge, double tolerance) {
-    const auto there = closest::one_sided_distance(*image.curve, edge, tolerance / 16, 0),
-               back = closest::one_sided_distance(edge, *image.curve, tolerance / 16, 0);
+    const auto there = closest::one_sided_distance(*image.curve, edge, tolerance / 16, most_pieces),
+               back = closest::one_sided_distance(edge, *image.curve, tolerance / 16, most_pieces);
     const bool proven = image.proven && there.certified && back.certified;
     return {std::max(there.at_most, back.at_most) + image.distance, proven};
 }

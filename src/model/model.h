@@ -2,9 +2,13 @@
 // What a file holds.
 #pragma once
 
+#include "face/face.h"
+#include "model/shapes/surface_shape.h"
 #include "spline/spline.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +27,47 @@ struct Note {
     std::string text;
 };
 
+// The curve of an edge runs from its first vertex to its second one.
+struct Edge {
+    SplinePtr curve;
+    CurveShapePtr shape;                  // null: nothing is known but the spline
+    std::array<int64_t, 2> vertices{-1, -1}; // -1: none is known
+    int64_t part = 0;
+};
+
+// Faces share edges by the keys of their coedges: key k is edge k - 1.
+struct ModelFace {
+    std::string name;
+    face::FacePtr face;
+    SurfaceShapePtr shape; // null: nothing is known but the spline
+    bool against = false;  // whether the outer normal is against that of the surface
+    int64_t part = 0;
+    std::optional<std::array<double, 3>> colour; // red, green, blue from 0 to 1
+};
+
+// Faces and edges that are placed together, in coordinates of their own.
+struct ModelPart {
+    std::string name;
+};
+
+// A part in another one, or in the whole if that is -1: x is placed at M x + t, rows of (M | t) one after the other.
+struct Use {
+    int64_t parent = -1;
+    int64_t part = 0;
+    std::array<double, 12> placement{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    std::string name;
+};
+
 struct Model {
-    std::vector<NamedSpline> splines;
+    std::vector<NamedSpline> splines; // of which no faces and edges consist
     std::vector<Note> notes;
     double metres_per_unit = 0; // 0: the file does not say
+    std::vector<ModelPart> parts{};
+    std::vector<Use> uses{};
+    std::vector<ModelFace> faces{};
+    std::vector<Edge> edges{};
+    std::vector<Vector3> vertices{};
 };
+using ModelPtr = std::shared_ptr<const Model>;
 
 } // namespace nrb::model

@@ -53,7 +53,7 @@ class Projection : public CurveModel {
 public:
     Projection(const Spline &surface, const Covering &covering, const Spline &edge, double tolerance)
         : surface_(surface), covering_(covering), edge_(edge), tolerance_(tolerance),
-          locator_(closest::locator_of(surface)) {}
+          budget_(closest::usual_budget(surface)), locator_(closest::locator_of(surface)) {}
 
     [[nodiscard]] int dim() const noexcept override { return 2; }
     void place(double t, const double *near, double *out) const override {
@@ -97,13 +97,14 @@ private:
                 return foot;
             }
         }
-        return locator_.nearest({point, nullptr, tolerance_ / 16, 0, false, true});
+        return locator_.nearest({point, nullptr, tolerance_ / 16, budget_, false, true});
     }
 
     const Spline &surface_;
     const Covering &covering_;
     const Spline &edge_;
     double tolerance_;
+    int64_t budget_;
     const closest::Locator &locator_;
 };
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace nrb::io::step {
-namespace {
 
 Point read_vertex(Geometry &geometry, int64_t number, const Attributes &owner, const char *attribute) {
     Entities &entities = geometry.entities();
@@ -20,6 +19,8 @@ Point read_vertex(Geometry &geometry, int64_t number, const Attributes &owner, c
     return read_point(entities, attributes.reference("vertex_geometry"), attributes, "vertex_geometry",
                       geometry.units().length);
 }
+
+namespace {
 
 Vector3 vector_of(const Point &point) noexcept {
     return {point.x[0], point.x[1], point.x[2]};

@@ -3,10 +3,14 @@
 #pragma once
 
 #include "io/step/geometry.h"
+#include "io/step/placements.h"
 
 #include <vector>
 
 namespace nrb::io::step {
+
+// The point of a VERTEX_POINT that an attribute names.
+Point read_vertex(Geometry &geometry, int64_t number, const Attributes &owner, const char *attribute);
 
 // The curve of an edge from its start to its end.
 model::CurvePiece read_edge(Geometry &geometry, const Instance &edge);

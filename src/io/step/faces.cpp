@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/faces.h"
+
+#include "base/error.h"
+#include "build/polylines.h"
+#include "eval/evaluate.h"
+#include "io/step/placements.h"
+#include "model/shapes/curve_spline.h"
+#include "model/shapes/surface_spline.h"
+#include "numeric/norm.h"
+#include "refine/forms/parametrization.h"
+#include "spline/part.h"
+
+#include <algorithm>
+
+namespace nrb::io::step {
+namespace {
+
+// How far surfaces without ends go on behind the boundary of their face, as a part of its size.
+constexpr double margin_of_surfaces = 1.0 / 64;
+
+Attributes item(const Instances &instances, const Instance &instance) {
+    Attributes attributes(instances, instance);
+    attributes.part("REPRESENTATION_ITEM");
+    attributes.skip("name");
+    return attributes;
+}
+
+// The numbers of the curves in domains that belong to the curve of an edge.
+std::vector<int64_t> parameter_curves(const Instances &instances, int64_t number) {
+    std::vector<int64_t> result;
+    const int64_t place = instances.find(number);
+    if (place < 0 || instances[place].kind() != Kind::surface_curve) {
+        return result;
+    }
+    Attributes attributes = item(instances, instances[place]);
+    attributes.part("SURFACE_CURVE");
+    attributes.skip("curve_3d");
+    attributes.open("associated_geometry");
+    while (attributes.more("associated_geometry")) {
+        result.push_back(attributes.reference("associated_geometry"));
+    }
+    return result;
+}
+
+std::vector<double> point_of(const Spline &spline, const double *params) {
+    std::vector<double> point(static_cast<size_t>(spline.dim()));
+    eval::evaluate_points(spline, {}, 0, {params, 1, spline.axes(), spline.axes(), 1},
+                          {point.data(), 1, spline.dim(), spline.dim(), 1});
+    return point;
+}
+
+class FaceReader {
+public:
+    FaceReader(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges, double tolerance)
+        : geometry_(geometry), entities_(geometry.entities()), sources_(sources), edges_(edges), tolerance_(tolerance) {}
+
+    FaceSource read(const Instance &face) {
+        Attributes attributes = item(entities_.instances(), face);
+        attributes.part("FACE");
+        std::vector<int64_t> bounds;
+        attributes.open("bounds");
+        while (attributes.more("bounds")) {
+            bounds.push_back(attributes.reference("bounds"));
+        }
+        attributes.part("FACE_SURFACE");
+        surface_number_ = attributes.reference("face_geometry");
+        FaceSource source{geometry_.surface(surface_number_, attributes, "face_geometry"), {}, false};
+        source.against = !attributes.boolean("same_sense");
+        for (const int64_t number : bounds) {
+            add_bound(entities_.at(number, Kind::face_bound, attributes, "bounds", "a FACE_BOUND"), source.against);
+        }
+        source.parts.surface = spline_of(*source.shape);
+        if (source.shape->kind == model::SurfaceKind::spline) {
+            add_parameter_curves(*source.parts.surface);
+        }
+        for (Bound &bound : bounds_) {
+            source.parts.loops.push_back(std::move(bound.loop));
+        }
+        source.parts.tolerance = tolerance_;
+        source.parts.as_oriented = true;
+        return source;
+    }
+
+private:
+    struct Bound {
+        face::Loop loop;
+        std::vector<const EdgeSource *> sources; // null for edges of polygons
+    };
+
+    void add_bound(const Instance &bound, bool against) {
+        Attributes attributes = item(entities_.instances(), bound);
+        attributes.part("FACE_BOUND");
+        const Instance &loop = entities_.at(attributes.reference("bound"), attributes, "bound");
+        const bool turned = attributes.boolean("orientation") == against;
+        Bound made;
+        if (loop.kind() == Kind::edge_loop) {
+            add_edges(loop, made);
+        } else if (loop.kind() == Kind::poly_loop) {
+            add_polygon(loop, made);
+        } else if (loop.kind() == Kind::vertex_loop) {
+            return; // a pole, which has no curve
+        } else {
+            entities_.fail_kind(loop, attributes, "bound", "a loop");
+        }
+        if (turned) {
+            std::reverse(made.loop.begin(), made.loop.end());
+            std::reverse(made.sources.begin(), made.sources.end());
+            std::for_each(made.loop.begin(), made.loop.end(), [](face::Coedge &coedge) { coedge.against = !coedge.against; });
+        }
+        bounds_.push_back(std::move(made));
+    }
+    void add_edges(const Instance &loop, Bound &made) {
+        Attributes attributes = item(entities_.instances(), loop);
+        attributes.part(attributes.has_part("PATH") ? "PATH" : "EDGE_LOOP");
+        attributes.open("edge_list");
+        while (attributes.more("edge_list")) {
+            const Instance &oriented =
+                entities_.at(attributes.reference("edge_list"), Kind::oriented_edge, attributes, "edge_list", "an ORIENTED_EDGE");
+            Attributes edge = item(entities_.instances(), oriented);
+            edge.part("EDGE");
+            edge.skip("edge_start");
+            edge.skip("edge_end");
+            edge.part("ORIENTED_EDGE");
+            const int64_t number = edge.reference("edge_element");
+            const EdgeSource *source = sources_.find(number);
+            if (source == nullptr) {
+                edge.fail_attribute(Status::unsupported, "edge_element",
+                                    "#" + std::to_string(number) + " is no edge that could be read");
+            }
+            const SplinePtr &curve = edges_[static_cast<size_t>(source->index)].curve;
+            made.loop.push_back({nullptr, curve, source->index + 1, !edge.boolean("orientation")});
+            made.sources.push_back(source);
+            entities_.spend(3 * curve->point_count());
+        }
+    }
+    void add_polygon(const Instance &loop, Bound &made) {
+        Attributes attributes = item(entities_.instances(), loop);
+        attributes.part("POLY_LOOP");
+        std::vector<Point> corners;
+        attributes.open("polygon");
+        while (attributes.more("polygon")) {
+            entities_.spend(12);
+            corners.push_back(
+                read_point(entities_, attributes.reference("polygon"), attributes, "polygon", geometry_.units().length));
+        }
+        for (size_t i = 0; i < corners.size(); ++i) {
+            const auto &a = corners[i].x, &b = corners[(i + 1) % corners.size()].x;
+            made.loop.push_back({nullptr, build::polyline(3, {a[0], a[1], a[2], b[0], b[1], b[2]}, {0, 1})});
+            made.sources.push_back(nullptr);
+        }
+    }
+
+    // The surface; where it has no ends, as much of it as the edges need.
+    SplinePtr spline_of(const model::SurfaceShape &shape) const {
+        if (model::bounded(shape)) {
+            return model::surface_spline(shape, model::natural_range(shape));
+        }
+        std::vector<Vector3> points;
+        for (const Bound &bound : bounds_) {
+            for (const face::Coedge &coedge : bound.loop) {
+                for (int64_t i = 0; i < coedge.edge->point_count(); ++i) {
+                    points.push_back({coedge.edge->coordinate(i, 0), coedge.edge->coordinate(i, 1), coedge.edge->coordinate(i, 2)});
+                }
+            }
+        }
+        return model::surface_spline(shape, model::range_around(shape, points, margin_of_surfaces));
+    }
+
+    void add_parameter_curves(const Spline &surface) {
+        for (Bound &bound : bounds_) {
+            for (size_t i = 0; i < bound.loop.size(); ++i) {
+                if (bound.sources[i] != nullptr) {
+                    add_parameter_curve(surface, *bound.sources[i], bound.loop[i]);
+                }
+            }
+        }
+    }
+    // One that cannot be read or is not under its edge is not taken.
+    void add_parameter_curve(const Spline &surface, const EdgeSource &source, face::Coedge &coedge) {
+        const Instances &instances = entities_.instances();
+        for (const int64_t number : parameter_curves(instances, source.geometry)) {
+            const int64_t place = instances.find(number);
+            if (place < 0 || instances[place].kind() != Kind::pcurve) {
+                continue;
+            }
+            try {
+                const ParameterCurve found = geometry_.parameter_curve(instances[place]);
+                if (found.surface != surface_number_) {
+                    continue;
+                }
+                const SplinePtr curve = model::piece_spline({found.curve, source.piece.range, source.piece.forward});
+                if (lies_under(surface, *curve, *coedge.edge)) {
+                    coedge.curve = coedge.against ? refine::reverse(*curve, 0, false) : curve;
+                    return;
+                }
+            } catch (const Error &) {
+                continue;
+            }
+        }
+    }
+    // By their ends and middle: the two have equal parameters where neither is a conic.
+    [[nodiscard]] bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge) const {
+        const Interval from = curve.axis(0).domain(), to = edge.axis(0).domain();
+        for (const double share : {0.0, 0.5, 1.0}) {
+            const double t = parameter_in(from, share), s = parameter_in(to, share);
+            std::vector<double> place = point_of(curve, &t);
+            for (size_t k = 0; k < 2; ++k) {
+                const Interval range = surface.axis(static_cast<int>(k)).domain();
+                place[k] = std::clamp(place[k], range.lower, range.upper);
+            }
+            const std::vector<double> point = point_of(surface, place.data()), wanted = point_of(edge, &s);
+            if (share != 0.5 || !edge.rational()) {
+                if (!(distance(point.data(), wanted.data(), 3) <= tolerance_)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    Geometry &geometry_;
+    Entities &entities_;
+    const EdgeSources &sources_;
+    const std::vector<model::Edge> &edges_;
+    double tolerance_;
+    int64_t surface_number_ = 0;
+    std::vector<Bound> bounds_;
+};
+
+} // namespace
+
+const EdgeSource *EdgeSources::find(int64_t number) const noexcept {
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), number,
+                                        [](const EdgeSource &edge, int64_t wanted) { return edge.number < wanted; });
+    return found != edges_.end() && found->number == number ? &*found : nullptr;
+}
+
+FaceSource read_face(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges, const Instance &face,
+                     double tolerance) {
+    return naming(geometry.entities().instances(), face,
+                  [&] { return FaceReader(geometry, sources, edges, tolerance).read(face); });
+}
+
+} // namespace nrb::io::step
