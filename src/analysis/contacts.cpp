@@ -78,24 +78,33 @@ double size_of(const Spline &boundary) {
 
 } // namespace
 
+AxisContact axis_contact(const Spline &spline, int axis, double tolerance) {
+    const KnotVector &own = spline.axis(axis);
+    double gap = 0;
+    if (!own.periodic()) {
+        gap = spline.axes() == 1
+                  ? gap_of_ends(spline)
+                  : gap_of(*refine::iso(spline, axis, end_of(own, false), side(false)),
+                           *refine::iso(spline, axis, end_of(own, true), side(true)), tolerance);
+    }
+    return {gap <= tolerance, gap};
+}
+
+BoundarySize boundary_size(const Spline &spline, int axis, bool upper, double tolerance) {
+    if (spline.axes() == 1) {
+        return {true, 0};
+    }
+    const double size = size_of(*refine::iso(spline, axis, end_of(spline.axis(axis), upper), side(upper)));
+    return {size <= tolerance, size};
+}
+
 Contacts boundary_contacts(const Spline &spline, double tolerance) {
     Contacts result;
     for (int k = 0; k < spline.axes(); ++k) {
-        const KnotVector &axis = spline.axis(k);
-        double gap = 0;
-        if (spline.axes() == 1) {
-            gap = axis.periodic() ? 0 : gap_of_ends(spline);
-            result.boundaries.insert(result.boundaries.end(), 2, {true, 0});
-        } else {
-            const SplinePtr lower = refine::iso(spline, k, end_of(axis, false), side(false)),
-                            upper = refine::iso(spline, k, end_of(axis, true), side(true));
-            gap = axis.periodic() ? 0 : gap_of(*lower, *upper, tolerance);
-            for (const SplinePtr &boundary : {lower, upper}) {
-                const double size = size_of(*boundary);
-                result.boundaries.push_back({size <= tolerance, size});
-            }
+        result.axes.push_back(axis_contact(spline, k, tolerance));
+        for (const bool upper : {false, true}) {
+            result.boundaries.push_back(boundary_size(spline, k, upper, tolerance));
         }
-        result.axes.push_back({gap <= tolerance, gap});
     }
     return result;
 }

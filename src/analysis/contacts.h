@@ -21,6 +21,9 @@ struct Contacts {
     std::vector<BoundarySize> boundaries; // by axis, then by end
 };
 
+AxisContact axis_contact(const Spline &spline, int axis, double tolerance);
+BoundarySize boundary_size(const Spline &spline, int axis, bool upper, double tolerance);
+
 // Boundaries whose values are the same bit for bit have a gap of 0; points have a size of 0. Other bounds are
 // proven. The searches go on as long as the bounds do not decide on which side of the tolerance the true
 // value is.

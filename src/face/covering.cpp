@@ -75,23 +75,17 @@ std::vector<double> point_at(const Spline &surface, const Point2 &x) {
 
 Covering::Covering(const Spline &surface, double tolerance)
     : domain_{surface.axis(0).domain(), surface.axis(1).domain()} {
-    const std::array suspicions{suspicion(surface, 0, tolerance), suspicion(surface, 1, tolerance)};
-    const bool any = std::any_of(suspicions.begin(), suspicions.end(), [](const Suspicion &s) {
-        return s.closed || s.collapsed[0] || s.collapsed[1];
-    });
-    if (!any) {
-        return;
-    }
-    const analysis::Contacts contacts = analysis::boundary_contacts(surface, tolerance);
-    for (size_t k = 0; k < 2; ++k) {
-        for (size_t end = 0; end < 2; ++end) {
-            if (suspicions[k].collapsed[end] && contacts.boundaries[2 * k + end].collapsed) {
-                add_pole(surface, static_cast<int>(k), static_cast<int>(end));
+    for (const int k : {0, 1}) {
+        const Suspicion possible = suspicion(surface, k, tolerance);
+        for (const int end : {0, 1}) {
+            if (possible.collapsed[static_cast<size_t>(end)] &&
+                analysis::boundary_size(surface, k, end == 1, tolerance).collapsed) {
+                add_pole(surface, k, end);
             }
         }
         // Two poles in one place, or an axis of no extent, close nothing.
-        closed_[k] =
-            suspicions[k].closed && contacts.axes[k].closed && !(collapsed_[k][0] && collapsed_[k][1]);
+        closed_[static_cast<size_t>(k)] = possible.closed && !(collapsed(k, 0) && collapsed(k, 1)) &&
+                                          analysis::axis_contact(surface, k, tolerance).closed;
     }
 }
 

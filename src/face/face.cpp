@@ -92,7 +92,7 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
         loops_ = natural_loops(covering_);
         parts.as_oriented = true;
     }
-    make_curves();
+    make_curves(parts.prove);
     const TrimPieces plane = pieces(gaps, parts.keep_gaps);
     const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
     trims_ = std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, !parts.as_oriented);
@@ -104,23 +104,25 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
 }
 
 // Errors say which edge they are about.
-MadeCurve Face::named_curve_under(const SplinePtr &edge, size_t loop, size_t index) const {
+MadeCurve Face::named_curve_under(const SplinePtr &edge, size_t loop, size_t index, bool prove) const {
     try {
-        return curve_under(surface_, covering_, edge, tolerance_);
+        return curve_under(surface_, covering_, edge, tolerance_, prove);
     } catch (const Error &error) {
         fail(error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
     }
 }
 
 // Those that are missing, in the direction of their loop.
-void Face::make_curves() {
+void Face::make_curves(bool prove) {
     for (size_t i = 0; i < loops_.size(); ++i) {
         for (size_t j = 0; j < loops_[i].size(); ++j) {
             Coedge &coedge = loops_[i][j];
             if (coedge.curve == nullptr) {
-                const MadeCurve made = named_curve_under(coedge.edge, i, j);
+                const MadeCurve made = named_curve_under(coedge.edge, i, j, prove);
                 coedge.curve = coedge.against ? refine::reverse(*made.curve, 0, false) : made.curve;
-                coedge.deviation = {made.distance, made.proven};
+                if (made.proven) {
+                    coedge.deviation = {made.distance, true};
+                }
             }
         }
     }

@@ -20,6 +20,8 @@ struct FaceParts {
     bool as_oriented =
         false; // the inside is to the left of the loops as they run; else they are turned to be so
     bool keep_gaps = false; // larger ones than the tolerance are closed, too
+    bool prove =
+        true; // that curves which are made are within the tolerance; else deviation_of() proves it later
 };
 
 // Immutable: any number of threads may ask at once.
@@ -41,8 +43,9 @@ public:
     [[nodiscard]] const std::vector<Joint> &joints() const noexcept { return joints_; }
 
 private:
-    [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index) const;
-    void make_curves();
+    [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index,
+                                              bool prove) const;
+    void make_curves(bool prove);
     [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep);
 
     SplinePtr surface_;

@@ -30,7 +30,7 @@ struct Note {
 // The curve of an edge runs from its first vertex to its second one.
 struct Edge {
     SplinePtr curve;
-    CurveShapePtr shape;                  // null: nothing is known but the spline
+    CurveShapePtr shape;                     // null: nothing is known but the spline
     std::array<int64_t, 2> vertices{-1, -1}; // -1: none is known
     int64_t part = 0;
 };

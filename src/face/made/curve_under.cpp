@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "bounds/box.h"
 #include "bounds/deviation.h"
 #include "closest/closest.h"
 #include "eval/evaluate.h"
@@ -152,10 +151,18 @@ std::vector<double> breaks_of(const Spline &curve) {
     return refine::rough_knots(curve.axis(0), 2);
 }
 
-// Steps along each axis that move points by less than a share of the tolerance.
+// Steps along each axis that move points by less than a share of the tolerance, in the mean over the domain.
 std::array<double, 2> same_places(const Spline &surface, const Covering &covering, double tolerance) {
-    const bounds::Box box = bounds::bounding_box(surface, whole_domain(surface), infinity);
-    const double size = distance(box.lower.data(), box.upper.data(), surface.dim());
+    double square = 0;
+    for (int c = 0; c < surface.dim(); ++c) {
+        double lower = infinity, upper = -infinity;
+        for (int64_t i = 0; i < surface.point_count(); ++i) {
+            lower = std::min(lower, surface.coordinate(i, c));
+            upper = std::max(upper, surface.coordinate(i, c));
+        }
+        square += (upper - lower) * (upper - lower);
+    }
+    const double size = std::sqrt(square);
     const double share = size > 0 ? std::min(share_of_same * tolerance / size, 1e-3) : 0;
     return {share * covering.period(0), share * covering.period(1)};
 }
@@ -163,14 +170,14 @@ std::array<double, 2> same_places(const Spline &surface, const Covering &coverin
 } // namespace
 
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                      double tolerance) {
+                      double tolerance, bool prove) {
     if (const auto chart = PlaneChart::of(*surface)) {
         return chart->curve_under(*edge, tolerance);
     }
     const Projection model(*surface, covering, *edge, tolerance);
-    const FittedCurve fitted = fit_curve(
-        model, breaks_of(*edge), same_places(*surface, covering, tolerance), share_of_fit * tolerance);
-    if (const SplinePtr over = composed(surface, covering, fitted.spline)) {
+    const FittedCurve fitted = fit_curve(model, breaks_of(*edge), same_places(*surface, covering, tolerance),
+                                         share_of_fit * tolerance);
+    if (const SplinePtr over = prove ? composed(surface, covering, fitted.spline) : nullptr) {
         const pieces::Enclosure found = bounds::deviation(*over, *edge);
         return {fitted.spline, found.upper, std::isfinite(found.upper)};
     }

@@ -17,8 +17,9 @@ struct MadeCurve {
 // The curve in the plane that covers the domain which the surface maps to an edge. On a bilinear surface that is a plane
 // parallelogram exactly, from the control points of the edge; elsewhere through the nearest points to places of the edge, as many
 // as the tolerance takes. Throws Status::gap if the edge is farther from the surface than the tolerance, not_converged.
+// `prove`: whether the distance is to be a bound where that is possible.
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                      double tolerance);
+                      double tolerance, bool prove);
 
 // The curve in space that a curve in the plane is mapped to: composed exactly where its degree is at most max_degree and it stays
 // in the domain, else through as many places as the tolerance takes.

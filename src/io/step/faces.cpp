@@ -52,8 +52,10 @@ std::vector<double> point_of(const Spline &spline, const double *params) {
 
 class FaceReader {
 public:
-    FaceReader(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges, double tolerance)
-        : geometry_(geometry), entities_(geometry.entities()), sources_(sources), edges_(edges), tolerance_(tolerance) {}
+    FaceReader(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges,
+               double tolerance)
+        : geometry_(geometry), entities_(geometry.entities()), sources_(sources), edges_(edges),
+          tolerance_(tolerance) {}
 
     FaceSource read(const Instance &face) {
         Attributes attributes = item(entities_.instances(), face);
@@ -68,7 +70,8 @@ public:
         FaceSource source{geometry_.surface(surface_number_, attributes, "face_geometry"), {}, false};
         source.against = !attributes.boolean("same_sense");
         for (const int64_t number : bounds) {
-            add_bound(entities_.at(number, Kind::face_bound, attributes, "bounds", "a FACE_BOUND"), source.against);
+            add_bound(entities_.at(number, Kind::face_bound, attributes, "bounds", "a FACE_BOUND"),
+                      source.against);
         }
         source.parts.surface = spline_of(*source.shape);
         if (source.shape->kind == model::SurfaceKind::spline) {
@@ -79,6 +82,7 @@ public:
         }
         source.parts.tolerance = tolerance_;
         source.parts.as_oriented = true;
+        source.parts.prove = false;
         return source;
     }
 
@@ -106,7 +110,8 @@ private:
         if (turned) {
             std::reverse(made.loop.begin(), made.loop.end());
             std::reverse(made.sources.begin(), made.sources.end());
-            std::for_each(made.loop.begin(), made.loop.end(), [](face::Coedge &coedge) { coedge.against = !coedge.against; });
+            std::for_each(made.loop.begin(), made.loop.end(),
+                          [](face::Coedge &coedge) { coedge.against = !coedge.against; });
         }
         bounds_.push_back(std::move(made));
     }
@@ -115,8 +120,8 @@ private:
         attributes.part(attributes.has_part("PATH") ? "PATH" : "EDGE_LOOP");
         attributes.open("edge_list");
         while (attributes.more("edge_list")) {
-            const Instance &oriented =
-                entities_.at(attributes.reference("edge_list"), Kind::oriented_edge, attributes, "edge_list", "an ORIENTED_EDGE");
+            const Instance &oriented = entities_.at(attributes.reference("edge_list"), Kind::oriented_edge,
+                                                    attributes, "edge_list", "an ORIENTED_EDGE");
             Attributes edge = item(entities_.instances(), oriented);
             edge.part("EDGE");
             edge.skip("edge_start");
@@ -141,8 +146,8 @@ private:
         attributes.open("polygon");
         while (attributes.more("polygon")) {
             entities_.spend(12);
-            corners.push_back(
-                read_point(entities_, attributes.reference("polygon"), attributes, "polygon", geometry_.units().length));
+            corners.push_back(read_point(entities_, attributes.reference("polygon"), attributes, "polygon",
+                                         geometry_.units().length));
         }
         for (size_t i = 0; i < corners.size(); ++i) {
             const auto &a = corners[i].x, &b = corners[(i + 1) % corners.size()].x;
@@ -160,7 +165,8 @@ private:
         for (const Bound &bound : bounds_) {
             for (const face::Coedge &coedge : bound.loop) {
                 for (int64_t i = 0; i < coedge.edge->point_count(); ++i) {
-                    points.push_back({coedge.edge->coordinate(i, 0), coedge.edge->coordinate(i, 1), coedge.edge->coordinate(i, 2)});
+                    points.push_back({coedge.edge->coordinate(i, 0), coedge.edge->coordinate(i, 1),
+                                      coedge.edge->coordinate(i, 2)});
                 }
             }
         }
@@ -189,7 +195,8 @@ private:
                 if (found.surface != surface_number_) {
                     continue;
                 }
-                const SplinePtr curve = model::piece_spline({found.curve, source.piece.range, source.piece.forward});
+                const SplinePtr curve =
+                    model::piece_spline({found.curve, source.piece.range, source.piece.forward});
                 if (lies_under(surface, *curve, *coedge.edge)) {
                     coedge.curve = coedge.against ? refine::reverse(*curve, 0, false) : curve;
                     return;
@@ -231,13 +238,14 @@ private:
 } // namespace
 
 const EdgeSource *EdgeSources::find(int64_t number) const noexcept {
-    const auto found = std::lower_bound(edges_.begin(), edges_.end(), number,
-                                        [](const EdgeSource &edge, int64_t wanted) { return edge.number < wanted; });
+    const auto found =
+        std::lower_bound(edges_.begin(), edges_.end(), number,
+                         [](const EdgeSource &edge, int64_t wanted) { return edge.number < wanted; });
     return found != edges_.end() && found->number == number ? &*found : nullptr;
 }
 
-FaceSource read_face(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges, const Instance &face,
-                     double tolerance) {
+FaceSource read_face(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges,
+                     const Instance &face, double tolerance) {
     return naming(geometry.entities().instances(), face,
                   [&] { return FaceReader(geometry, sources, edges, tolerance).read(face); });
 }

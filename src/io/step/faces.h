@@ -38,7 +38,7 @@ struct FaceSource {
 
 // Curves in the domain that the file gives are taken for surfaces that are splines in the file, where they lie under their edges;
 // all others are left to be made. Throws Status::syntax, unsupported, and what the surface does.
-FaceSource read_face(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges, const Instance &face,
-                     double tolerance);
+FaceSource read_face(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges,
+                     const Instance &face, double tolerance);
 
 } // namespace nrb::io::step

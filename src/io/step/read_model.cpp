@@ -3,10 +3,10 @@
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "io/step/exchange.h"
-#include "io/step/faces.h"
 #include "io/step/boundary.h"
 #include "io/step/contexts.h"
+#include "io/step/exchange.h"
+#include "io/step/faces.h"
 #include "io/step/placements.h"
 #include "model/shapes/curve_spline.h"
 
@@ -39,7 +39,8 @@ public:
     model::Model run() {
         model_.parts.push_back({});
         model_.uses.push_back({});
-        for_each(Kind::edge_curve, [this](const Instance &edge, const Units &units) { add_edge(edge, units); });
+        for_each(Kind::edge_curve,
+                 [this](const Instance &edge, const Units &units) { add_edge(edge, units); });
         for_each(Kind::face, [this](const Instance &face, const Units &units) { add_face(face, units); });
         return std::move(model_);
     }
@@ -103,14 +104,16 @@ private:
         double tolerance = units.tolerance > 0 ? units.tolerance : usual_tolerance;
         for (int attempt = 0;; ++attempt, tolerance *= 10) {
             try {
-                step::FaceSource source = step::read_face(geometry, sources_, model_.edges, instance, tolerance);
+                step::FaceSource source =
+                    step::read_face(geometry, sources_, model_.edges, instance, tolerance);
                 model::ModelFace made;
                 made.shape = source.shape;
                 made.against = source.against;
                 made.face = std::make_shared<const face::Face>(std::move(source.parts), nullptr);
                 model_.faces.push_back(std::move(made));
                 if (attempt > 0) {
-                    note(instance, Status::tolerance, ("the face needs the tolerance " + std::string(Number(tolerance).text)).c_str());
+                    note(instance, Status::tolerance,
+                         ("the face needs the tolerance " + std::string(Number(tolerance).text)).c_str());
                 }
                 return;
             } catch (const Error &error) {
