@@ -31,6 +31,10 @@ struct nurbs_face {
     nrb::face::FacePtr face;
 };
 
+struct nurbs_model {
+    nrb::model::ModelPtr model;
+};
+
 struct nurbs_list {
     std::variant<nrb::capi::NamedSplines, nrb::capi::Parts, nrb::model::Model> contents;
 };

@@ -40,6 +40,24 @@ std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, co
     return splines;
 }
 
+void check_buffer(const char *buf, int64_t cap) {
+    check_length(cap, "cap");
+    if (cap > 0) {
+        require(buf, "buf");
+    }
+}
+
+void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length) noexcept {
+    if (cap > 0) {
+        const auto copied = std::min(static_cast<int64_t>(text.size()), cap - 1);
+        std::memcpy(buf, text.data(), static_cast<size_t>(copied));
+        buf[copied] = '\0';
+    }
+    if (length != nullptr) {
+        *length = static_cast<int64_t>(text.size());
+    }
+}
+
 } // namespace nrb::capi
 
 using namespace nrb;
@@ -108,24 +126,6 @@ void check_index(int64_t index, int64_t size) {
     if (index < 0 || index >= size) {
         fail(Status::index, "index = %lld, expected 0 to %lld", static_cast<long long>(index),
              static_cast<long long>(size) - 1);
-    }
-}
-
-void check_buffer(const char *buf, int64_t cap) {
-    check_length(cap, "cap");
-    if (cap > 0) {
-        require(buf, "buf");
-    }
-}
-
-void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length) noexcept {
-    if (cap > 0) {
-        const auto copied = std::min(static_cast<int64_t>(text.size()), cap - 1);
-        std::memcpy(buf, text.data(), static_cast<size_t>(copied));
-        buf[copied] = '\0';
-    }
-    if (length != nullptr) {
-        *length = static_cast<int64_t>(text.size());
     }
 }
 

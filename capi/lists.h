@@ -4,6 +4,7 @@
 
 #include "checks.h"
 
+#include <string>
 #include <vector>
 
 namespace nrb::capi {
@@ -15,5 +16,10 @@ void give_list(NamedSplines splines, nurbs_list **out);
 
 // The splines of an array of at least one handle; `name` is the name of the array.
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name);
+
+// A buffer for a text, which may be NULL only if its size is 0.
+void check_buffer(const char *buf, int64_t cap);
+// As much of a text as fits, and its length.
+void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length) noexcept;
 
 } // namespace nrb::capi

@@ -2,6 +2,7 @@
 // Reading files, and the lists that result.
 #include "checks.h"
 #include "guard.h"
+#include "read_settings.h"
 #include "structs.h"
 
 #include "base/error.h"
@@ -14,10 +15,14 @@
 using namespace nrb;
 using namespace nrb::capi;
 
+namespace nrb::capi {
+
 namespace {
 
 // Size of the struct in the first release; no caller has a smaller one.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
+
+} // namespace
 
 io::ReadSettings settings_of(const nurbs_read_options *options) {
     if (options == nullptr) {
@@ -35,7 +40,15 @@ io::ReadSettings settings_of(const nurbs_read_options *options) {
     return {options->unit, limit};
 }
 
-} // namespace
+std::span<const char> checked_text(const void *bytes, int64_t size) {
+    check_length(size, "size");
+    if (size > 0) {
+        require(bytes, "bytes");
+    }
+    return {static_cast<const char *>(bytes), static_cast<size_t>(size)};
+}
+
+} // namespace nrb::capi
 
 nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size) {
     return guard([&] {
@@ -50,12 +63,7 @@ nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_option
                         nurbs_list **out) {
     return guard([&] {
         require_out(out);
-        check_length(size, "size");
-        if (size > 0) {
-            require(bytes, "bytes");
-        }
-        const std::span<const char> text(static_cast<const char *>(bytes), static_cast<size_t>(size));
-        *out = new nurbs_list{io::read(text, settings_of(options))};
+        *out = new nurbs_list{io::read(checked_text(bytes, size), settings_of(options))};
     });
 }
 

@@ -276,6 +276,10 @@ typedef struct nurbs_statistics nurbs_statistics;
 /** \brief A trimmed face: immutable, reference counted, opaque. \since 1.1 */
 typedef struct nurbs_face nurbs_face;
 
+/** \brief What a file of faces holds: faces, edges and vertices, in parts that are placed; immutable, reference counted,
+ * opaque. \since 1.1 */
+typedef struct nurbs_model nurbs_model;
+
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
 typedef int32_t nurbs_status;
 
@@ -4163,18 +4167,21 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 
 /** \name Shapes
  * @{ */
-#define NURBS_SHAPE_NONE 0      /**< none of these, to the tolerance */
-#define NURBS_SHAPE_POINT 1     /**< a single point */
-#define NURBS_SHAPE_LINE 2      /**< a piece of a straight line */
-#define NURBS_SHAPE_CIRCLE 3    /**< a circle, or an arc of one */
-#define NURBS_SHAPE_ELLIPSE 4   /**< an ellipse, or an arc of one */
-#define NURBS_SHAPE_PARABOLA 5  /**< an arc of a parabola */
-#define NURBS_SHAPE_HYPERBOLA 6 /**< an arc of one branch of a hyperbola */
-#define NURBS_SHAPE_PLANE 7     /**< a piece of a plane */
-#define NURBS_SHAPE_SPHERE 8    /**< a sphere, or a piece of one */
-#define NURBS_SHAPE_CYLINDER 9  /**< a piece of a circular cylinder */
-#define NURBS_SHAPE_CONE 10     /**< a piece of one half of a circular cone */
-#define NURBS_SHAPE_TORUS 11    /**< a torus, or a piece of one */
+#define NURBS_SHAPE_NONE 0        /**< none of these, to the tolerance */
+#define NURBS_SHAPE_POINT 1       /**< a single point */
+#define NURBS_SHAPE_LINE 2        /**< a piece of a straight line */
+#define NURBS_SHAPE_CIRCLE 3      /**< a circle, or an arc of one */
+#define NURBS_SHAPE_ELLIPSE 4     /**< an ellipse, or an arc of one */
+#define NURBS_SHAPE_PARABOLA 5    /**< an arc of a parabola */
+#define NURBS_SHAPE_HYPERBOLA 6   /**< an arc of one branch of a hyperbola */
+#define NURBS_SHAPE_PLANE 7       /**< a piece of a plane */
+#define NURBS_SHAPE_SPHERE 8      /**< a sphere, or a piece of one */
+#define NURBS_SHAPE_CYLINDER 9    /**< a piece of a circular cylinder */
+#define NURBS_SHAPE_CONE 10       /**< a piece of one half of a circular cone */
+#define NURBS_SHAPE_TORUS 11      /**< a torus, or a piece of one */
+#define NURBS_SHAPE_REVOLUTION 12 /**< a surface of revolution; of models only, as those that follow */
+#define NURBS_SHAPE_EXTRUSION 13  /**< a curve moved along a vector */
+#define NURBS_SHAPE_OFFSET 14     /**< at a distance from another surface */
 /** @} */
 
 /** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
@@ -6261,6 +6268,203 @@ NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);
  * \param[in] list or NULL, which does nothing: a list.
  * \since 1.0 */
 NURBS_API void nurbs_list_destroy(nurbs_list *list);
+/** @} */
+
+/** \defgroup model Models
+ * \code
+ * nurbs_model *model = NULL;
+ * int64_t faces = 0;
+ * if (nurbs_read_model_file("part.step", NULL, &model) == NURBS_OK) {
+ *     nurbs_model_counts(model, NULL, NULL, &faces, NULL, NULL);
+ *     for (int64_t i = 0; i < faces; ++i) {
+ *         nurbs_face *face = NULL;
+ *         double area = 0;
+ *         nurbs_model_face(model, i, NULL, NULL, NULL, NULL, &face);
+ *         nurbs_face_area(face, 1e-6, &area, NULL);
+ *         nurbs_face_destroy(face);
+ *     }
+ * }
+ * nurbs_model_destroy(model);
+ * \endcode
+ * A model holds faces with the edges that they share, the vertices at which edges meet, and the parts to
+ * which faces and edges belong. Parts have coordinates of their own and are placed by uses, in the whole or
+ * in other parts, as often as a file says; nothing is multiplied. A model of faces alone has one part and one
+ * use of it.
+ *
+ * In models from files the key of an edge in nurbs_face_edge() is its index in the model + 1. Curves and
+ * surfaces of a file that no face or edge consists of, and the notes on what was not read, are in
+ * nurbs_model_splines(). Models never change, are counted as splines are, and may be used by any number of
+ * threads at once.
+ * @{ */
+
+/** \brief Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242). Planes,
+ * cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines exactly, and keep
+ * their kind. Those without ends are cut to the boundary of their face. The curve in space of an edge rules:
+ * curves in the domain of a spline surface are taken from the file where they lie under their edges, all
+ * others are made (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if
+ * none is stated, or one larger by powers of ten where its edges need that, which a note tells. What is wrong
+ * with a face or an edge becomes a note and does not affect the others.
+ * \param[in] bytes [size] the contents of the file.
+ * \param[in] size number of bytes.
+ * \param[in] options or NULL for the defaults: settings.
+ * \param[out] out the new model.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OPTIONS, _TOO_LARGE, _FORMAT, _TRUNCATED, _SYNTAX.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_read_model(const void *bytes, int64_t size, const nurbs_read_options *options,
+                                        nurbs_model **out);
+
+/** \brief nurbs_read_model() as a call that can be watched and ended.
+ * \param[in] bytes,size,options as for nurbs_read_model().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_read_model(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_read_model_with(const void *bytes, int64_t size,
+                                             const nurbs_read_options *options,
+                                             const nurbs_call_options *call, nurbs_model **out);
+
+/** \brief Reads a file by its path; see nurbs_read_model().
+ * \param[in] path file name, zero-terminated, in the system's encoding.
+ * \param[in] options or NULL for the defaults: settings.
+ * \param[out] out the new model.
+ * \return as for nurbs_read_model(), and NURBS_ERROR_FILE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_read_model_file(const char *path, const nurbs_read_options *options,
+                                             nurbs_model **out);
+
+/** \brief nurbs_read_model_file() as a call that can be watched and ended.
+ * \param[in] path,options as for nurbs_read_model_file().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_read_model_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_read_model_file_with(const char *path, const nurbs_read_options *options,
+                                                  const nurbs_call_options *call, nurbs_model **out);
+
+/** \brief A model of faces, with one part and one use of it. Faces with a common key share an edge; edges are
+ * numbered in the order in which they occur, and coedges without key get edges of their own. Vertices
+ * are the ends of edges, of which those are one that are equal bit for bit.
+ * \param[in] count number of faces.
+ * \param[in] faces [count] faces of surfaces of dimension 3.
+ * \param[in] metres metres per unit of length, >= 0; 0 leaves it open.
+ * \param[out] out the new model.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _FACTOR, _NOT_CONVERGED,
+ *   _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const *faces, double metres,
+                                          nurbs_model **out);
+
+/** \brief Another handle on the same model, in constant time.
+ * \param[in] model a model.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_clone(const nurbs_model *model, nurbs_model **out);
+
+/** \brief Frees a handle on a model. Handles taken from it stay valid.
+ * \param[in] model or NULL, which does nothing: a model.
+ * \since 1.1 */
+NURBS_API void nurbs_model_destroy(nurbs_model *model);
+
+/** \brief How much a model holds.
+ * \param[in] model a model.
+ * \param[out] parts or NULL: number of parts.
+ * \param[out] uses or NULL: number of uses of parts.
+ * \param[out] faces or NULL: number of faces.
+ * \param[out] edges or NULL: number of edges.
+ * \param[out] vertices or NULL: number of vertices.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *parts, int64_t *uses,
+                                          int64_t *faces, int64_t *edges, int64_t *vertices);
+
+/** \brief A face of a model.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] part or NULL: the part that it belongs to.
+ * \param[out] shape or NULL: the kind of its surface, one of the NURBS_SHAPE_ constants; NURBS_SHAPE_NONE for
+ *   a spline.
+ * \param[out] against or NULL: 1 if the outer normal is against the normal S_u x S_v of the surface, else 0.
+ * \param[out] colour [3] or NULL: red, green and blue from 0 to 1, NaN where the file gives none.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *part,
+                                        int32_t *shape, int32_t *against, double *colour, nurbs_face **out);
+
+/** \brief The name of a face, from the file; else "#" and the number of its entity, or its index in other
+ * models.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] buf [cap] or NULL when cap is 0: receives the text.
+ * \param[in] cap size of buf in bytes.
+ * \param[out] length or NULL: length of the whole name without the terminating zero.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t index, char *buf, int64_t cap,
+                                             int64_t *length);
+
+/** \brief An edge of a model.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] part or NULL: the part that it belongs to.
+ * \param[out] vertices [2] or NULL: where its curve begins and ends; -1 for none.
+ * \param[out] shape or NULL: the kind of its curve, one of the NURBS_SHAPE_ constants; NURBS_SHAPE_NONE for a
+ *   spline.
+ * \param[out] out the new handle on its curve.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part,
+                                        int64_t *vertices, int32_t *shape, nurbs **out);
+
+/** \brief Where faces use an edge: once at a free boundary, twice inside a shell.
+ * \param[in] model a model.
+ * \param[in] index 0-based, of the edge.
+ * \param[in] cap number of rows of uses, 0 to ask for it.
+ * \param[out] uses [cap][3] or NULL when cap is 0: face, loop, and place in the loop.
+ * \param[out] count or NULL: the number of uses.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT, _SIZE, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap,
+                                             int64_t *uses, int64_t *count);
+
+/** \brief The point of a vertex, in the coordinates of its part.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] point [3].
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_vertex(const nurbs_model *model, int64_t index, double *point);
+
+/** \brief The name of a part.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] buf [cap] or NULL when cap is 0: receives the text.
+ * \param[in] cap size of buf in bytes.
+ * \param[out] length or NULL: length of the whole name without the terminating zero.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_part(const nurbs_model *model, int64_t index, char *buf, int64_t cap,
+                                        int64_t *length);
+
+/** \brief A use of a part: where it is placed.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] parent or NULL: the part in which it is placed; -1: the whole.
+ * \param[out] part or NULL: the part that is placed.
+ * \param[out] placement [3][4] or NULL: a point x of the part is at M x + t, rows of (M | t).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_use(const nurbs_model *model, int64_t index, int64_t *parent,
+                                       int64_t *part, double *placement);
+
+/** \brief The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
+ * notes on all that was not read.
+ * \param[in] model a model.
+ * \param[out] out the new list.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list **out);
 /** @} */
 
 #ifdef __cplusplus

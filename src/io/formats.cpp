@@ -5,6 +5,7 @@
 #include "io/iges/lines.h"
 #include "io/iges/read_iges.h"
 #include "io/step/exchange.h"
+#include "io/step/read_model.h"
 #include "io/step/read_step.h"
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace nrb::io {
 namespace {
 
 constexpr Format known[] = {
-    {"IGES", iges::begins_iges, read_iges},
-    {"STEP", step::begins_step, read_step},
-    {"compressed IGES", iges::begins_compressed, nullptr},
+    {"IGES", iges::begins_iges, read_iges, nullptr},
+    {"STEP", step::begins_step, read_step, read_step_model},
+    {"compressed IGES", iges::begins_compressed, nullptr, nullptr},
 };
 
 void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
@@ -41,6 +42,16 @@ void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
          "begins like no other format that is known");
 }
 
+const Format &format_of(std::span<const char> bytes, const ReadSettings &settings) {
+    check_settings(bytes, settings);
+    const auto *const format =
+        std::ranges::find_if(known, [&](const Format &candidate) { return candidate.recognizes(bytes); });
+    if (format == std::end(known)) {
+        fail_unknown(bytes);
+    }
+    return *format;
+}
+
 } // namespace
 
 std::span<const Format> formats() noexcept {
@@ -48,18 +59,22 @@ std::span<const Format> formats() noexcept {
 }
 
 model::Model read(std::span<const char> bytes, const ReadSettings &settings) {
-    check_settings(bytes, settings);
-    const auto *const format =
-        std::ranges::find_if(known, [&](const Format &candidate) { return candidate.recognizes(bytes); });
-    if (format == std::end(known)) {
-        fail_unknown(bytes);
-    }
-    if (format->read == nullptr) {
+    const Format &format = format_of(bytes, settings);
+    if (format.read == nullptr) {
         fail(Status::format,
              "line 1: this is a %s file, which is not read; fixed-length ASCII IGES and STEP are",
-             format->name);
+             format.name);
     }
-    return format->read(bytes, settings);
+    return format.read(bytes, settings);
+}
+
+model::Model read_model(std::span<const char> bytes, const ReadSettings &settings) {
+    const Format &format = format_of(bytes, settings);
+    if (format.read_model == nullptr) {
+        fail(Status::format, "line 1: this is a %s file, of which faces are not read; of STEP they are",
+             format.name);
+    }
+    return format.read_model(bytes, settings);
 }
 
 } // namespace nrb::io

@@ -15,6 +15,8 @@ struct Format {
     // The reader throws for what is wrong with a file that has this format. Null: the format is known, but
     // cannot be read.
     model::Model (*read)(std::span<const char> bytes, const ReadSettings &settings);
+    // The same for faces, edges and vertices.
+    model::Model (*read_model)(std::span<const char> bytes, const ReadSettings &settings);
 };
 
 std::span<const Format> formats() noexcept;
@@ -23,5 +25,8 @@ std::span<const Format> formats() noexcept;
 // or not finite; too_large beyond settings.max_bytes; format if no format recognizes the file or its format
 // cannot be read; and what the reader throws.
 model::Model read(std::span<const char> bytes, const ReadSettings &settings);
+
+// The same for faces, edges and vertices; format also for files of which they are not read.
+model::Model read_model(std::span<const char> bytes, const ReadSettings &settings);
 
 } // namespace nrb::io

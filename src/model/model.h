@@ -27,15 +27,22 @@ struct Note {
     std::string text;
 };
 
+// A place in a face where an edge is used.
+struct EdgeUse {
+    int64_t face;
+    int64_t loop;
+    int64_t index; // in the loop
+};
+
 // The curve of an edge runs from its first vertex to its second one.
 struct Edge {
     SplinePtr curve;
     CurveShapePtr shape;                     // null: nothing is known but the spline
     std::array<int64_t, 2> vertices{-1, -1}; // -1: none is known
+    std::vector<EdgeUse> uses{};
     int64_t part = 0;
 };
 
-// Faces share edges by the keys of their coedges: key k is edge k - 1.
 struct ModelFace {
     std::string name;
     face::FacePtr face;

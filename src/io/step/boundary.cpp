@@ -2,12 +2,20 @@
 #include "io/step/boundary.h"
 
 #include "base/error.h"
+#include "io/iges/text.h"
 #include "io/step/placements.h"
 #include "model/shapes/curve_spline.h"
 
 #include <algorithm>
 
 namespace nrb::io::step {
+
+std::string name_of(const Instances &instances, const Instance &instance) {
+    Attributes attributes(instances, instance);
+    attributes.part("REPRESENTATION_ITEM");
+    const std::string name(iges::trim(attributes.string("name")));
+    return name.empty() ? "#" + std::to_string(instance.number()) : name;
+}
 
 Point read_vertex(Geometry &geometry, int64_t number, const Attributes &owner, const char *attribute) {
     Entities &entities = geometry.entities();

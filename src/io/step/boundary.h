@@ -5,9 +5,13 @@
 #include "io/step/geometry.h"
 #include "io/step/placements.h"
 
+#include <string>
 #include <vector>
 
 namespace nrb::io::step {
+
+// The name of a representation item; "#12" if it has none.
+std::string name_of(const Instances &instances, const Instance &instance);
 
 // The point of a VERTEX_POINT that an attribute names.
 Point read_vertex(Geometry &geometry, int64_t number, const Attributes &owner, const char *attribute);

@@ -8,6 +8,7 @@
 #include "io/step/exchange.h"
 #include "io/step/faces.h"
 #include "io/step/placements.h"
+#include "model/from_faces.h"
 #include "model/shapes/curve_spline.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ public:
         for_each(Kind::edge_curve,
                  [this](const Instance &edge, const Units &units) { add_edge(edge, units); });
         for_each(Kind::face, [this](const Instance &face, const Units &units) { add_face(face, units); });
+        model::index_uses(model_);
         return std::move(model_);
     }
 
@@ -107,6 +109,7 @@ private:
                 step::FaceSource source =
                     step::read_face(geometry, sources_, model_.edges, instance, tolerance);
                 model::ModelFace made;
+                made.name = step::name_of(instances_, instance);
                 made.shape = source.shape;
                 made.against = source.against;
                 made.face = std::make_shared<const face::Face>(std::move(source.parts), nullptr);
