@@ -20,6 +20,8 @@ struct FaceParts {
     bool as_oriented =
         false; // the inside is to the left of the loops as they run; else they are turned to be so
     bool keep_gaps = false; // larger ones than the tolerance are closed, too
+    // Of curves that are made, beyond the distance of their edges from the surface; 0: half of the tolerance.
+    double precision = 0;
     bool prove =
         true; // that curves which are made are within the tolerance; else deviation_of() proves it later
 };
@@ -44,8 +46,8 @@ public:
 
 private:
     [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index,
-                                              bool prove) const;
-    void make_curves(bool prove);
+                                              double precision, bool prove) const;
+    void make_curves(double precision, bool prove);
     [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep);
 
     SplinePtr surface_;

@@ -19,8 +19,6 @@ namespace nrb::face {
 
 namespace {
 
-// What a fit may miss between the places that are looked at is left to the rest of the tolerance.
-constexpr double share_of_fit = 0.5;
 // Coordinates that differ by less than a step of this share of the tolerance in space are one.
 constexpr double share_of_same = 1e-3;
 
@@ -50,9 +48,10 @@ void distances(const std::vector<double> &a, const std::vector<double> &b, int d
 // The nearest places to those of an edge.
 class Projection : public CurveModel {
 public:
-    Projection(const Spline &surface, const Covering &covering, const Spline &edge, double tolerance)
-        : surface_(surface), covering_(covering), edge_(edge), tolerance_(tolerance),
-          budget_(closest::usual_budget(surface)), locator_(closest::locator_of(surface)) {}
+    Projection(const Spline &surface, const Covering &covering, const Spline &edge, const UnderRule &rule)
+        : surface_(surface), covering_(covering), edge_(edge), tolerance_(rule.tolerance),
+          precision_(rule.precision), budget_(closest::usual_budget(surface)),
+          locator_(closest::locator_of(surface)) {}
 
     [[nodiscard]] int dim() const noexcept override { return 2; }
     void place(double t, const double *near, double *out) const override {
@@ -63,6 +62,7 @@ public:
                  "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
                  Number(foot.distance).text, Number(t).text, Number(tolerance_).text);
         }
+        off_ = std::max(off_, foot.distance);
         Point2 x{foot.params[0], foot.params[1]};
         if (near != nullptr) {
             x = covering_.nearest_copy(x, {near[0], near[1]});
@@ -76,6 +76,9 @@ public:
     void errors(const Spline &candidate, std::span<const double> params, double *errors) const override {
         distances(points_over(surface_, covering_, points_at(candidate, params)), points_at(edge_, params),
                   edge_.dim(), errors);
+        // Twice the distance of the edge from the surface is taken out: it may be more between the places.
+        std::transform(errors, errors + params.size(), errors,
+                       [this](double error) { return std::max(error - 2 * off_, 0.0); });
     }
     [[nodiscard]] int open_coordinate(const double *x) const override {
         return open_at(point_at(surface_, covering_.in_domain({x[0], x[1]})).data());
@@ -92,17 +95,18 @@ private:
         if (near != nullptr) {
             const Point2 guess = covering_.in_domain({near[0], near[1]});
             const closest::Foot foot = locator_.local(point, guess.data());
-            if (foot.distance <= tolerance_ / 16) {
+            if (foot.distance <= precision_ / 4) {
                 return foot;
             }
         }
-        return locator_.nearest({point, nullptr, tolerance_ / 16, budget_, false, true});
+        return locator_.nearest({point, nullptr, precision_ / 16, budget_, false, true});
     }
 
     const Spline &surface_;
     const Covering &covering_;
     const Spline &edge_;
-    double tolerance_;
+    double tolerance_, precision_;
+    mutable double off_ = 0; // the largest distance of a place of the edge from the surface
     int64_t budget_;
     const closest::Locator &locator_;
 };
@@ -170,14 +174,14 @@ std::array<double, 2> same_places(const Spline &surface, const Covering &coverin
 } // namespace
 
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                      double tolerance, bool prove) {
+                      const UnderRule &rule) {
     if (const auto chart = PlaneChart::of(*surface)) {
-        return chart->curve_under(*edge, tolerance);
+        return chart->curve_under(*edge, rule.tolerance);
     }
-    const Projection model(*surface, covering, *edge, tolerance);
-    const FittedCurve fitted = fit_curve(model, breaks_of(*edge), same_places(*surface, covering, tolerance),
-                                         share_of_fit * tolerance);
-    if (const SplinePtr over = prove ? composed(surface, covering, fitted.spline) : nullptr) {
+    const Projection model(*surface, covering, *edge, rule);
+    const FittedCurve fitted =
+        fit_curve(model, breaks_of(*edge), same_places(*surface, covering, rule.precision), rule.precision);
+    if (const SplinePtr over = rule.prove ? composed(surface, covering, fitted.spline) : nullptr) {
         const pieces::Enclosure found = bounds::deviation(*over, *edge);
         return {fitted.spline, found.upper, std::isfinite(found.upper)};
     }

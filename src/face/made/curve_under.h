@@ -14,12 +14,22 @@ struct MadeCurve {
     bool proven;
 };
 
+// What a curve that is made may miss between the places that are looked at is left to the rest of the tolerance.
+inline constexpr double share_of_fit = 0.5;
+
+// How far an edge may be from the surface, how much farther from the image of the curve that is made, and whether that is to be
+// proven where it is possible.
+struct UnderRule {
+    double tolerance;
+    double precision;
+    bool prove;
+};
+
 // The curve in the plane that covers the domain which the surface maps to an edge. On a bilinear surface that is a plane
 // parallelogram exactly, from the control points of the edge; elsewhere through the nearest points to places of the edge, as many
-// as the tolerance takes. Throws Status::gap if the edge is farther from the surface than the tolerance, not_converged.
-// `prove`: whether the distance is to be a bound where that is possible.
+// as the precision takes. Throws Status::gap if the edge is farther from the surface than the tolerance, not_converged.
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                      double tolerance, bool prove);
+                      const UnderRule &rule);
 
 // The curve in space that a curve in the plane is mapped to: composed exactly where its degree is at most max_degree and it stays
 // in the domain, else through as many places as the tolerance takes.

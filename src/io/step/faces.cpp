@@ -2,6 +2,7 @@
 #include "io/step/faces.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "build/polylines.h"
 #include "eval/evaluate.h"
 #include "io/step/placements.h"
@@ -18,6 +19,22 @@ namespace {
 
 // How far surfaces without ends go on behind the boundary of their face, as a part of its size.
 constexpr double margin_of_surfaces = 1.0 / 64;
+
+// Of curves that are made, as a part of the size of the surface: files state uncertainties that are much larger.
+constexpr double share_of_precision = 0x1p-22;
+
+double size_of(const Spline &surface) {
+    double size = 0;
+    for (int c = 0; c < surface.dim(); ++c) {
+        double lower = infinity, upper = -infinity;
+        for (int64_t i = 0; i < surface.point_count(); ++i) {
+            lower = std::min(lower, surface.coordinate(i, c));
+            upper = std::max(upper, surface.coordinate(i, c));
+        }
+        size = std::max(size, upper - lower);
+    }
+    return size;
+}
 
 Attributes item(const Instances &instances, const Instance &instance) {
     Attributes attributes(instances, instance);
@@ -82,6 +99,8 @@ public:
         }
         source.parts.tolerance = tolerance_;
         source.parts.as_oriented = true;
+        source.parts.precision =
+            std::min(tolerance_ / 2, share_of_precision * size_of(*source.parts.surface));
         source.parts.prove = false;
         return source;
     }
