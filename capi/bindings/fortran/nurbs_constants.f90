@@ -126,6 +126,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_RANK = 66  ! data or conditions do not determine the result
     ! a value or weight is above the scale of the statistics
     integer(c_int32_t), parameter :: NURBS_ERROR_SCALE = 67
+    ! loops of a face have no common inside, or enclose nothing
+    integer(c_int32_t), parameter :: NURBS_ERROR_ORIENTATION = 68
     ! a parameter or knot lies outside the domain
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     ! a value of the result overflows double precision
@@ -193,6 +195,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_REVERSED = int(z'04000000', c_int32_t)
     ! nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
     integer(c_int32_t), parameter :: NURBS_NAN_POINTS = int(z'01000000', c_int32_t)
+    ! nurbs_face_create(): the inside is to the left of the loops as they run.
+    integer(c_int32_t), parameter :: NURBS_AS_ORIENTED = int(z'01000000', c_int32_t)
 
     ! --- Form of a knot vector, as reported by nurbs_knot_form()
     ! the first degree + 1 knots are equal
