@@ -179,7 +179,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
     ! nurbs_reverse(): map the domain to itself instead of negating the parameter.
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
-    ! nurbs_join(): ends that do not meet become a jump instead of an error.
+    ! nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments
+    ! close what curves leave open.
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
     ! nurbs_product(): the dot product.
     integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)

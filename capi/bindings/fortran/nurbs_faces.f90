@@ -18,7 +18,7 @@ module nurbs_faces
     !> A trimmed face; an assignment makes another handle on the same face.
     type, extends(nurbs_face_handle), public :: nurbs_face
     contains
-        procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, area, moments, box
+        procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, get_area, moments, box
     end type nurbs_face
 
 contains
@@ -162,7 +162,7 @@ contains
     end subroutine classify
 
     !> Its area.
-    subroutine area(this, area, error, tolerance, status, call)
+    subroutine get_area(this, area, error, tolerance, status, call)
         class(nurbs_face), intent(in) :: this
         real(c_double), intent(inout) :: area
         real(c_double), intent(inout), optional :: error
@@ -176,7 +176,7 @@ contains
             code = nurbs_face_area(this%handle, given(tolerance, 0d0), area, error)
         end if
         call settle(code, status)
-    end subroutine area
+    end subroutine get_area
 
     !> Area, centroid and inertia about the centroid.
     subroutine moments(this, content, centroid, inertia, error, tolerance, status, call)

@@ -5,8 +5,8 @@ module nurbs_support
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use nurbs_constants
     use nurbs_c, only: nurbs_axes, nurbs_count, nurbs_degree, nurbs_derivative_slots, nurbs_destroy, &
-        nurbs_dimension, nurbs_face_surface, &
-        nurbs_is_rational, nurbs_last_error, nurbs_point_count, nurbs_statistics_size, nurbs_status_name
+        nurbs_dimension, nurbs_face_surface, nurbs_is_rational, nurbs_last_error, nurbs_point_count, &
+        nurbs_statistics_size, nurbs_status_name
     implicit none
     private
     public :: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes

@@ -873,7 +873,7 @@ contains
         block
             real(c_double) :: area_found
             real(c_double) :: error_found
-            call face%area(area=area_found, error=error_found, tolerance=1d-06)
+            call face%get_area(area=area_found, error=error_found, tolerance=1d-06)
             call show('area', area_found)
             call show('error', error_found)
         end block
@@ -1124,7 +1124,7 @@ contains
             real(c_double) :: area_found
             real(c_double) :: error_found
             type(nurbs_call) :: watching
-            call face%area(area=area_found, error=error_found, tolerance=1d-06, call=watching)
+            call face%get_area(area=area_found, error=error_found, tolerance=1d-06, call=watching)
             call show('area', area_found)
             call show('error', error_found)
         end block

@@ -112,7 +112,9 @@ NURBS_PERIODIC = 0x01
 # nurbs_eval_adjoint() and the other adjoints: add to what the outputs hold instead of overwriting it.
 NURBS_ACCUMULATE = 0x01000000
 NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself instead of negating the parameter.
-NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump instead of an error.
+# nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments close what curves
+# leave open.
+NURBS_KEEP_GAPS = 0x04000000
 NURBS_PRODUCT_DOT = 0x08000000  # nurbs_product(): the dot product.
 NURBS_PRODUCT_CROSS = 0x10000000  # nurbs_product(): the cross product in dimension 3.
 NURBS_HOMOGENEOUS = 0x20000000  # nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w).

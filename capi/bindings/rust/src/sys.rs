@@ -540,7 +540,8 @@ pub const NURBS_PERIODIC: u32 = 0x01;
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 /// nurbs_reverse(): map the domain to itself instead of negating the parameter.
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
-/// nurbs_join(): ends that do not meet become a jump instead of an error.
+/// nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments close
+/// what curves leave open.
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 /// nurbs_product(): the dot product.
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
