@@ -47,6 +47,10 @@ struct LoopArrays {
                  static_cast<long long>(i));
         }
         const int64_t key = keys == nullptr ? 0 : keys[i];
+        if (key == INT64_MIN) {
+            fail(Status::overflow, "keys[%lld] = %lld has no opposite number", static_cast<long long>(i),
+                 static_cast<long long>(key));
+        }
         coedge.key = key < 0 ? 0 - key : key;
         coedge.against = key < 0;
         return coedge;
@@ -103,8 +107,8 @@ struct FaceMoments {
 void give_moments(const nurbs_face *handle, double tolerance, const char *name, const FaceMoments &out) {
     const face::Face &own = face_of(handle);
     const int64_t dim = own.surface()->dim();
-    check_tolerance(tolerance, "relative_tolerance");
     require(out.content, name);
+    check_tolerance(tolerance, "relative_tolerance");
     check_apart({memory(name, out.content, 1), memory("centroid", out.centroid, dim),
                  memory("inertia", out.inertia, dim * dim), memory("error", out.error, 1)},
                 {});
@@ -180,9 +184,13 @@ nurbs_status nurbs_face_surface(const nurbs_face *face, nurbs **out) {
 nurbs_status nurbs_face_loops(const nurbs_face *face, int64_t cap, int64_t *sizes, int64_t *count) {
     return guard([&] {
         const std::vector<face::Loop> &loops = face_of(face).loops();
+        if (cap > 0) {
+            require(sizes, "sizes");
+        }
+        check_length(cap, "cap");
         const int64_t used = checked_cap(cap, std::ssize(loops));
         check_apart({memory("sizes", sizes, cap), memory("count", count, 1)}, {});
-        for (size_t i = 0; sizes != nullptr && i < static_cast<size_t>(used); ++i) {
+        for (size_t i = 0; i < static_cast<size_t>(used); ++i) {
             sizes[i] = std::ssize(loops[i]);
         }
         put(count, static_cast<int64_t>(std::ssize(loops)));
@@ -208,8 +216,9 @@ nurbs_status nurbs_face_edge(const nurbs_face *face, int64_t loop, int64_t index
 nurbs_status nurbs_face_deviation(const nurbs_face *face, int64_t loop, int64_t index, double *distance,
                                   int32_t *proven) {
     return guard([&] {
-        const face::Coedge &coedge = coedge_of(face, loop, index);
+        require(face, "face");
         require(distance, "distance");
+        const face::Coedge &coedge = coedge_of(face, loop, index);
         check_apart({memory("distance", distance, 1), memory("proven", proven, 1)}, {});
         const face::Deviation found = face::deviation_of(face_of(face), coedge);
         *distance = found.distance;
@@ -230,11 +239,12 @@ nurbs_status nurbs_face_classify(const nurbs_face *face, int64_t n, const double
                                  int32_t *sides) {
     return guard([&] {
         const face::Face &own = face_of(face);
+        check_length(n, "n");
         const ConstRecords places = input("params", params, n, 2, param_stride, param_component_stride);
-        check_tolerance(tolerance);
         if (n > 0) {
             require(sides, "sides");
         }
+        check_tolerance(tolerance);
         check_apart({memory("sides", sides, n)}, {memory("params", places.data, places.extent())});
         check_finite_params(places);
         StagedStatus staged(sides, n);
@@ -280,9 +290,9 @@ nurbs_status nurbs_face_box(const nurbs_face *face, double tolerance, double *lo
     return guard([&] {
         const face::Face &own = face_of(face);
         const int64_t dim = own.surface()->dim();
-        check_tolerance(tolerance);
         require(lower, "lower");
         require(upper, "upper");
+        check_tolerance(tolerance);
         check_apart({memory("lower", lower, dim), memory("upper", upper, dim), memory("gap", gap, 1)}, {});
         const bounds::Box found = face::bounding_box(own, tolerance);
         put_all(lower, found.lower);

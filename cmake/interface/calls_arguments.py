@@ -36,7 +36,8 @@ class ArgumentReader:
         self.problems = []
         self.values = {}
         self.used = dict.fromkeys(calls_model.LENGTHS, 0)
-        self.places = {"nurbs": ["out", "other"], "nurbs_list": ["list"], "nurbs_statistics": ["statistics"]}
+        self.places = {"nurbs": ["out", "other"], "nurbs_list": ["list"], "nurbs_statistics": ["statistics"],
+                       "nurbs_face": ["face"]}
 
     def arguments(self):
         self.check_names()

@@ -12,6 +12,8 @@ from calls_model import CallsError, Number, Numbers, Packed, inputs_of
 
 
 TELLING = ("nurbs_create", "nurbs_create_homogeneous", "nurbs_create_bezier", "nurbs_statistics_create")
+# What others are made of, which knows the same.
+BEHIND = {"nurbs_statistics_add": "statistics", "nurbs_face_create": "surface"}
 
 
 class Facts:
@@ -116,13 +118,14 @@ class Sizes:
         return math.prod(self.of(extents))
 
     def facts(self, name):
-        """Of several splines those of the first one; of statistics with data those of what they were added to."""
+        """Of several splines those of the first one; of statistics with data those of what they were added to; of a face
+        those of its surface."""
         given = self.given(name)
         if isinstance(given, Packed):
             return Members({entry.name: value for entry, value in given.fields})
         first = next(iter(inputs_of(given)))
-        while self.inputs[first].call.function.name == "nurbs_statistics_add":
-            first = self.inputs[first].call.value("statistics").name
+        while behind := BEHIND.get(self.inputs[first].call.function.name):
+            first = self.inputs[first].call.value(behind).name
         return Facts(first, self.inputs[first].call)
 
     def number(self, term):

@@ -14,7 +14,7 @@ class MethodError(Exception):
     """A call does not suit its function."""
 
 
-KINDS = {"nurbs": "spline", "nurbs_list": "list", "nurbs_statistics": "statistics"}
+KINDS = {"nurbs": "spline", "nurbs_list": "list", "nurbs_statistics": "statistics", "nurbs_face": "face"}
 
 
 def similar(name, names):
@@ -79,7 +79,7 @@ class Maker:
                    if value.kind in ("number", "cap") and not value.is_output}
         arrays = {value.name for value in self.values.values() if value.kind == "array"}
         splines = [value.name for value in self.values.values()
-                   if value.kind in ("spline", "splines", "statistics") and not value.is_output
+                   if value.kind in ("spline", "splines", "statistics", "face") and not value.is_output
                    or value.base == "nurbs_data"]
         reader = extents.Reader(numbers, arrays, splines, where)
         for name in shapes.keys() - self.values.keys():
@@ -226,6 +226,7 @@ class Maker:
         received = {*method.given, *method.returned, method.receiver}
         for value in self.values.values():
             passing = value.kind in ("count", "cap") or method.receiver == "out" and value in method.made
+            passing = passing or value.nullable and value.name in self.entry.text.get("unreturned", ())
             if value.is_output and value.name not in received and not passing and self.language != "fortran":
                 raise MethodError(f"the output {value.name} is in no result")
 

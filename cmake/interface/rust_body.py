@@ -285,6 +285,8 @@ class Body:
             return ["length"]
         if value.kind in ("stride", "component_stride"):
             return []  # beside the array
+        if value.name in self.entry.text.get("unreturned", ()):
+            return ["null_mut()"]
         return self.targets[value.name] if value.is_output else self.inputs.passed(value)
 
     # What is returned.

@@ -100,9 +100,12 @@ class Inputs:
         """Arrays of handles."""
         name, reached = value.name, self.reach[value.name]
         if not words.fixed(value.extents):
-            of = "handles" if value.kind == "splines" else f"{KINDS[value.base]}_handles"
-            self.statements.append(f"let {reached} = {of}({reached});")
+            self.statements.append(f"let {reached} = {self.list_of(value)}({reached});")
             self.pointers[name] = [f"{reached}.as_ptr()"]
+            if any(extent.op == "call" for extent in value.extents):  # the length is that of other arrays
+                rule, size = "if_given" if value.nullable else "exactly", self.terms.product(value.extents)
+                self.statements.append(f'let {reached} = {rule}(&{reached}, {size}, "{self.called(value)}")?;')
+                self.pointers[name] = [reached]
         elif self.may_lack(value, argument):
             self.statements.append(f"let {name} = {reached}.map(|splines| splines.map(Spline::raw));")
             self.pointers[name] = [f"{name}.as_ref().map_or(null(), |handles| handles.as_ptr())"]
@@ -110,6 +113,12 @@ class Inputs:
             local = name if isinstance(argument.pattern, Struct) else reached
             self.statements.append(f"let {local} = {reached}.map(Spline::raw);")
             self.pointers[name] = [f"{local}.as_ptr()"]
+
+    def list_of(self, value):
+        """The function that makes an array of handles."""
+        if value.kind == "handles":
+            return f"{KINDS[value.base]}_handles"
+        return "some_handles" if types.may_miss(self.method, value) else "handles"
 
     def may_lack(self, value, argument):
         """Whether it is an Option."""

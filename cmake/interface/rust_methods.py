@@ -24,8 +24,9 @@ CRATE = {
     "placement": ["dimension_of", "pointer", "require_length", "Placement", "Turn"],
     "sizes": ["axes_of", "basis_width", "bezier_count", "bezier_points", "homogeneous", "knot_count", "matrix_size",
               "periodic_count", "positive", "product", "sum", "times"],
-    "spline": ["handles", "Spline"],
+    "spline": ["handles", "some_handles", "Spline"],
     "statistics": ["statistics_handles", "Statistics"],
+    "face": ["Face"],
 }
 STANDARD = {"std::path": ["Path"], "std::ptr": ["null", "null_mut"]}
 

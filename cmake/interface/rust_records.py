@@ -52,10 +52,12 @@ def lifetime(kinds):
 def derived(kinds, binding, has_default):
     """What all fields can: nothing that holds a Vec is copied, nothing that holds a spline has a default."""
     text = " ".join(kinds)
-    handles = re.search(r"\b(Spline|List|Statistics)\b", text)
+    handles = re.search(r"\b(Spline|List|Statistics|Face)\b", text)
     if "List" in text:
         return ["Debug"]
     yes = ["Clone"]
+    if "Face" in text:
+        return [*yes, "Debug"]
     if not re.search(r"Vec|String|(?<!&'a )\bSpline", text):
         yes.append("Copy")
     yes.append("Debug")

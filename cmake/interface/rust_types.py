@@ -77,6 +77,11 @@ def is_records(method, argument, value):
             and value.name not in method.entry.text.get("packed", ()))
 
 
+def may_miss(method, value):
+    """Whether elements of an array of splines may be missing."""
+    return value.name in method.entry.text.get("missing", ())
+
+
 def is_size(method, value):
     return value.name in method.entry.option("rust", "sizes", ())
 
@@ -117,7 +122,8 @@ def single_type(value):
 def taken_type(method, argument, value, binding):
     sizes = words.fixed(value.extents)
     if value.kind == "splines":
-        return f"[&Spline; {sizes[0]}]" if sizes else "&[&Spline]"
+        one = "Option<&Spline>" if may_miss(method, value) else "&Spline"
+        return f"[{one}; {sizes[0]}]" if sizes else f"&[{one}]"
     if value.kind == "handles":
         return f"&[&{model.HANDLES[KINDS[value.base]]}]"
     if value.kind == "path":

@@ -17,7 +17,7 @@ import extents
 TABLE = Path(__file__).resolve().parents[2] / "capi/bindings/table"
 PROPERTIES = {"axes": "axes_of", "dim": "dim_of", "N": "points_of", "rational": "rational_of"}
 OF_SPLINE = {"degree": "degree_of", "count": "count_of", "active": "order_product"}
-OWNERS = ("nurbs", "nurbs_statistics", "nurbs_data")  # what knows a number of axes and a dimension
+OWNERS = ("nurbs", "nurbs_statistics", "nurbs_face", "nurbs_data")  # what knows a number of axes and a dimension
 STRIDES = ("_stride", "_component_stride")
 
 

@@ -21,7 +21,7 @@ NOTICE = f"""\
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{{Call, List, Spline, Statistics}};
+use nurbs::{{Call, Face, List, Spline, Statistics}};
 use smoke_support::{{begin, by_hand, show, written}};
 """
 
@@ -135,7 +135,8 @@ class Writer:
             case Handle():
                 return f"&{self.spline(given.name)}"
             case Handles():
-                return self.splines(value, [f"&{self.spline(name)}" for name in given.names])
+                some = "Some({})" if types.may_miss(self.method, value) else "{}"
+                return self.splines(value, [some.format(f"&{self.spline(name)}") for name in given.names])
             case Items():
                 return self.splines(value, [f"&{self.spline(given.list)}.get({i})?" for i in range(given.count)])
             case Bytes():

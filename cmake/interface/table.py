@@ -20,7 +20,7 @@ FOLDER = "capi/bindings/table"
 GENERAL = "general.toml"
 GROUP_KEYS = {"doc", "constants", *model.LANGUAGES}
 ENTRY_KEYS = {"call", "doc", "section", "where", "shape", "into", "space_only", "otherwise", "called", "through", "packed",
-              "by_hand", "watched", "lenient"}
+              "by_hand", "watched", "lenient", "missing", "unreturned"}
 LANGUAGE_KEYS = {"call", "doc", "shape", "module", "ranks", "failing", "by_hand", "dim_of",
                  "sizes", "called"}
 RECORD_KEYS = {"doc", "defaults", "from", "struct", "by_hand", "of_splines"}

@@ -411,7 +411,8 @@ enum {
 #define NURBS_ACCUMULATE 0x01000000u
 /** \brief nurbs_reverse(): map the domain to itself instead of negating the parameter. */
 #define NURBS_KEEP_DOMAIN 0x02000000u
-/** \brief nurbs_join(): ends that do not meet become a jump instead of an error. */
+/** \brief nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments
+ * close what curves leave open. */
 #define NURBS_KEEP_GAPS 0x04000000u
 /** \brief nurbs_product(): the dot product. */
 #define NURBS_PRODUCT_DOT 0x08000000u

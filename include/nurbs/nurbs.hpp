@@ -43,6 +43,7 @@
 #include <nurbs/cpp/curves.hpp>
 #include <nurbs/cpp/deform.hpp>
 #include <nurbs/cpp/edit.hpp>
+#include <nurbs/cpp/face.hpp>
 #include <nurbs/cpp/fit.hpp>
 #include <nurbs/cpp/fitting.hpp>
 #include <nurbs/cpp/frames.hpp>

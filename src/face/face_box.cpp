@@ -5,6 +5,7 @@
 #include "base/watch.h"
 #include "build/polylines.h"
 #include "face/deviation.h"
+#include "face/open_ends.h"
 #include "pieces/derivative_pieces.h"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ public:
 private:
     void reach(size_t side, double value) { reached_[side] = std::max(reached_[side], value); }
 
-    // What the edges and the segments that close gaps reach.
+    // What the edges, the segments that close gaps and ends of the domain without a curve reach.
     void add_boundary() {
         for (const Loop &loop : face_.loops()) {
             for (const Coedge &coedge : loop) {
@@ -99,8 +100,14 @@ private:
             }
         }
         for (const Joint &joint : face_.joints()) {
-            add_curve(build::polyline(2, {joint.from[0], joint.from[1], joint.to[0], joint.to[1]}, {0, 1}));
+            add_segment(joint.from, joint.to);
         }
+        for (const EndPart &part : open_ends(face_)) {
+            add_segment(part.from, part.to);
+        }
+    }
+    void add_segment(const Point2 &from, const Point2 &to) {
+        add_curve(build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1}));
     }
     void add_curve(const SplinePtr &curve) {
         const MadeCurve edge =

@@ -166,7 +166,7 @@ public:
         source_(index, piece);
         return piece;
     }
-    [[nodiscard]] static Enclosure bounds(const Piece &piece) noexcept {
+    [[nodiscard]] static Enclosure bounds(const Piece &piece) {
         count_work(work_of_a_value * std::ssize(piece.numerators));
         return {best_corner(piece).lower, upper(piece)};
     }

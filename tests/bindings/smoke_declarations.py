@@ -148,7 +148,7 @@ class Call:
             if isinstance(value, Slot) and value.length > 0:
                 self.show_array(name, parameter, self.outputs[parameter])
             elif isinstance(value, NewHandle):
-                shown = {"list": self.show_list, "statistics": self.show_statistics}.get(value.place, self.show_spline)
+                shown = {"list": self.show_list, "statistics": self.show_statistics, "face": self.show_face}.get(value.place, self.show_spline)
                 shown(name, parameter, self.outputs[parameter].value)
         if self.call.result is not None:
             found = self.outputs["return"]
@@ -186,6 +186,16 @@ class Call:
         memory = ctypes.create_string_buffer(length.value)
         self.library.call("nurbs_statistics_to_bytes", handle, length.value, memory, None)
         show(name, f"{parameter}.bytes", map(str, memory.raw))
+
+    def show_face(self, name, parameter, face):
+        loops = self.library.answer("nurbs_face_loops", ctypes.c_int64, face, 0, None)
+        sizes = (ctypes.c_int64 * loops)()
+        self.library.call("nurbs_face_loops", face, loops, sizes, None)
+        show(name, f"{parameter}.sizes", map(str, sizes))
+        for loop, size in enumerate(sizes):
+            for i in range(size):
+                g = self.library.answer("nurbs_face_curve", ctypes.c_void_p, face, loop, i)
+                self.show_spline(name, f"{parameter}.curves", g)
 
     def show_list(self, name, parameter, handle):
         count = self.library.answer("nurbs_list_count", ctypes.c_int64, handle)

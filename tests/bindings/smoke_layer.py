@@ -27,7 +27,7 @@ INSTEAD = {"contents": ("bytes",), "curves": ("boundaries",), "end": ("end_a",),
            "lam": ("lambda",)}
 # What the package takes from the shapes of arrays, those of structs too.
 IN_SHAPES = ("counts", "dim", "degrees", "break_counts", "n", "axes")
-OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics}
+OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics, "face": nurbs.Face}
 
 
 class Unlike(Exception):
@@ -245,6 +245,11 @@ class LayerCall:
             return
         if isinstance(found, nurbs.Statistics):
             yield f"{name}.bytes", map(str, found.to_bytes())
+            return
+        if isinstance(found, nurbs.Face):
+            yield f"{name}.sizes", map(str, found.loops)
+            for curve in (curve for loop in found.curves for curve in loop):
+                yield from self.handle_lines(f"{name}.curves", curve)
             return
         yield f"{name}.degrees", map(str, found.degrees)
         yield f"{name}.knots", [text_of(x, ctypes.c_double) for knots in found.knots for x in knots]

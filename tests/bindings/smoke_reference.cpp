@@ -81,6 +81,22 @@ void print_statistics(const char *name, const nurbs_statistics *statistics) {
     print_integers<int32_t>((std::string(name) + ".bytes").c_str(), numbers);
 }
 
+void print_face(const std::string &name, const nurbs_face *face) {
+    int64_t loops = 0;
+    CHECK_OK(nurbs_face_loops(face, 0, nullptr, &loops));
+    std::vector<int64_t> sizes(static_cast<size_t>(loops));
+    CHECK_OK(nurbs_face_loops(face, loops, sizes.data(), nullptr));
+    print_integers<int64_t>((name + ".sizes").c_str(), sizes);
+    for (int64_t loop = 0; loop < loops; ++loop) {
+        for (int64_t i = 0; i < sizes[static_cast<size_t>(loop)]; ++i) {
+            nurbs *curve = nullptr;
+            CHECK_OK(nurbs_face_curve(face, loop, i, &curve));
+            print_spline((name + ".curves").c_str(), curve);
+            nurbs_destroy(curve);
+        }
+    }
+}
+
 void print_list(const char *name, const nurbs_list *list) {
     const std::string before = where;
     where += name;
@@ -113,6 +129,8 @@ void print_slot(const Slot &slot, const calls::Output &o) {
         print_list(slot.parameter, o.list);
     } else if (place == "statistics") {
         print_statistics(slot.parameter, o.statistics);
+    } else if (place == "face") {
+        print_face(slot.parameter, o.face);
     } else {
         print_spline(slot.parameter, place == "out" ? o.out : o.other);
     }

@@ -9,7 +9,7 @@ module smoke_support
 
     interface show
         module procedure show_double, show_doubles, show_singles, show_int, show_ints, show_long, show_longs
-        module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics
+        module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics, show_face
     end interface show
 
     interface flat
@@ -118,6 +118,22 @@ contains
         call statistics%to_bytes(bytes)
         call show(name//'.bytes', [(int(ichar(bytes(i:i)), c_int32_t), i=1, len(bytes))])
     end subroutine show_statistics
+
+    subroutine show_face(name, face)
+        character(len=*), intent(in) :: name
+        class(nurbs_face), intent(in) :: face
+        type(nurbs_spline) :: curve
+        integer(c_int64_t), allocatable :: sizes(:)
+        integer :: k, i
+        call face%loops(sizes)
+        call show(name//'.sizes', sizes)
+        do k = 1, size(sizes)
+            do i = 1, int(sizes(k))
+                call face%curve(k, i, curve)
+                call show(name//'.curves', curve)
+            end do
+        end do
+    end subroutine show_face
 
     subroutine show_spline(name, g)
         character(len=*), intent(in) :: name

@@ -86,6 +86,18 @@ inline void show(const std::string &name, const libnurbs::Statistics &statistics
     show(name + ".bytes", bytes);
 }
 
+inline void show(const std::string &name, const libnurbs::Spline &spline);
+
+inline void show(const std::string &name, const libnurbs::Face &face) {
+    const std::vector<std::int64_t> sizes = face.loops();
+    show(name + ".sizes", sizes);
+    for (std::size_t loop = 0; loop < sizes.size(); ++loop) {
+        for (std::int64_t i = 0; i < sizes[loop]; ++i) {
+            show(name + ".curves", face.curve(static_cast<std::int64_t>(loop), i));
+        }
+    }
+}
+
 inline void show(const std::string &name, const libnurbs::Spline &spline) {
     std::vector<std::int32_t> degrees;
     std::vector<std::vector<double>> knots;

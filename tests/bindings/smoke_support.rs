@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! How the smoke test of Rust prints what calls return: see smoke_reference.cpp.
 
-use nurbs::{List, Spline, Statistics};
+use nurbs::{Face, List, Spline, Statistics};
 use std::cell::RefCell;
 
 thread_local!(static CALL: RefCell<&'static str> = const { RefCell::new("") });
@@ -99,6 +99,18 @@ impl Show for Statistics {
     fn lines(&self, name: &str) {
         let bytes: Vec<i32> = self.to_bytes().expect(name).into_iter().map(i32::from).collect();
         show(&format!("{name}.bytes"), &bytes);
+    }
+}
+
+impl Show for Face {
+    fn lines(&self, name: &str) {
+        let sizes = self.loops().expect(name);
+        show(&format!("{name}.sizes"), &sizes);
+        for (k, &size) in sizes.iter().enumerate() {
+            for i in 0..size as usize {
+                show(&format!("{name}.curves"), &self.curve(k, i).expect(name));
+            }
+        }
     }
 }
 

@@ -3076,6 +3076,184 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_length_adjoint
+        ! --- Trimmed faces
+        !> A face of a surface and loops of curves.
+        function nurbs_face_create(surface, loops, sizes, curves, edges, keys, tolerance, flags, gaps, out) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: surface
+            integer(c_int64_t), value :: loops
+            integer(c_int64_t), intent(in) :: sizes(*)
+            type(c_ptr), intent(in), optional :: curves(*), edges(*)
+            integer(c_int64_t), intent(in), optional :: keys(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(inout), optional :: gaps(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_create
+        !> nurbs_face_create() as a call that can be watched and ended.
+        function nurbs_face_create_with(surface, loops, sizes, curves, edges, keys, tolerance, flags, gaps, &
+                call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: surface
+            integer(c_int64_t), value :: loops
+            integer(c_int64_t), intent(in) :: sizes(*)
+            type(c_ptr), intent(in), optional :: curves(*), edges(*)
+            integer(c_int64_t), intent(in), optional :: keys(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(inout), optional :: gaps(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_create_with
+        !> Another handle on the same face, in constant time.
+        function nurbs_face_clone(face, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_clone
+        !> Frees a handle on a face.
+        subroutine nurbs_face_destroy(face) bind(c)
+            import
+            type(c_ptr), value :: face
+        end subroutine nurbs_face_destroy
+        !> The surface of a face.
+        function nurbs_face_surface(face, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_surface
+        !> The number of curves of each loop.
+        function nurbs_face_loops(face, cap, sizes, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: sizes(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_face_loops
+        !> A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+        function nurbs_face_curve(face, loop, index, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: loop, index
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_curve
+        !> The edge in space that belongs to a curve of a loop: the one that was given, in its own direction,
+        !> or one that is made.
+        function nurbs_face_edge(face, loop, index, key, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: loop, index
+            integer(c_int64_t), intent(inout), optional :: key
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_edge
+        !> How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if
+        !> that is within the tolerance of the face, else from each to the nearest point of the other.
+        function nurbs_face_deviation(face, loop, index, distance, proven) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: loop, index
+            real(c_double), intent(inout) :: distance
+            integer(c_int32_t), intent(inout), optional :: proven
+            integer(c_int32_t) :: r
+        end function nurbs_face_deviation
+        !> The tolerance that a face was created with.
+        function nurbs_face_tolerance(face, tolerance) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), intent(inout) :: tolerance
+            integer(c_int32_t) :: r
+        end function nurbs_face_tolerance
+        !> On which side of the boundary of a face parameters lie.
+        function nurbs_face_classify(face, n, params, param_stride, param_component_stride, tolerance, &
+                sides) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, param_stride, param_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout) :: sides(*)
+            integer(c_int32_t) :: r
+        end function nurbs_face_classify
+        !> nurbs_face_classify() as a call that can be watched and ended.
+        function nurbs_face_classify_with(face, n, params, param_stride, param_component_stride, tolerance, &
+                sides, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, param_stride, param_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout) :: sides(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_classify_with
+        !> Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain
+        !> (Gunderman, Weiss, Evans 2021), each within one span of the surface.
+        function nurbs_face_area(face, relative_tolerance, area, error) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            integer(c_int32_t) :: r
+        end function nurbs_face_area
+        !> nurbs_face_area() as a call that can be watched and ended.
+        function nurbs_face_area_with(face, relative_tolerance, area, error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_area_with
+        !> Area, centroid and inertia of a face, as nurbs_moments() has them of a whole surface; dim is its
+        !> dimension.
+        function nurbs_face_moments(face, relative_tolerance, content, centroid, inertia, error) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: content
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
+            integer(c_int32_t) :: r
+        end function nurbs_face_moments
+        !> nurbs_face_moments() as a call that can be watched and ended.
+        function nurbs_face_moments_with(face, relative_tolerance, content, centroid, inertia, error, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: content
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_moments_with
+        !> An axis-aligned box that contains a face; dim is the dimension of its surface.
+        function nurbs_face_box(face, tolerance, lower, upper, gap) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: lower(*), upper(*)
+            real(c_double), intent(inout), optional :: gap
+            integer(c_int32_t) :: r
+        end function nurbs_face_box
+        !> nurbs_face_box() as a call that can be watched and ended.
+        function nurbs_face_box_with(face, tolerance, lower, upper, gap, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: lower(*), upper(*)
+            real(c_double), intent(inout), optional :: gap
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_box_with
         ! --- Reading files
         !> Fills an options struct with the defaults.
         function nurbs_read_options_init(options, struct_size) bind(c) result(r)

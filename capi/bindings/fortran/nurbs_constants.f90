@@ -126,6 +126,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_RANK = 66  ! data or conditions do not determine the result
     ! a value or weight is above the scale of the statistics
     integer(c_int32_t), parameter :: NURBS_ERROR_SCALE = 67
+    ! loops of a face have no common inside, or enclose nothing
+    integer(c_int32_t), parameter :: NURBS_ERROR_ORIENTATION = 68
     ! a parameter or knot lies outside the domain
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     ! a value of the result overflows double precision
@@ -177,7 +179,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
     ! nurbs_reverse(): map the domain to itself instead of negating the parameter.
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
-    ! nurbs_join(): ends that do not meet become a jump instead of an error.
+    ! nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments
+    ! close what curves leave open.
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
     ! nurbs_product(): the dot product.
     integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)
@@ -193,6 +196,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_REVERSED = int(z'04000000', c_int32_t)
     ! nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
     integer(c_int32_t), parameter :: NURBS_NAN_POINTS = int(z'01000000', c_int32_t)
+    ! nurbs_face_create(): the inside is to the left of the loops as they run.
+    integer(c_int32_t), parameter :: NURBS_AS_ORIENTED = int(z'01000000', c_int32_t)
 
     ! --- Form of a knot vector, as reported by nurbs_knot_form()
     ! the first degree + 1 knots are equal

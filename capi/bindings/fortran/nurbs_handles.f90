@@ -1,15 +1,16 @@
 ! SPDX-License-Identifier: MIT
-!> The handles that splines, lists of splines and statistics own: how they are replaced, copied and freed.
+!> The handles that splines, lists of splines, statistics and faces own: how they are replaced, copied and freed.
 module nurbs_handles
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
-        nurbs_destroy, nurbs_fit_options, nurbs_fit_options_init, nurbs_list_destroy, nurbs_read_options, &
-        nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes
+        nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
+        nurbs_list_destroy, nurbs_read_options, nurbs_read_options_init, nurbs_statistics_clone, &
+        nurbs_statistics_destroy, nurbs_statistics_to_bytes
     use nurbs_support
     implicit none
     private
-    public :: handles_of, default_read_options, default_fit_options, default_cloud_options, data_for_fits
+    public :: handles_of, as_many, default_read_options, default_fit_options, default_cloud_options, data_for_fits
 
     !> As the library takes an array of handles.
     interface handles_of
@@ -45,6 +46,16 @@ module nurbs_handles
         generic :: assignment(=) => copy_statistics
         final :: finish_statistics
     end type nurbs_statistics_handle
+
+    !> The handle of a face. An assignment makes another handle on the same face.
+    type, public :: nurbs_face_handle
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: destroy => destroy_face, replace => replace_face
+        procedure, private :: copy_face
+        generic :: assignment(=) => copy_face
+        final :: finish_face
+    end type nurbs_face_handle
 
 contains
 
@@ -86,6 +97,14 @@ contains
             handles(i) = splines(i)%handle
         end do
     end function handles_of_splines
+
+    !> Whether there are so many, if they are present.
+    pure logical function as_many(splines, n)
+        class(nurbs_handle), intent(in), optional :: splines(:)
+        integer(c_int64_t), intent(in) :: n
+        as_many = .true.
+        if (present(splines)) as_many = size(splines, kind=c_int64_t) == n
+    end function as_many
 
     ! Statistics
 
@@ -176,6 +195,34 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call settle(nurbs_cloud_options_init(options, int(c_sizeof(options), c_int64_t)), status)
     end subroutine default_cloud_options
+
+    ! Faces
+
+    subroutine destroy_face(this)
+        class(nurbs_face_handle), intent(inout) :: this
+        call replace_face(this, c_null_ptr)
+    end subroutine destroy_face
+
+    impure elemental subroutine finish_face(this)
+        type(nurbs_face_handle), intent(inout) :: this
+        call destroy_face(this)
+    end subroutine finish_face
+
+    subroutine replace_face(this, handle)
+        class(nurbs_face_handle), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call nurbs_face_destroy(this%handle)
+        this%handle = handle
+    end subroutine replace_face
+
+    impure elemental subroutine copy_face(this, other)
+        class(nurbs_face_handle), intent(inout) :: this
+        class(nurbs_face_handle), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_face_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy_face
 
     ! Lists
 

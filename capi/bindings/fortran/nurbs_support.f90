@@ -4,13 +4,14 @@ module nurbs_support
     use, intrinsic :: iso_c_binding
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use nurbs_constants
-    use nurbs_c, only: nurbs_axes, nurbs_count, nurbs_degree, nurbs_derivative_slots, nurbs_dimension, &
-        nurbs_is_rational, nurbs_last_error, nurbs_point_count, nurbs_statistics_size, nurbs_status_name
+    use nurbs_c, only: nurbs_axes, nurbs_count, nurbs_degree, nurbs_derivative_slots, nurbs_destroy, &
+        nurbs_dimension, nurbs_face_surface, nurbs_is_rational, nurbs_last_error, nurbs_point_count, &
+        nurbs_statistics_size, nurbs_status_name
     implicit none
     private
     public :: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     public :: shape_error, full_turn, any_size, given, settle, string, infinity, dimension_of, step, column, fits
-    public :: size_if_given, statistics_axes_of
+    public :: size_if_given, statistics_axes_of, face_dim_of
     public :: fitting, held, axes_of, dim_of, points_of, rational_of, count_of, degree_of, slots_of, active_of, net_size
     public :: knot_count, bezier_count, periodic_count, matrix_size, homogeneous
 
@@ -204,6 +205,16 @@ contains
         statistics_axes_of = 0
         if (nurbs_statistics_size(handle, axes=axes) == NURBS_OK) statistics_axes_of = axes
     end function statistics_axes_of
+
+    !> The dimension of the surface of a face.
+    integer(c_int64_t) function face_dim_of(handle)
+        type(c_ptr), intent(in) :: handle
+        type(c_ptr) :: surface
+        face_dim_of = 0
+        surface = c_null_ptr
+        if (nurbs_face_surface(handle, surface) == NURBS_OK) face_dim_of = dim_of(surface)
+        call nurbs_destroy(surface)
+    end function face_dim_of
 
     integer(c_int64_t) function dim_of(handle)
         type(c_ptr), intent(in) :: handle

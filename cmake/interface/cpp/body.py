@@ -101,6 +101,8 @@ class Body:
             self.targets[value.name] = ["v->data()"]
             return [f"return detail::result_of<{words.owned(value)}>([&](auto *v) {{ return {self.plain_call()}; }});"]
         self.targets[value.name] = ["values.data()"] + ["0"] * value.strides
+        if self.method.is_counted:
+            return [f"std::vector<{words.element(value)}> values;", *self.counted(), "return values;"]
         return [f"std::vector<{words.element(value)}> values = {self.room(value)};",
                 f"detail::call({self.call()});", "return values;"]
 
@@ -213,7 +215,7 @@ class Body:
             field = next(field for field, inner in self.method.result.fields if inner.name == text[0].name)
             return self.text(f"{variable}.{field} = ", text[0])
         if self.method.is_counted:
-            return self.counted(variable)
+            return self.counted()
         made = self.method.made
         if made:
             field = next(field for field, inner in self.method.result.fields if inner.name == made[0].name)
@@ -235,7 +237,7 @@ class Body:
     def flat_span(self, value, pointer):
         return f"{{{pointer}, {self.terms.product(value.extents)}}}"
 
-    def counted(self, variable):
+    def counted(self):
         """Asked for the number first, with cap = 0."""
         count = self.inputs.count_name()
         base = words.SCALARS[self.values[count].base]

@@ -19,6 +19,7 @@ CLASSES = {
     "List": ("ListHandle", "Splines in an order: the parts of one, or what a file held. It cannot be copied."),
     "Statistics": ("StatisticsHandle",
                    "What fits need to know of data: a handle that is copied in constant time and freed by its destructor."),
+    "Face": ("FaceHandle", "A trimmed face: a handle that is copied in constant time and freed by its destructor."),
 }
 STANDARD = {"algorithm": r"std::copy_n", "array": r"std::array", "cstddef": r"std::byte|std::size_t",
             "cstdint": r"std::u?int", "limits": r"std::numeric_limits", "optional": r"std::optional",

@@ -142,6 +142,8 @@ class Inputs:
 
     def has_length(self, value):
         """Whether it is an array of a length that is to be checked."""
+        if value.kind == "splines":  # of which others tell how many there are
+            return any(extent.op == "call" for extent in value.extents)
         return (value.kind == "array" and value.extents and value.name not in self.places
                 and value.name not in self.settled | self.optional and not self.is_exact_array(value))
 

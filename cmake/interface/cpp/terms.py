@@ -113,7 +113,8 @@ class Terms:
 
     def splines(self):
         return [value.name for value in self.method.values.values()
-                if value.kind in ("spline", "splines", "statistics") and not value.is_output or value.base == "nurbs_data"]
+                if value.kind in ("spline", "splines", "statistics", "face") and not value.is_output
+                or value.base == "nurbs_data"]
 
     def called(self, term):
         arguments = [argument for argument in term.arguments]

@@ -37,9 +37,11 @@ TYPES = {
                   "Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied."),
     "fittings": Type("nurbs_statistics", "nurbs_statistics_handle",
                      "What fits need to know of data; an assignment makes another handle on the same sums."),
+    "faces": Type("nurbs_face", "nurbs_face_handle", "A trimmed face; an assignment makes another handle on the same face."),
 }
 #: Where names of other modules come from.
-HOMES = {"nurbs_calls": r"nurbs_call\b", "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|handles_of",
+HOMES = {"nurbs_calls": r"nurbs_call\b",
+         "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|nurbs_face_handle|handles_of|as_many",
          **{f"nurbs_{module}": rf"\b{kind.name}\b" for module, kind in TYPES.items()}}
 
 

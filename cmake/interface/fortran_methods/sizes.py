@@ -68,8 +68,8 @@ class Sizes:
         kind = self.method.values[spline].kind
         if kind == "options":
             call = f"int({self.by_parameter[spline].name}%{name}, c_int64_t)"
-        elif kind == "statistics":
-            call = f"statistics_{call}"
+        elif kind in ("statistics", "face"):
+            call = f"{kind}_{call}"
         return self.mark(local, lambda: (call, f"int({call})"))
 
     def number(self, name, narrow=False):
@@ -228,15 +228,21 @@ class Sizes:
 
     def conditions(self):
         found = [self.condition(dummy) for dummy in self.by_parameter.values()
-                 if dummy.is_array and not dummy.allocated and not self.words.is_fixed(dummy.value)]
+                 if self.is_measured(dummy) and not dummy.allocated and not self.words.is_fixed(dummy.value)]
         return [condition for condition in (*found, *self.of_flat(), *self.of_dimension()) if condition]
+
+    @staticmethod
+    def is_measured(dummy):
+        """Whether its length is compared: of splines only where others tell how many there are."""
+        return dummy.is_array or dummy.kind == "splines" and any(extent.op == "call" for extent in dummy.value.extents)
 
     def condition(self, dummy):
         value = dummy.value
         extents = self.words.extents(value)[:1] if value.name == self.flat else self.words.extents(value)
         if all(self.says(value, extent) for extent in extents):
             return ""
-        return f"fits({dummy.name}, {', '.join(self.wide(extent) for extent in extents)})"
+        rule = "as_many" if dummy.kind == "splines" else "fits"
+        return f"{rule}({dummy.name}, {', '.join(self.wide(extent) for extent in extents)})"
 
     def says(self, value, extent):
         """Whether a number follows from this extent, so that there is nothing to compare."""

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /// \file handles.hpp
-/// \brief What Spline, List and Statistics are before anything is done with them: owners of a handle.
+/// \brief What Spline, List, Statistics and Face are before anything is done with them: owners of a handle.
 #ifndef NURBS_CPP_HANDLES_HPP
 #define NURBS_CPP_HANDLES_HPP
 
@@ -96,7 +96,31 @@ private:
     nurbs_statistics *handle_ = nullptr;
 };
 
-// The handle that f(arguments..., &handle) makes, as a Spline, a List or Statistics.
+/// The same of faces, which are copied as splines are.
+class FaceHandle {
+public:
+    FaceHandle() noexcept = default;
+    explicit FaceHandle(nurbs_face *owned) noexcept : handle_(owned) {}
+    FaceHandle(const FaceHandle &other) {
+        if (other.handle_ != nullptr) {
+            check_copy(nurbs_face_clone(other.handle_, &handle_));
+        }
+    }
+    FaceHandle(FaceHandle &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    FaceHandle &operator=(FaceHandle other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~FaceHandle() { nurbs_face_destroy(handle_); }
+
+    [[nodiscard]] const nurbs_face *get() const noexcept { return handle_; }
+    [[nodiscard]] nurbs_face *release() noexcept { return std::exchange(handle_, nullptr); }
+
+private:
+    nurbs_face *handle_ = nullptr;
+};
+
+// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics or a Face.
 template <class Owner, class F, class... Arguments>
 Owner made(F &&f, const Arguments &...arguments) {
     decltype(std::declval<Owner>().release()) handle = nullptr;

@@ -30,6 +30,13 @@ inline std::int32_t axes(const nurbs_statistics *statistics) {
     return result_of<std::int32_t>(
         [&](auto *v) { return nurbs_statistics_size(statistics, v, nullptr, nullptr, nullptr, nullptr); });
 }
+// Of the surface of a face.
+inline std::int32_t dimension(const nurbs_face *face) {
+    nurbs *surface = result_of<nurbs *>([&](auto *v) { return nurbs_face_surface(face, v); });
+    const std::int32_t dim = surface == nullptr ? 0 : dimension(surface);
+    nurbs_destroy(surface);
+    return dim;
+}
 inline std::int32_t axes(const nurbs_data &data) noexcept {
     return data.axes;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "face/trims/loop_shape.h"
 
+#include "base/numbers.h"
 #include "numeric/nested_rule.h"
 
 #include <cmath>
@@ -42,7 +43,11 @@ std::vector<LoopShape> loop_shapes(const TrimPieces &plane, size_t loops, const 
             ends[loop].first = piece.start;
             begun[loop] = 1;
         }
-        result[loop].area += area_of(plane, piece, ends[loop].first);
+        const double area = area_of(plane, piece, ends[loop].first);
+        result[loop].area += area;
+        result[loop].noise += 8 * eps * std::abs(area) +
+                              piece.noise[0] * std::abs(piece.end[1] - piece.start[1]) +
+                              piece.noise[1] * std::abs(piece.end[0] - piece.start[0]);
         ends[loop].last = piece.end;
     }
     for (size_t loop = 0; loop < loops; ++loop) {

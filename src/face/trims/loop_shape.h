@@ -11,6 +11,7 @@ namespace nrb::face {
 struct LoopShape {
     bool around = false; // it ends in another copy of the domain than it began in, and encloses nothing
     double area = 0;     // to the left: positive if it runs counterclockwise
+    double noise = 0;    // of the area, by the rounding of its terms and of the pieces
 };
 
 // Of all loops; those that stand still at one place have no area. Cost: linear in the number of pieces.

@@ -126,7 +126,9 @@ int TrimMap::side(const Point2 &x) const noexcept {
 int TrimMap::value_at_top(double u) const noexcept {
     int value = corner_;
     for (const SeamPassage &passage : passages_) {
-        value += passage.at <= u ? 0 : turned_[static_cast<size_t>(passage.loop)] ? -passage.upwards : passage.upwards;
+        value += passage.at <= u                              ? 0
+                 : turned_[static_cast<size_t>(passage.loop)] ? -passage.upwards
+                                                              : passage.upwards;
     }
     return value;
 }
@@ -188,6 +190,9 @@ int TrimMap::value_left_of(size_t loop, const PassedSums &sums) const {
 void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
     std::vector<PassedSums> left;
     for (size_t i = 0; i < loops.size(); ++i) {
+        if (!loops[i].around && std::abs(loops[i].area) <= loops[i].noise) {
+            fail(Status::orientation, "loop %zu encloses nothing", i);
+        }
         left.push_back(sums_left_of(static_cast<int32_t>(i)));
     }
     if (turn) {

@@ -39,6 +39,8 @@ struct Inputs {
     n::List list = n::List::read(std::as_bytes(std::span(file)));
     n::Statistics no_statistics = n::Statistics::create({2}, {3}, {0.0, 0.5, 1.0}, 1, 4.0, 1.0);
     n::Statistics statistics = [&] { n::Data data; data.n = 5; data.axes = 1; data.dim = 1; static constexpr double data_params[] = {0.0, 0.25, 0.5, 0.75, 1.0}; data.params = data_params; static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0}; data.values = data_values; return no_statistics.add(data); }();
+    n::Spline outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.0, 0.75, 1.0, 0.5, 2.0, 0.25, 1.0}, {}, 0u);
+    n::Face face = n::Face::create(surface, {1}, std::vector<n::Spline>{outline}, {}, {}, 0.001, 0u);
 };
 
 void data(const Inputs &in) {
@@ -505,6 +507,88 @@ void data(const Inputs &in) {
         show("bound", found.bound);
     }
     {
+        begin("face_create");
+        const n::Spline south = n::Spline::create_bezier({1}, 2, {0.0, 0.0, 1.0, 0.0});
+        const n::Spline east = n::Spline::create_bezier({1}, 2, {1.0, 0.0, 1.0, 3.0});
+        const n::Spline north = n::Spline::create_bezier({1}, 2, {1.0, 3.0, 0.0, 3.0});
+        const n::Spline west = n::Spline::create_bezier({1}, 2, {0.0, 3.0, 0.0, 0.0});
+        const auto found = n::Face::create(in.surface, {1, 4}, std::vector<n::Spline>{in.outline, south, east, north, west}, {}, {0, 7, -8, 0, 9}, 0.001, 67108864u);
+        show("out", found);
+    }
+    {
+        begin("face_create of edges");
+        const n::Spline first_edge = n::Spline::create_bezier({2}, 3, {0.25, 1.0, 1.0625, 0.5, 1.0, 1.1875, 0.75, 1.0, 1.5625});
+        const n::Spline second_edge = n::Spline::create_bezier({2}, 3, {0.75, 1.0, 1.5625, 0.625, 1.5, 1.875, 0.5, 2.0, 2.25});
+        const n::Spline third_edge = n::Spline::create_bezier({2}, 3, {0.5, 2.0, 2.25, 0.375, 1.5, 1.625, 0.25, 1.0, 1.0625});
+        const auto found = n::Face::create(in.surface, {3}, {}, std::vector<n::Spline>{first_edge, second_edge, third_edge}, {1, 2, 3}, 1e-09, 0u);
+        show("out", found);
+    }
+    {
+        begin("face_create whole");
+        const auto found = n::Face::create(in.surface, {}, {}, {}, {}, 0.0, 0u);
+        show("out", found);
+    }
+    by_hand("face_clone");
+    by_hand("face_destroy");
+    {
+        begin("face_surface");
+        const auto found = in.face.surface();
+        show("out", found);
+    }
+    {
+        begin("face_loops");
+        const auto found = in.face.loops();
+        show("sizes", found);
+    }
+    {
+        begin("face_curve");
+        const auto found = in.face.curve(0, 0);
+        show("out", found);
+    }
+    {
+        begin("face_edge");
+        const auto found = in.face.edge(0, 0);
+        show("out", found.spline);
+        show("key", found.key);
+    }
+    {
+        begin("face_deviation");
+        const auto found = in.face.deviation(0, 0);
+        show("distance", found.distance);
+        show("proven", found.proven);
+    }
+    {
+        begin("face_tolerance");
+        const auto found = in.face.tolerance();
+        show("tolerance", found);
+    }
+    {
+        begin("face_classify");
+        const auto found = in.face.classify({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0.0);
+        show("sides", found);
+    }
+    {
+        begin("face_area");
+        const auto found = in.face.area(1e-06);
+        show("area", found.value);
+        show("error", found.error);
+    }
+    {
+        begin("face_moments");
+        const auto found = in.face.moments(1e-06);
+        show("content", found.content);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("error", found.error);
+    }
+    {
+        begin("face_box");
+        const auto found = in.face.box(0.001);
+        show("lower", found.lower);
+        show("upper", found.upper);
+        show("gap", found.gap);
+    }
+    {
         begin("read_with");
         const auto found = n::List::read(std::as_bytes(std::span(file)), {}, watched());
         show("out", found);
@@ -612,6 +696,54 @@ void data(const Inputs &in) {
         const auto found = n::approximate(in.curve, 0.001, {3}, 0, watched());
         show("out", found.spline);
         show("bound", found.bound);
+    }
+    {
+        begin("face_create_with");
+        const n::Spline south = n::Spline::create_bezier({1}, 2, {0.0, 0.0, 1.0, 0.0});
+        const n::Spline east = n::Spline::create_bezier({1}, 2, {1.0, 0.0, 1.0, 3.0});
+        const n::Spline north = n::Spline::create_bezier({1}, 2, {1.0, 3.0, 0.0, 3.0});
+        const n::Spline west = n::Spline::create_bezier({1}, 2, {0.0, 3.0, 0.0, 0.0});
+        const auto found = n::Face::create(in.surface, {1, 4}, std::vector<n::Spline>{in.outline, south, east, north, west}, {}, {0, 7, -8, 0, 9}, 0.001, 67108864u, watched());
+        show("out", found);
+    }
+    {
+        begin("face_create_with of edges");
+        const n::Spline first_edge = n::Spline::create_bezier({2}, 3, {0.25, 1.0, 1.0625, 0.5, 1.0, 1.1875, 0.75, 1.0, 1.5625});
+        const n::Spline second_edge = n::Spline::create_bezier({2}, 3, {0.75, 1.0, 1.5625, 0.625, 1.5, 1.875, 0.5, 2.0, 2.25});
+        const n::Spline third_edge = n::Spline::create_bezier({2}, 3, {0.5, 2.0, 2.25, 0.375, 1.5, 1.625, 0.25, 1.0, 1.0625});
+        const auto found = n::Face::create(in.surface, {3}, {}, std::vector<n::Spline>{first_edge, second_edge, third_edge}, {1, 2, 3}, 1e-09, 0u, watched());
+        show("out", found);
+    }
+    {
+        begin("face_create_with whole");
+        const auto found = n::Face::create(in.surface, {}, {}, {}, {}, 0.0, 0u, watched());
+        show("out", found);
+    }
+    {
+        begin("face_classify_with");
+        const auto found = in.face.classify({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0.0, watched());
+        show("sides", found);
+    }
+    {
+        begin("face_area_with");
+        const auto found = in.face.area(1e-06, watched());
+        show("area", found.value);
+        show("error", found.error);
+    }
+    {
+        begin("face_moments_with");
+        const auto found = in.face.moments(1e-06, watched());
+        show("content", found.content);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("error", found.error);
+    }
+    {
+        begin("face_box_with");
+        const auto found = in.face.box(0.001, watched());
+        show("lower", found.lower);
+        show("upper", found.upper);
+        show("gap", found.gap);
     }
 }
 

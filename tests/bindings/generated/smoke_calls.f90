@@ -56,9 +56,12 @@ program smoke_calls
     type(nurbs_list) :: list
     type(nurbs_statistics) :: no_statistics
     type(nurbs_statistics) :: statistics
+    type(nurbs_spline) :: outline
+    type(nurbs_face) :: face
     type(nurbs_data) :: data_given
     real(c_double), target :: data_params(5, 1)
     real(c_double), target :: data_values(5, 1)
+    type(nurbs_spline) :: curves_given(1)
 
     call curve%create(degrees=[2], counts=[9], knots=[0.0d0, 0.0d0, 0.0d0, 0.25d0, 0.25d0, 0.5d0, 0.5d0, 0.75d0, &
         0.75d0, 1.0d0, 1.0d0, 1.0d0], points=reshape([1.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 1.0d0, -1.0d0, 1.0d0, -1.0d0, &
@@ -92,6 +95,10 @@ program smoke_calls
     data_values = reshape([0.0d0, 1.0d0, 2.0d0, 1.0d0, 0.0d0], [5, 1], order=[2, 1])
     call data_for_fits(data_given, params=data_params, values=data_values)
     call no_statistics%add(data=data_given, out=statistics)
+    call outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+        points=reshape([0.25d0, 1.0d0, 0.75d0, 1.0d0, 0.5d0, 2.0d0, 0.25d0, 1.0d0], [4, 2], order=[2, 1]), flags=0)
+    curves_given(1) = outline
+    call face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -767,6 +774,136 @@ contains
             call show('out', out_found)
             call show('bound', bound_found)
         end block
+        call begin('face_create')
+        block
+            type(nurbs_spline) :: south
+            type(nurbs_spline) :: east
+            type(nurbs_spline) :: north
+            type(nurbs_spline) :: west
+            type(nurbs_spline) :: curves_given(5)
+            type(nurbs_face) :: found
+            call south%create_bezier(degrees=[1], points=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            call east%create_bezier(degrees=[1], points=reshape([1.0d0, 0.0d0, 1.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call north%create_bezier(degrees=[1], points=reshape([1.0d0, 3.0d0, 0.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call west%create_bezier(degrees=[1], points=reshape([0.0d0, 3.0d0, 0.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            curves_given(1) = outline
+            curves_given(2) = south
+            curves_given(3) = east
+            curves_given(4) = north
+            curves_given(5) = west
+            call found%create(surface=surface, sizes=[1, 4], curves=curves_given, keys=[0_c_int64_t, 7_c_int64_t, &
+                (-8_c_int64_t), 0_c_int64_t, 9_c_int64_t], tolerance=0.001d0, flags=67108864)
+            call show('out', found)
+        end block
+        call begin('face_create of edges')
+        block
+            type(nurbs_spline) :: first_edge
+            type(nurbs_spline) :: second_edge
+            type(nurbs_spline) :: third_edge
+            type(nurbs_spline) :: edges_given(3)
+            type(nurbs_face) :: found
+            call first_edge%create_bezier(degrees=[2], points=reshape([0.25d0, 1.0d0, 1.0625d0, 0.5d0, 1.0d0, &
+                1.1875d0, 0.75d0, 1.0d0, 1.5625d0], [3, 3], order=[2, 1]))
+            call second_edge%create_bezier(degrees=[2], points=reshape([0.75d0, 1.0d0, 1.5625d0, 0.625d0, 1.5d0, &
+                1.875d0, 0.5d0, 2.0d0, 2.25d0], [3, 3], order=[2, 1]))
+            call third_edge%create_bezier(degrees=[2], points=reshape([0.5d0, 2.0d0, 2.25d0, 0.375d0, 1.5d0, 1.625d0, &
+                0.25d0, 1.0d0, 1.0625d0], [3, 3], order=[2, 1]))
+            edges_given(1) = first_edge
+            edges_given(2) = second_edge
+            edges_given(3) = third_edge
+            call found%create(surface=surface, sizes=[3], edges=edges_given, keys=[1_c_int64_t, 2_c_int64_t, &
+                3_c_int64_t], tolerance=1d-09, flags=0)
+            call show('out', found)
+        end block
+        call begin('face_create whole')
+        block
+            type(nurbs_face) :: found
+            call found%create(surface=surface, sizes=[integer(c_int32_t) ::], tolerance=0.0d0, flags=0)
+            call show('out', found)
+        end block
+        call by_hand('face_clone')
+        call by_hand('face_destroy')
+        call begin('face_surface')
+        block
+            type(nurbs_spline) :: out_found
+            call face%surface(out=out_found)
+            call show('out', out_found)
+        end block
+        call begin('face_loops')
+        block
+            integer(c_int64_t), allocatable :: sizes_found(:)
+            call face%loops(sizes=sizes_found)
+            call show('sizes', sizes_found)
+        end block
+        call begin('face_curve')
+        block
+            type(nurbs_spline) :: out_found
+            call face%curve(loop=1, index=1, out=out_found)
+            call show('out', out_found)
+        end block
+        call begin('face_edge')
+        block
+            type(nurbs_spline) :: out_found
+            integer(c_int64_t) :: key_found
+            call face%edge(loop=1, index=1, out=out_found, key=key_found)
+            call show('out', out_found)
+            call show('key', key_found)
+        end block
+        call begin('face_deviation')
+        block
+            real(c_double) :: distance_found
+            logical :: proven_found
+            call face%deviation(loop=1, index=1, distance=distance_found, proven=proven_found)
+            call show('distance', distance_found)
+            call show('proven', proven_found)
+        end block
+        call begin('face_tolerance')
+        block
+            call show('tolerance', face%get_tolerance())
+        end block
+        call begin('face_classify')
+        block
+            integer(c_int32_t), allocatable :: sides_found(:)
+            allocate (sides_found(3))
+            call face%classify(params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], [3, 2], order=[2, 1]), &
+                sides=sides_found, tolerance=0.0d0)
+            call show('sides', sides_found)
+        end block
+        call begin('face_area')
+        block
+            real(c_double) :: area_found
+            real(c_double) :: error_found
+            call face%get_area(area=area_found, error=error_found, tolerance=1d-06)
+            call show('area', area_found)
+            call show('error', error_found)
+        end block
+        call begin('face_moments')
+        block
+            real(c_double) :: content_found
+            real(c_double), allocatable :: centroid_found(:)
+            real(c_double), allocatable :: inertia_found(:, :)
+            real(c_double) :: error_found
+            allocate (centroid_found(3))
+            allocate (inertia_found(3, 3))
+            call face%moments(content=content_found, centroid=centroid_found, inertia=inertia_found, &
+                error=error_found, tolerance=1d-06)
+            call show('content', content_found)
+            call show('centroid', centroid_found)
+            call show('inertia', flat(inertia_found))
+            call show('error', error_found)
+        end block
+        call begin('face_box')
+        block
+            real(c_double), allocatable :: lower_found(:)
+            real(c_double), allocatable :: upper_found(:)
+            real(c_double) :: gap_found
+            allocate (lower_found(3))
+            allocate (upper_found(3))
+            call face%box(lower=lower_found, upper=upper_found, gap=gap_found, tolerance=0.001d0)
+            call show('lower', lower_found)
+            call show('upper', upper_found)
+            call show('gap', gap_found)
+        end block
         call begin('read_with')
         block
             type(nurbs_call) :: watching
@@ -922,6 +1059,103 @@ contains
                 call=watching)
             call show('out', out_found)
             call show('bound', bound_found)
+        end block
+        call begin('face_create_with')
+        block
+            type(nurbs_spline) :: south
+            type(nurbs_spline) :: east
+            type(nurbs_spline) :: north
+            type(nurbs_spline) :: west
+            type(nurbs_spline) :: curves_given(5)
+            type(nurbs_call) :: watching
+            type(nurbs_face) :: found
+            call south%create_bezier(degrees=[1], points=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            call east%create_bezier(degrees=[1], points=reshape([1.0d0, 0.0d0, 1.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call north%create_bezier(degrees=[1], points=reshape([1.0d0, 3.0d0, 0.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call west%create_bezier(degrees=[1], points=reshape([0.0d0, 3.0d0, 0.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            curves_given(1) = outline
+            curves_given(2) = south
+            curves_given(3) = east
+            curves_given(4) = north
+            curves_given(5) = west
+            call found%create(surface=surface, sizes=[1, 4], curves=curves_given, keys=[0_c_int64_t, 7_c_int64_t, &
+                (-8_c_int64_t), 0_c_int64_t, 9_c_int64_t], tolerance=0.001d0, flags=67108864, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_create_with of edges')
+        block
+            type(nurbs_spline) :: first_edge
+            type(nurbs_spline) :: second_edge
+            type(nurbs_spline) :: third_edge
+            type(nurbs_spline) :: edges_given(3)
+            type(nurbs_call) :: watching
+            type(nurbs_face) :: found
+            call first_edge%create_bezier(degrees=[2], points=reshape([0.25d0, 1.0d0, 1.0625d0, 0.5d0, 1.0d0, &
+                1.1875d0, 0.75d0, 1.0d0, 1.5625d0], [3, 3], order=[2, 1]))
+            call second_edge%create_bezier(degrees=[2], points=reshape([0.75d0, 1.0d0, 1.5625d0, 0.625d0, 1.5d0, &
+                1.875d0, 0.5d0, 2.0d0, 2.25d0], [3, 3], order=[2, 1]))
+            call third_edge%create_bezier(degrees=[2], points=reshape([0.5d0, 2.0d0, 2.25d0, 0.375d0, 1.5d0, 1.625d0, &
+                0.25d0, 1.0d0, 1.0625d0], [3, 3], order=[2, 1]))
+            edges_given(1) = first_edge
+            edges_given(2) = second_edge
+            edges_given(3) = third_edge
+            call found%create(surface=surface, sizes=[3], edges=edges_given, keys=[1_c_int64_t, 2_c_int64_t, &
+                3_c_int64_t], tolerance=1d-09, flags=0, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_create_with whole')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_face) :: found
+            call found%create(surface=surface, sizes=[integer(c_int32_t) ::], tolerance=0.0d0, flags=0, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_classify_with')
+        block
+            integer(c_int32_t), allocatable :: sides_found(:)
+            type(nurbs_call) :: watching
+            allocate (sides_found(3))
+            call face%classify(params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], [3, 2], order=[2, 1]), &
+                sides=sides_found, tolerance=0.0d0, call=watching)
+            call show('sides', sides_found)
+        end block
+        call begin('face_area_with')
+        block
+            real(c_double) :: area_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call face%get_area(area=area_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('area', area_found)
+            call show('error', error_found)
+        end block
+        call begin('face_moments_with')
+        block
+            real(c_double) :: content_found
+            real(c_double), allocatable :: centroid_found(:)
+            real(c_double), allocatable :: inertia_found(:, :)
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            allocate (centroid_found(3))
+            allocate (inertia_found(3, 3))
+            call face%moments(content=content_found, centroid=centroid_found, inertia=inertia_found, &
+                error=error_found, tolerance=1d-06, call=watching)
+            call show('content', content_found)
+            call show('centroid', centroid_found)
+            call show('inertia', flat(inertia_found))
+            call show('error', error_found)
+        end block
+        call begin('face_box_with')
+        block
+            real(c_double), allocatable :: lower_found(:)
+            real(c_double), allocatable :: upper_found(:)
+            real(c_double) :: gap_found
+            type(nurbs_call) :: watching
+            allocate (lower_found(3))
+            allocate (upper_found(3))
+            call face%box(lower=lower_found, upper=upper_found, gap=gap_found, tolerance=0.001d0, call=watching)
+            call show('lower', lower_found)
+            call show('upper', upper_found)
+            call show('gap', gap_found)
         end block
     end subroutine calls_of_data
 

@@ -5,7 +5,7 @@
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{Call, List, Spline, Statistics};
+use nurbs::{Call, Face, List, Spline, Statistics};
 use smoke_support::{begin, by_hand, show, written};
 
 const FILE: &str = r#"a file of the test programs                                             S      1
@@ -45,6 +45,8 @@ struct Given {
     list: List,
     no_statistics: Statistics,
     statistics: Statistics,
+    outline: Spline,
+    face: Face,
 }
 
 fn given() -> nurbs::Result<Given> {
@@ -142,6 +144,16 @@ fn given() -> nurbs::Result<Given> {
         &[0.0, 0.25, 0.5, 0.75, 1.0],
         &[0.0, 1.0, 2.0, 1.0, 0.0],
     )?)?;
+    let outline = Spline::create(
+        &[1],
+        &[4],
+        &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+        2,
+        &[0.25, 1.0, 0.75, 1.0, 0.5, 2.0, 0.25, 1.0],
+        None,
+        0,
+    )?;
+    let face = Face::create(&surface, &[1], &[Some(&outline)], &[], &[], 0.001, 0)?;
     Ok(Given {
         curve,
         r#loop,
@@ -153,6 +165,8 @@ fn given() -> nurbs::Result<Given> {
         list,
         no_statistics,
         statistics,
+        outline,
+        face,
     })
 }
 
@@ -870,6 +884,125 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("out", &found.spline);
         show("bound", &found.bound);
     }
+    begin("face_create");
+    {
+        let south = Spline::bezier(&[1], 2, &[0.0, 0.0, 1.0, 0.0], None)?;
+        let east = Spline::bezier(&[1], 2, &[1.0, 0.0, 1.0, 3.0], None)?;
+        let north = Spline::bezier(&[1], 2, &[1.0, 3.0, 0.0, 3.0], None)?;
+        let west = Spline::bezier(&[1], 2, &[0.0, 3.0, 0.0, 0.0], None)?;
+        let found = Face::create(
+            &given.surface,
+            &[1, 4],
+            &[
+                Some(&given.outline),
+                Some(&south),
+                Some(&east),
+                Some(&north),
+                Some(&west),
+            ],
+            &[],
+            &[0, 7, -8, 0, 9],
+            0.001,
+            67108864,
+        )?;
+        show("out", &found);
+    }
+    begin("face_create of edges");
+    {
+        let first_edge = Spline::bezier(
+            &[2],
+            3,
+            &[0.25, 1.0, 1.0625, 0.5, 1.0, 1.1875, 0.75, 1.0, 1.5625],
+            None,
+        )?;
+        let second_edge = Spline::bezier(
+            &[2],
+            3,
+            &[0.75, 1.0, 1.5625, 0.625, 1.5, 1.875, 0.5, 2.0, 2.25],
+            None,
+        )?;
+        let third_edge = Spline::bezier(
+            &[2],
+            3,
+            &[0.5, 2.0, 2.25, 0.375, 1.5, 1.625, 0.25, 1.0, 1.0625],
+            None,
+        )?;
+        let found = Face::create(
+            &given.surface,
+            &[3],
+            &[],
+            &[Some(&first_edge), Some(&second_edge), Some(&third_edge)],
+            &[1, 2, 3],
+            1e-09,
+            0,
+        )?;
+        show("out", &found);
+    }
+    begin("face_create whole");
+    {
+        let found = Face::create(&given.surface, &[], &[], &[], &[], 0.0, 0)?;
+        show("out", &found);
+    }
+    by_hand("face_clone");
+    by_hand("face_destroy");
+    begin("face_surface");
+    {
+        let found = given.face.surface()?;
+        show("out", &found);
+    }
+    begin("face_loops");
+    {
+        let found = given.face.loops()?;
+        show("sizes", &found);
+    }
+    begin("face_curve");
+    {
+        let found = given.face.curve(0, 0)?;
+        show("out", &found);
+    }
+    begin("face_edge");
+    {
+        let found = given.face.edge(0, 0)?;
+        show("out", &found.spline);
+        show("key", &found.key);
+    }
+    begin("face_deviation");
+    {
+        let found = given.face.deviation(0, 0)?;
+        show("distance", &found.distance);
+        show("proven", &found.proven);
+    }
+    begin("face_tolerance");
+    {
+        let found = given.face.tolerance()?;
+        show("tolerance", &found);
+    }
+    begin("face_classify");
+    {
+        let found = given.face.classify(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0.0)?;
+        show("sides", &found);
+    }
+    begin("face_area");
+    {
+        let found = given.face.area(1e-06)?;
+        show("area", &found.value);
+        show("error", &found.error);
+    }
+    begin("face_moments");
+    {
+        let found = given.face.moments(1e-06)?;
+        show("content", &found.content);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("error", &found.error);
+    }
+    begin("face_box");
+    {
+        let found = given.face.bounding_box(0.001)?;
+        show("lower", &found.lower);
+        show("upper", &found.upper);
+        show("gap", &found.gap);
+    }
     begin("read_with");
     {
         let found = List::read_with(FILE.as_bytes(), None, &mut Call::new().progress(|_| true))?;
@@ -1009,6 +1142,112 @@ fn data(given: &Given) -> nurbs::Result<()> {
                 .approximate_with(0.001, &[3], 0, &mut Call::new().progress(|_| true))?;
         show("out", &found.spline);
         show("bound", &found.bound);
+    }
+    begin("face_create_with");
+    {
+        let south = Spline::bezier(&[1], 2, &[0.0, 0.0, 1.0, 0.0], None)?;
+        let east = Spline::bezier(&[1], 2, &[1.0, 0.0, 1.0, 3.0], None)?;
+        let north = Spline::bezier(&[1], 2, &[1.0, 3.0, 0.0, 3.0], None)?;
+        let west = Spline::bezier(&[1], 2, &[0.0, 3.0, 0.0, 0.0], None)?;
+        let found = Face::create_with(
+            &given.surface,
+            &[1, 4],
+            &[
+                Some(&given.outline),
+                Some(&south),
+                Some(&east),
+                Some(&north),
+                Some(&west),
+            ],
+            &[],
+            &[0, 7, -8, 0, 9],
+            0.001,
+            67108864,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_create_with of edges");
+    {
+        let first_edge = Spline::bezier(
+            &[2],
+            3,
+            &[0.25, 1.0, 1.0625, 0.5, 1.0, 1.1875, 0.75, 1.0, 1.5625],
+            None,
+        )?;
+        let second_edge = Spline::bezier(
+            &[2],
+            3,
+            &[0.75, 1.0, 1.5625, 0.625, 1.5, 1.875, 0.5, 2.0, 2.25],
+            None,
+        )?;
+        let third_edge = Spline::bezier(
+            &[2],
+            3,
+            &[0.5, 2.0, 2.25, 0.375, 1.5, 1.625, 0.25, 1.0, 1.0625],
+            None,
+        )?;
+        let found = Face::create_with(
+            &given.surface,
+            &[3],
+            &[],
+            &[Some(&first_edge), Some(&second_edge), Some(&third_edge)],
+            &[1, 2, 3],
+            1e-09,
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_create_with whole");
+    {
+        let found = Face::create_with(
+            &given.surface,
+            &[],
+            &[],
+            &[],
+            &[],
+            0.0,
+            0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_classify_with");
+    {
+        let found = given.face.classify_with(
+            &[0.1, 0.9, 0.3, 0.7, 0.2, 0.6],
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("sides", &found);
+    }
+    begin("face_area_with");
+    {
+        let found = given
+            .face
+            .area_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("area", &found.value);
+        show("error", &found.error);
+    }
+    begin("face_moments_with");
+    {
+        let found = given
+            .face
+            .moments_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("content", &found.content);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("error", &found.error);
+    }
+    begin("face_box_with");
+    {
+        let found = given
+            .face
+            .bounding_box_with(0.001, &mut Call::new().progress(|_| true))?;
+        show("lower", &found.lower);
+        show("upper", &found.upper);
+        show("gap", &found.gap);
     }
     Ok(())
 }

@@ -25,12 +25,13 @@ void check_intact(const Inputs &in); // they hold what fresh ones hold
 std::vector<double> numbers_of(const nurbs *g);
 bool same_bits(std::span<const double> a, std::span<const double> b);
 
-// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, or statistics, or none.
+// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, or none.
 struct Output {
     Output();
     nurbs *out = check_poison(), *other = check_poison();
     nurbs_list *list = nullptr;
     nurbs_statistics *statistics = nullptr;
+    nurbs_face *face = nullptr;
     double values[1024];
     float singles[64];
     int64_t spans[64];
@@ -67,6 +68,9 @@ inline void destroy(nurbs_list *list) {
 }
 inline void destroy(nurbs_statistics *statistics) {
     nurbs_statistics_destroy(statistics);
+}
+inline void destroy(nurbs_face *face) {
+    nurbs_face_destroy(face);
 }
 
 // An input that is made for one call.

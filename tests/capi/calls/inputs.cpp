@@ -12,7 +12,7 @@ namespace calls {
 
 namespace {
 
-// The splines of the inputs, those of the lists behind the others, each to be destroyed.
+// The splines of the inputs, those of the lists and of the faces behind the others, each to be destroyed.
 std::vector<nurbs *> splines_of(const Inputs &in) {
     std::vector<nurbs *> all;
     for (const auto spline : splines) {
@@ -24,6 +24,10 @@ std::vector<nurbs *> splines_of(const Inputs &in) {
         for (int64_t i = 0; i < count; ++i) {
             CHECK_OK(nurbs_list_get(in.*list, i, &all.emplace_back(nullptr)));
         }
+    }
+    for (const auto face : faces_made) {
+        CHECK_OK(nurbs_face_surface(in.*face, &all.emplace_back(nullptr)));
+        CHECK_OK(nurbs_face_curve(in.*face, 0, 0, &all.emplace_back(nullptr)));
     }
     return all;
 }
@@ -67,6 +71,9 @@ void destroy(const Inputs &in) {
     }
     for (const auto statistics : all_statistics) {
         nurbs_statistics_destroy(in.*statistics);
+    }
+    for (const auto face : faces_made) {
+        nurbs_face_destroy(in.*face);
     }
 }
 
@@ -112,6 +119,7 @@ void destroy(const Output &o) {
     }
     nurbs_list_destroy(o.list);
     nurbs_statistics_destroy(o.statistics);
+    nurbs_face_destroy(o.face);
 }
 
 void check_nothing_written(const Output &o) {
@@ -120,6 +128,7 @@ void check_nothing_written(const Output &o) {
     }
     CHECK(o.list == nullptr);
     CHECK(o.statistics == nullptr);
+    CHECK(o.face == nullptr);
     CHECK_UNTOUCHED(o.values);
     CHECK_UNTOUCHED(o.singles);
     CHECK_UNTOUCHED(o.spans);

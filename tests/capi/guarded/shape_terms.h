@@ -47,6 +47,14 @@ inline int32_t dim_of(const nurbs_statistics *statistics) {
     return dim;
 }
 
+inline int32_t dim_of(const nurbs_face *face) {
+    nurbs *surface = nullptr;
+    (void)nurbs_face_surface(face, &surface);
+    const int32_t dim = dim_of(surface);
+    nurbs_destroy(surface);
+    return dim;
+}
+
 inline int32_t axes_of(const nurbs_data *data) {
     return data == nullptr ? 0 : data->axes;
 }

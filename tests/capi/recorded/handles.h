@@ -124,6 +124,32 @@ inline void discard(nurbs_statistics *statistics) {
     nurbs_statistics_destroy(statistics);
 }
 
+inline void add_curve(Output &output, const nurbs_face *face, int64_t loop, int64_t index) {
+    nurbs *curve = nullptr;
+    (void)nurbs_face_curve(face, loop, index, &curve);
+    add_handle(output, curve);
+    nurbs_destroy(curve);
+}
+
+inline void add_handle(Output &output, const nurbs_face *face) {
+    if (face == nullptr) {
+        return;
+    }
+    int64_t loops = 0;
+    (void)nurbs_face_loops(face, 0, nullptr, &loops);
+    std::vector<int64_t> sizes(static_cast<size_t>(loops));
+    (void)nurbs_face_loops(face, loops, sizes.data(), nullptr);
+    output.add(sizes.data(), loops);
+    for (int64_t loop = 0; loop < loops; ++loop) {
+        for (int64_t i = 0; i < sizes[static_cast<size_t>(loop)]; ++i) {
+            add_curve(output, face, loop, i);
+        }
+    }
+}
+inline void discard(nurbs_face *face) {
+    nurbs_face_destroy(face);
+}
+
 } // namespace recorded
 
 #endif

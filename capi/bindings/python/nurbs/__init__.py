@@ -10,8 +10,8 @@
 The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. One rule tells where a
 C function is: if its first argument is one spline it is a method of Spline, of what the spline is made of a property;
 constructors from points are class methods of Spline; what makes statistics of data, or is made of them, is in the class
-Statistics; everything else (shapes, several splines, knots, files) is a function of this module. Prefixes (nurbs_,
-curve_, surface_, volume_, statistics_) are left out where the name is clear without.
+Statistics, what makes or asks faces in the class Face; everything else (shapes, several splines, knots, files) is a function of this module. Prefixes (nurbs_,
+curve_, surface_, volume_, statistics_, face_) are left out where the name is clear without.
 
 - Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,),
   results S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order;
@@ -52,6 +52,7 @@ from ._curves import *  # noqa: F403
 from ._deform import *  # noqa: F403
 from ._edit import *  # noqa: F403
 from ._evaluation import *  # noqa: F403
+from ._faces import *  # noqa: F403
 from ._files import *  # noqa: F403
 from ._fit import *  # noqa: F403
 from ._fitting import *  # noqa: F403
@@ -72,7 +73,7 @@ __version__ = "1.1.0"
 
 # Results, exceptions, pickled splines and statistics are known by the names they have here.
 for _value in list(globals().values()):
-    if isinstance(_value, type) and issubclass(_value, (tuple, Exception, Statistics)):  # noqa: F405
+    if isinstance(_value, type) and issubclass(_value, (tuple, Exception, Statistics, Face)):  # noqa: F405
         _value.__module__ = __name__
 _restored.__module__ = _restored_statistics.__module__ = __name__
 del _value

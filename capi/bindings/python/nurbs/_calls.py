@@ -226,6 +226,10 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_fold_test, lib.nurbs_fold_test_with),
         (lib.nurbs_fit_errors, lib.nurbs_fit_errors_with),
         (lib.nurbs_fit_criteria, lib.nurbs_fit_criteria_with),
+        (lib.nurbs_face_classify, lib.nurbs_face_classify_with),
+        (lib.nurbs_face_area, lib.nurbs_face_area_with),
+        (lib.nurbs_face_moments, lib.nurbs_face_moments_with),
+        (lib.nurbs_face_box, lib.nurbs_face_box_with),
     ]),
     (_before_out, [
         (lib.nurbs_product, lib.nurbs_product_with),
@@ -235,6 +239,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_fit_points, lib.nurbs_fit_points_with),
         (lib.nurbs_fit_tolerance, lib.nurbs_fit_tolerance_with),
         (lib.nurbs_fit_cloud, lib.nurbs_fit_cloud_with),
+        (lib.nurbs_face_create, lib.nurbs_face_create_with),
         (lib.nurbs_reduce_knots, lib.nurbs_reduce_knots_with),
         (lib.nurbs_reduce_degree, lib.nurbs_reduce_degree_with),
         (lib.nurbs_simplify, lib.nurbs_simplify_with),

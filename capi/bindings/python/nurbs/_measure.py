@@ -69,7 +69,7 @@ class EnclosedVolume(NamedTuple):
     error: float
 
 
-def _moments(dim: int, function: Any, before: Tuple[Any, ...], after: Tuple[Any, ...]) -> Tuple[Floats, Floats]:
+def moments_of(dim: int, function: Any, before: Tuple[Any, ...], after: Tuple[Any, ...]) -> Tuple[Floats, Floats]:
     """Centroid (dim,) and inertia (dim, dim), NaN where they do not exist, from a function to which their addresses are
     passed between other arguments. It refuses what it cannot give if that is asked for: then it is asked for less."""
     centroid, inertia = numpy.full(dim, numpy.nan), numpy.full((dim, dim), numpy.nan)
@@ -141,7 +141,7 @@ class Measures(SplineBase):
                 work: Optional[int] = None) -> Moments:
         """Content, centroid and inertia of the spline itself: a wire, a sheet or a body."""
         content, error = ctypes.c_double(), ctypes.c_double()
-        centroid, inertia = _moments(self.dimension, watched(lib.nurbs_moments, progress, work),
+        centroid, inertia = moments_of(self.dimension, watched(lib.nurbs_moments, progress, work),
                                      (self._handle, relative_tolerance, ctypes.byref(content)), (ctypes.byref(error),))
         return Moments(content.value, centroid, inertia, error.value)
 
@@ -151,7 +151,7 @@ def enclosed_area(curves: Iterable[SplineBase], tolerance: float = 0.0, relative
     """What closed chains of curves in the plane enclose, counterclockwise ones counting positive; ends meet to within
     the tolerance. Raises ArgumentError if a chain does not close."""
     given, area, error = handles(curves), ctypes.c_double(), ctypes.c_double()
-    centroid, inertia = _moments(2, watched(lib.nurbs_enclosed_area, progress, work),
+    centroid, inertia = moments_of(2, watched(lib.nurbs_enclosed_area, progress, work),
                                  (len(given), given, tolerance, relative_tolerance, ctypes.byref(area)),
                                  (ctypes.byref(error),))
     return EnclosedArea(area.value, centroid, inertia, error.value)
@@ -161,7 +161,7 @@ def enclosed_volume(surfaces: Iterable[SplineBase], relative_tolerance: float = 
                     work: Optional[int] = None) -> EnclosedVolume:
     """What surfaces enclose whose normals point outwards: 1/3 of the integral of S . (S_u x S_v)."""
     given, (volume, openness, error) = handles(surfaces), (ctypes.c_double(), ctypes.c_double(), ctypes.c_double())
-    centroid, inertia = _moments(3, watched(lib.nurbs_enclosed_volume, progress, work),
+    centroid, inertia = moments_of(3, watched(lib.nurbs_enclosed_volume, progress, work),
                                  (len(given), given, relative_tolerance, ctypes.byref(volume)),
                                  (ctypes.byref(openness), ctypes.byref(error)))
     return EnclosedVolume(volume.value, centroid, inertia, openness.value, error.value)

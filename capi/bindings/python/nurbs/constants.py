@@ -75,6 +75,7 @@ NURBS_ERROR_RULE = 64  # not one of the constants of a rule, or one that does no
 NURBS_ERROR_SCHOENBERG_WHITNEY = 65  # data lie outside the support of the control point that they have to determine
 NURBS_ERROR_RANK = 66  # data or conditions do not determine the result
 NURBS_ERROR_SCALE = 67  # a value or weight is above the scale of the statistics
+NURBS_ERROR_ORIENTATION = 68  # loops of a face have no common inside, or enclose nothing
 NURBS_ERROR_OUTSIDE_DOMAIN = 100  # a parameter or knot lies outside the domain
 NURBS_ERROR_NOT_REPRESENTABLE = 200  # a value of the result overflows double precision
 NURBS_ERROR_KNOTS_MERGE = 202  # knots that differ would become equal or change their order
@@ -111,7 +112,9 @@ NURBS_PERIODIC = 0x01
 # nurbs_eval_adjoint() and the other adjoints: add to what the outputs hold instead of overwriting it.
 NURBS_ACCUMULATE = 0x01000000
 NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself instead of negating the parameter.
-NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump instead of an error.
+# nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments close what curves
+# leave open.
+NURBS_KEEP_GAPS = 0x04000000
 NURBS_PRODUCT_DOT = 0x08000000  # nurbs_product(): the dot product.
 NURBS_PRODUCT_CROSS = 0x10000000  # nurbs_product(): the cross product in dimension 3.
 NURBS_HOMOGENEOUS = 0x20000000  # nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w).
@@ -120,6 +123,7 @@ NURBS_EQUAL_CHORDS = 0x02000000  # nurbs_curve_divide(): equal distances of cons
 NURBS_REVERSED = 0x04000000  # nurbs_snap_boundary(): the two boundaries run against each other.
 # nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
 NURBS_NAN_POINTS = 0x01000000
+NURBS_AS_ORIENTED = 0x01000000  # nurbs_face_create(): the inside is to the left of the loops as they run.
 
 # --- Form of a knot vector, as reported by nurbs_knot_form()
 NURBS_FORM_CLAMPED_START = 0x01  # the first degree + 1 knots are equal

@@ -110,6 +110,11 @@ impl Spline {
     }
 }
 
+/// The handles of splines of which some may be missing.
+pub(crate) fn some_handles(splines: &[Option<&Spline>]) -> Vec<*const sys::nurbs> {
+    splines.iter().map(|spline| spline.map_or(std::ptr::null(), Spline::raw)).collect()
+}
+
 /// The handles of splines.
 pub(crate) fn handles(splines: &[&Spline]) -> Vec<*const sys::nurbs> {
     splines.iter().map(|spline| spline.raw()).collect()

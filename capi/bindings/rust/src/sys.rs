@@ -26,6 +26,12 @@ pub struct nurbs_statistics {
     _private: [u8; 0],
 }
 
+/// A trimmed face: immutable, reference counted, opaque. \since 1.1 Never made or moved on this side.
+#[repr(C)]
+pub struct nurbs_face {
+    _private: [u8; 0],
+}
+
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
@@ -475,6 +481,8 @@ pub const NURBS_ERROR_SCHOENBERG_WHITNEY: nurbs_status = 65;
 pub const NURBS_ERROR_RANK: nurbs_status = 66;
 /// a value or weight is above the scale of the statistics
 pub const NURBS_ERROR_SCALE: nurbs_status = 67;
+/// loops of a face have no common inside, or enclose nothing
+pub const NURBS_ERROR_ORIENTATION: nurbs_status = 68;
 /// a parameter or knot lies outside the domain
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 /// a value of the result overflows double precision
@@ -532,7 +540,8 @@ pub const NURBS_PERIODIC: u32 = 0x01;
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 /// nurbs_reverse(): map the domain to itself instead of negating the parameter.
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
-/// nurbs_join(): ends that do not meet become a jump instead of an error.
+/// nurbs_join(): ends that do not meet become a jump instead of an error; nurbs_face_create(): segments close
+/// what curves leave open.
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 /// nurbs_product(): the dot product.
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
@@ -548,6 +557,8 @@ pub const NURBS_EQUAL_CHORDS: u32 = 0x02000000;
 pub const NURBS_REVERSED: u32 = 0x04000000;
 /// nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
 pub const NURBS_NAN_POINTS: u32 = 0x01000000;
+/// nurbs_face_create(): the inside is to the left of the loops as they run.
+pub const NURBS_AS_ORIENTED: u32 = 0x01000000;
 
 // --- Form of a knot vector, as reported by nurbs_knot_form()
 /// the first degree + 1 knots are equal
@@ -3730,6 +3741,174 @@ extern "C" {
         grad_weight_stride: i64,
         error: *mut f64,
         flags: u32,
+    ) -> nurbs_status;
+    // --- Trimmed faces
+    /// A face of a surface and loops of curves.
+    ///
+    /// May be null: `curves`, `edges`, `keys`, `gaps`.
+    pub fn nurbs_face_create(
+        surface: *const nurbs,
+        loops: i64,
+        sizes: *const i64,
+        curves: *const *const nurbs,
+        edges: *const *const nurbs,
+        keys: *const i64,
+        tolerance: f64,
+        flags: u32,
+        gaps: *mut f64,
+        out: *mut *mut nurbs_face,
+    ) -> nurbs_status;
+    /// nurbs_face_create() as a call that can be watched and ended.
+    ///
+    /// May be null: `curves`, `edges`, `keys`, `gaps`, `call`.
+    pub fn nurbs_face_create_with(
+        surface: *const nurbs,
+        loops: i64,
+        sizes: *const i64,
+        curves: *const *const nurbs,
+        edges: *const *const nurbs,
+        keys: *const i64,
+        tolerance: f64,
+        flags: u32,
+        gaps: *mut f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_face,
+    ) -> nurbs_status;
+    /// Another handle on the same face, in constant time.
+    pub fn nurbs_face_clone(face: *const nurbs_face, out: *mut *mut nurbs_face) -> nurbs_status;
+    /// Frees a handle on a face.
+    ///
+    /// May be null: `face`.
+    pub fn nurbs_face_destroy(face: *mut nurbs_face);
+    /// The surface of a face.
+    pub fn nurbs_face_surface(face: *const nurbs_face, out: *mut *mut nurbs) -> nurbs_status;
+    /// The number of curves of each loop.
+    ///
+    /// May be null: `sizes`, `count`.
+    pub fn nurbs_face_loops(
+        face: *const nurbs_face,
+        cap: i64,
+        sizes: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+    pub fn nurbs_face_curve(
+        face: *const nurbs_face,
+        r#loop: i64,
+        index: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The edge in space that belongs to a curve of a loop: the one that was given, in its own direction, or
+    /// one that is made.
+    ///
+    /// May be null: `key`.
+    pub fn nurbs_face_edge(
+        face: *const nurbs_face,
+        r#loop: i64,
+        index: i64,
+        key: *mut i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if that
+    /// is within the tolerance of the face, else from each to the nearest point of the other.
+    ///
+    /// May be null: `proven`.
+    pub fn nurbs_face_deviation(
+        face: *const nurbs_face,
+        r#loop: i64,
+        index: i64,
+        distance: *mut f64,
+        proven: *mut i32,
+    ) -> nurbs_status;
+    /// The tolerance that a face was created with.
+    pub fn nurbs_face_tolerance(face: *const nurbs_face, tolerance: *mut f64) -> nurbs_status;
+    /// On which side of the boundary of a face parameters lie.
+    pub fn nurbs_face_classify(
+        face: *const nurbs_face,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        tolerance: f64,
+        sides: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_face_classify() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_face_classify_with(
+        face: *const nurbs_face,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        tolerance: f64,
+        sides: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
+    /// Weiss, Evans 2021), each within one span of the surface.
+    ///
+    /// May be null: `error`.
+    pub fn nurbs_face_area(
+        face: *const nurbs_face,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_face_area() as a call that can be watched and ended.
+    ///
+    /// May be null: `error`, `call`.
+    pub fn nurbs_face_area_with(
+        face: *const nurbs_face,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Area, centroid and inertia of a face, as nurbs_moments() has them of a whole surface; dim is its
+    /// dimension.
+    ///
+    /// May be null: `centroid`, `inertia`, `error`.
+    pub fn nurbs_face_moments(
+        face: *const nurbs_face,
+        relative_tolerance: f64,
+        content: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_face_moments() as a call that can be watched and ended.
+    ///
+    /// May be null: `centroid`, `inertia`, `error`, `call`.
+    pub fn nurbs_face_moments_with(
+        face: *const nurbs_face,
+        relative_tolerance: f64,
+        content: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// An axis-aligned box that contains a face; dim is the dimension of its surface.
+    ///
+    /// May be null: `gap`.
+    pub fn nurbs_face_box(
+        face: *const nurbs_face,
+        tolerance: f64,
+        lower: *mut f64,
+        upper: *mut f64,
+        gap: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_face_box() as a call that can be watched and ended.
+    ///
+    /// May be null: `gap`, `call`.
+    pub fn nurbs_face_box_with(
+        face: *const nurbs_face,
+        tolerance: f64,
+        lower: *mut f64,
+        upper: *mut f64,
+        gap: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     // --- Reading files
     /// Fills an options struct with the defaults.

@@ -565,6 +565,106 @@ const Call group[] = {
          static constexpr int32_t degrees[] = {3};
          return nurbs_approximate(in.curve, degrees, 0.001, 0, o.values, &o.out);
      }, true},
+    {"face_create",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_south(in, make_south);
+         if (made_south.status() != NURBS_OK) {
+             return made_south.status();
+         }
+         Made made_east(in, make_east);
+         if (made_east.status() != NURBS_OK) {
+             return made_east.status();
+         }
+         Made made_north(in, make_north);
+         if (made_north.status() != NURBS_OK) {
+             return made_north.status();
+         }
+         Made made_west(in, make_west);
+         if (made_west.status() != NURBS_OK) {
+             return made_west.status();
+         }
+         static constexpr int64_t sizes[] = {1, 4};
+         const nurbs *const curves[] = {in.outline, made_south, made_east, made_north, made_west};
+         static constexpr int64_t keys[] = {0, 7, -8, 0, 9};
+         return nurbs_face_create(in.surface, 2, sizes, curves, nullptr, keys, 0.001, NURBS_KEEP_GAPS, nullptr,
+             &o.face);
+     }},
+    {"face_create of edges",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_first_edge(in, make_first_edge);
+         if (made_first_edge.status() != NURBS_OK) {
+             return made_first_edge.status();
+         }
+         Made made_second_edge(in, make_second_edge);
+         if (made_second_edge.status() != NURBS_OK) {
+             return made_second_edge.status();
+         }
+         Made made_third_edge(in, make_third_edge);
+         if (made_third_edge.status() != NURBS_OK) {
+             return made_third_edge.status();
+         }
+         static constexpr int64_t sizes[] = {3};
+         const nurbs *const edges[] = {made_first_edge, made_second_edge, made_third_edge};
+         static constexpr int64_t keys[] = {1, 2, 3};
+         return nurbs_face_create(in.surface, 1, sizes, nullptr, edges, keys, 1e-09, 0, nullptr, &o.face);
+     }},
+    {"face_create whole",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_create(in.surface, 0, nullptr, nullptr, nullptr, nullptr, 0, 0, nullptr, &o.face);
+     }},
+    {"face_clone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_clone(in.face, &o.face);
+     }},
+    {"face_destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_another_face(in, make_another_face);
+         if (made_another_face.status() != NURBS_OK) {
+             return made_another_face.status();
+         }
+         nurbs_face_destroy(made_another_face.release());
+         return NURBS_OK;
+     }},
+    {"face_surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_surface(in.face, &o.out);
+     }},
+    {"face_loops",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_loops(in.face, 1, o.spans, o.spans + 1);
+     }},
+    {"face_curve",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_curve(in.face, 0, 0, &o.out);
+     }},
+    {"face_edge",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_edge(in.face, 0, 0, o.spans, &o.out);
+     }},
+    {"face_deviation",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_deviation(in.face, 0, 0, o.values, o.states);
+     }},
+    {"face_tolerance",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_tolerance(in.face, o.values);
+     }},
+    {"face_classify",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_classify(in.face, 3, arrays::params, 0, 0, 0, o.states);
+     }},
+    {"face_area",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_area(in.face, 1e-06, o.values, o.values + 1);
+     }},
+    {"face_moments",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_moments(in.face, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13);
+     }},
+    {"face_box",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_box(in.face, 0.001, o.values, o.values + 3, o.values + 6);
+     }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -722,6 +822,86 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_approximate_with(in.curve, degrees, 0.001, 0, o.values, &call, &o.out);
      }, true},
+    {"face_create_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_south(in, make_south);
+         if (made_south.status() != NURBS_OK) {
+             return made_south.status();
+         }
+         Made made_east(in, make_east);
+         if (made_east.status() != NURBS_OK) {
+             return made_east.status();
+         }
+         Made made_north(in, make_north);
+         if (made_north.status() != NURBS_OK) {
+             return made_north.status();
+         }
+         Made made_west(in, make_west);
+         if (made_west.status() != NURBS_OK) {
+             return made_west.status();
+         }
+         static constexpr int64_t sizes[] = {1, 4};
+         const nurbs *const curves[] = {in.outline, made_south, made_east, made_north, made_west};
+         static constexpr int64_t keys[] = {0, 7, -8, 0, 9};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_create_with(in.surface, 2, sizes, curves, nullptr, keys, 0.001, NURBS_KEEP_GAPS,
+             nullptr, &call, &o.face);
+     }},
+    {"face_create_with of edges",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_first_edge(in, make_first_edge);
+         if (made_first_edge.status() != NURBS_OK) {
+             return made_first_edge.status();
+         }
+         Made made_second_edge(in, make_second_edge);
+         if (made_second_edge.status() != NURBS_OK) {
+             return made_second_edge.status();
+         }
+         Made made_third_edge(in, make_third_edge);
+         if (made_third_edge.status() != NURBS_OK) {
+             return made_third_edge.status();
+         }
+         static constexpr int64_t sizes[] = {3};
+         const nurbs *const edges[] = {made_first_edge, made_second_edge, made_third_edge};
+         static constexpr int64_t keys[] = {1, 2, 3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_create_with(in.surface, 1, sizes, nullptr, edges, keys, 1e-09, 0, nullptr, &call,
+             &o.face);
+     }},
+    {"face_create_with whole",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_create_with(in.surface, 0, nullptr, nullptr, nullptr, nullptr, 0, 0, nullptr, &call,
+             &o.face);
+     }},
+    {"face_classify_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_classify_with(in.face, 3, arrays::params, 0, 0, 0, o.states, &call);
+     }},
+    {"face_area_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_area_with(in.face, 1e-06, o.values, o.values + 1, &call);
+     }},
+    {"face_moments_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_moments_with(in.face, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13,
+             &call);
+     }},
+    {"face_box_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_box_with(in.face, 0.001, o.values, o.values + 3, o.values + 6, &call);
+     }},
 };
 
 } // namespace

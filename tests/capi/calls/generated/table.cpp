@@ -97,6 +97,20 @@ nurbs_status make_statistics(const Inputs &in, nurbs_statistics **out) {
     return nurbs_statistics_add(in.no_statistics, &data, out);
 }
 
+nurbs_status make_outline(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr int64_t counts[] = {4};
+    static constexpr double knots[] = {0, 0, 1, 2, 3, 3};
+    static constexpr double points[] = {0.25, 1, 0.75, 1, 0.5, 2, 0.25, 1};
+    return nurbs_create(1, degrees, counts, knots, 6, 2, points, 0, 0, nullptr, 0, 0, out);
+}
+
+nurbs_status make_face(const Inputs &in, nurbs_face **out) {
+    static constexpr int64_t sizes[] = {1};
+    const nurbs *const curves[] = {in.outline};
+    return nurbs_face_create(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001, 0, nullptr, out);
+}
+
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
     return nurbs_clone(in.curve, out);
 }
@@ -145,6 +159,52 @@ nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out) {
     return nurbs_statistics_clone(in.statistics, out);
 }
 
+nurbs_status make_another_face(const Inputs &in, nurbs_face **out) {
+    return nurbs_face_clone(in.face, out);
+}
+
+nurbs_status make_south(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr double points[] = {0, 0, 1, 0};
+    return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_east(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr double points[] = {1, 0, 1, 3};
+    return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_north(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr double points[] = {1, 3, 0, 3};
+    return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_west(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr double points[] = {0, 3, 0, 0};
+    return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_first_edge(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr double points[] = {0.25, 1, 1.0625, 0.5, 1, 1.1875, 0.75, 1, 1.5625};
+    return nurbs_create_bezier(1, degrees, 3, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_second_edge(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr double points[] = {0.75, 1, 1.5625, 0.625, 1.5, 1.875, 0.5, 2, 2.25};
+    return nurbs_create_bezier(1, degrees, 3, points, 0, 0, nullptr, 0, out);
+}
+
+nurbs_status make_third_edge(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {2};
+    static constexpr double points[] = {0.5, 2, 2.25, 0.375, 1.5, 1.625, 0.25, 1, 1.0625};
+    return nurbs_create_bezier(1, degrees, 3, points, 0, 0, nullptr, 0, out);
+}
+
 Inputs make_inputs() {
     Inputs in{};
     CHECK_OK(make_curve(in, &in.curve));
@@ -157,6 +217,8 @@ Inputs make_inputs() {
     CHECK_OK(make_list(in, &in.list));
     CHECK_OK(make_no_statistics(in, &in.no_statistics));
     CHECK_OK(make_statistics(in, &in.statistics));
+    CHECK_OK(make_outline(in, &in.outline));
+    CHECK_OK(make_face(in, &in.face));
     return in;
 }
 

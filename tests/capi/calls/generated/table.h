@@ -12,16 +12,18 @@ namespace calls {
 
 // What is made once for all calls.
 struct Inputs {
-    nurbs *curve, *loop, *surface, *volume, *homogeneous, *twist, *segment;
+    nurbs *curve, *loop, *surface, *volume, *homogeneous, *twist, *segment, *outline;
     nurbs_list *list;
     nurbs_statistics *no_statistics, *statistics;
+    nurbs_face *face;
 };
 
 inline constexpr nurbs *Inputs::*const splines[] = {&Inputs::curve, &Inputs::loop, &Inputs::surface,
-    &Inputs::volume, &Inputs::homogeneous, &Inputs::twist, &Inputs::segment};
+    &Inputs::volume, &Inputs::homogeneous, &Inputs::twist, &Inputs::segment, &Inputs::outline};
 inline constexpr nurbs_list *Inputs::*const lists[] = {&Inputs::list};
 inline constexpr nurbs_statistics *Inputs::*const all_statistics[] = {&Inputs::no_statistics,
     &Inputs::statistics};
+inline constexpr nurbs_face *Inputs::*const faces_made[] = {&Inputs::face};
 
 namespace arrays {
 inline constexpr double new_knots[] = {0.3, 0.6};
@@ -66,6 +68,8 @@ nurbs_status make_segment(const Inputs &in, nurbs **out);
 nurbs_status make_list(const Inputs &in, nurbs_list **out);
 nurbs_status make_no_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_statistics(const Inputs &in, nurbs_statistics **out);
+nurbs_status make_outline(const Inputs &in, nurbs **out);
+nurbs_status make_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_copy(const Inputs &in, nurbs **out);
 nurbs_status make_half(const Inputs &in, nurbs **out);
 nurbs_status make_ramp(const Inputs &in, nurbs **out);
@@ -76,6 +80,14 @@ nurbs_status make_sphere(const Inputs &in, nurbs **out);
 nurbs_status make_edges(const Inputs &in, nurbs_list **out);
 nurbs_status make_faces(const Inputs &in, nurbs_list **out);
 nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
+nurbs_status make_another_face(const Inputs &in, nurbs_face **out);
+nurbs_status make_south(const Inputs &in, nurbs **out);
+nurbs_status make_east(const Inputs &in, nurbs **out);
+nurbs_status make_north(const Inputs &in, nurbs **out);
+nurbs_status make_west(const Inputs &in, nurbs **out);
+nurbs_status make_first_edge(const Inputs &in, nurbs **out);
+nurbs_status make_second_edge(const Inputs &in, nurbs **out);
+nurbs_status make_third_edge(const Inputs &in, nurbs **out);
 
 // Those of one kind.
 struct Call;

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: MIT
+"""Trimmed faces: the part of a surface that loops of curves bound."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, NamedTuple, NoReturn, Optional, Tuple, Union
+
+import numpy
+
+from ._arrays import address, if_given, parameters, vector
+from ._base import handle_of
+from ._bounds import Box
+from ._calls import watched
+from ._errors import NurbsError
+from ._library import call, get, lib
+from ._measure import Measured, Moments, moments_of
+from ._spline import Spline
+from .constants import NURBS_AS_ORIENTED, NURBS_KEEP_GAPS
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ._arrays import Floats, Int32s
+    from ._calls import Progress
+
+    #: One curve that closes, or curves that follow one another; None where the other array has one.
+    Loop = Union[Spline, Iterable[Optional[Spline]]]
+
+__all__ = ["Face", "FaceDeviation", "FaceEdge"]
+
+
+class FaceEdge(NamedTuple):
+    """The curve in space that belongs to a curve of a loop, and its number, negative if it runs against the loop."""
+
+    spline: Spline
+    key: int
+
+
+class FaceDeviation(NamedTuple):
+    """How far a curve of a loop and its edge are apart, and whether that is a bound, not only the largest one seen."""
+
+    distance: float
+    proven: bool
+
+
+def _listed(loops: Optional[Iterable[Any]]) -> Optional[List[List[Any]]]:
+    """What is given for each loop as lists; one thing alone is that of a single curve."""
+    if loops is None:
+        return None
+    return [list(loop) if isinstance(loop, Iterable) else [loop] for loop in loops]
+
+
+def _flat(name: str, loops: Optional[List[List[Any]]], sizes: List[int]) -> Optional[List[Any]]:
+    """What is given for the curves, one loop after the other; the loops have these sizes."""
+    if loops is None:
+        return None
+    if [len(loop) for loop in loops] != sizes:
+        raise ValueError(f"{name} of {[len(loop) for loop in loops]} curves, expected {sizes}")
+    return [item for loop in loops for item in loop]
+
+
+def _some_handles(name: str, splines: Optional[Iterable[Optional[Spline]]], count: int) -> Any:
+    """Handles of splines of which some may be missing, or None."""
+    if splines is None:
+        return None
+    given = list(splines)
+    if len(given) != count:
+        raise ValueError(f"{name} of {len(given)} splines, expected {count}, the sum of the sizes")
+    array: Any = (ctypes.c_void_p * count)(*(None if spline is None else handle_of(spline) for spline in given))
+    array.splines = given  # kept alive
+    return array
+
+
+class Face:
+    """A trimmed face: the part of a surface that lies to the left of loops of curves in its domain.
+
+        face = nurbs.Face(surface, [outline, hole], tolerance=1e-6)        # of closed curves
+        face = nurbs.Face(surface, [[south, east, north, west]], tolerance=1e-6)
+        face.area().value, face.classify([0.5, 0.5]), face.box(1e-6)
+
+    Which loops are outer ones, and which are holes, is found by which loops lie in which. Faces never change, and many
+    threads may use them at once; copies are made in constant time.
+    """
+
+    _handle: Optional[int] = None
+    _gaps: Optional[Floats] = None
+
+    def __init__(self, surface: Spline, loops: Optional[Iterable[Loop]] = (), *,
+                 edges: Optional[Iterable[Loop]] = None, keys: Optional[Iterable[Union[int, Iterable[int]]]] = None,
+                 tolerance: float = 0.0, as_oriented: bool = False, keep_gaps: bool = False,
+                 progress: Progress = None, work: Optional[int] = None) -> None:
+        """Of loops of curves in the domain, each a list, or a curve that closes; without loops the whole surface.
+        `edges` are their curves in space, in lists as long; where a curve is None, or loops is, it is made under its
+        edge. `keys` are numbers of edges, the same in all faces that share one, negative against the loop; 0 is none.
+        `tolerance` is the largest distance in space that counts as none. With as_oriented the inside is to the left of
+        the loops as they run, with keep_gaps larger gaps are closed by segments, too. Raises ArgumentError, of
+        NURBS_ERROR_GAP with `gaps` (loops,)."""
+        if self._handle:
+            raise TypeError("a Face does not change: it cannot be initialised again")
+        of_curves, of_edges = _listed(loops), _listed(edges)
+        sizes = [len(loop) for loop in of_curves or of_edges or ()]
+        flags = NURBS_AS_ORIENTED * bool(as_oriented) | NURBS_KEEP_GAPS * bool(keep_gaps)
+        made = self.create(surface, sizes, _flat("loops", of_curves or None, sizes), _flat("edges", of_edges, sizes),
+                           _flat("keys", _listed(keys), sizes), tolerance, flags, progress=progress, work=work)
+        # The handle goes from one owner to the other.
+        self.__dict__["_gaps"], self.__dict__["_handle"] = made._gaps, made.__dict__.pop("_handle")
+
+    @classmethod
+    def create(cls, surface: Spline, sizes: ArrayLike, curves: Optional[Iterable[Optional[Spline]]] = None,
+               edges: Optional[Iterable[Optional[Spline]]] = None, keys: Optional[ArrayLike] = None,
+               tolerance: float = 0.0, flags: int = 0, *, progress: Progress = None,
+               work: Optional[int] = None) -> Face:
+        """The same of one list of curves: `sizes` are the numbers of curves of the loops, `flags` NURBS_AS_ORIENTED and
+        NURBS_KEEP_GAPS."""
+        counts = vector(sizes, numpy.int64)
+        total = int(counts.clip(0).sum())
+        numbers, gaps = if_given(keys, total, "keys", numpy.int64), numpy.full(counts.size, numpy.nan)
+        try:
+            face = cls._made(watched(lib.nurbs_face_create, progress, work), handle_of(surface), counts.size,
+                             counts.ctypes.data, _some_handles("curves", curves, total),
+                             _some_handles("edges", edges, total), address(numbers), tolerance, flags, gaps.ctypes.data)
+        except NurbsError as error:
+            error.gaps = gaps  # type: ignore[attr-defined]
+            raise
+        face.__dict__["_gaps"] = gaps
+        return face
+
+    @classmethod
+    def _made(cls, function: Any, *arguments: Any) -> Face:
+        """The face that a function writes through its last argument."""
+        face, handle = cls.__new__(cls), ctypes.c_void_p()
+        try:
+            call(function, *arguments, ctypes.byref(handle))
+        finally:  # an interrupt may come after the call
+            face.__dict__["_handle"] = handle.value
+        return face
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Face does not change: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a Face does not change: {name} cannot be deleted")
+
+    def __del__(self) -> None:
+        handle = self.__dict__.get("_handle")
+        if lib is not None and handle:
+            lib.nurbs_face_destroy(handle)
+
+    def copy(self) -> Face:
+        """Another handle on the same face, in constant time; copy.copy() and copy.deepcopy() do the same."""
+        face = self._made(lib.nurbs_face_clone, self._handle)
+        face.__dict__["_gaps"] = self._gaps
+        return face
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Face:
+        return self.copy()
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Face cannot be pickled; its surface and its curves can")
+
+    def __repr__(self) -> str:
+        sizes = self.loops
+        return f"<Face of {len(sizes)} {'loop' if len(sizes) == 1 else 'loops'} with {sum(sizes)} curves>"
+
+    # --- What it is made of ---
+
+    @property
+    def surface(self) -> Spline:
+        """Its surface."""
+        return Spline._made(lib.nurbs_face_surface, self._handle)
+
+    @property
+    def loops(self) -> Tuple[int, ...]:
+        """The number of curves of each loop."""
+        sizes = numpy.empty(get(ctypes.c_int64, lib.nurbs_face_loops, self._handle, 0, None), numpy.int64)
+        get(ctypes.c_int64, lib.nurbs_face_loops, self._handle, sizes.size, sizes.ctypes.data)
+        return tuple(sizes.tolist())
+
+    @property
+    def curves(self) -> List[List[Spline]]:
+        """The curves of each loop, as curve() gives them."""
+        return [[self.curve(loop, index) for index in range(size)] for loop, size in enumerate(self.loops)]
+
+    @property
+    def gaps(self) -> Floats:
+        """The largest distance in space of two ends that are to meet, for each loop as it was given (loops,)."""
+        return numpy.empty(0) if self._gaps is None else self._gaps.copy()
+
+    @property
+    def tolerance(self) -> float:
+        """The tolerance that it was created with."""
+        return float(get(ctypes.c_double, lib.nurbs_face_tolerance, self._handle))
+
+    def curve(self, loop: int, index: int) -> Spline:
+        """A curve of a loop in the domain of the surface, as it runs with the inside to its left."""
+        return Spline._made(lib.nurbs_face_curve, self._handle, loop, index)
+
+    def edge(self, loop: int, index: int) -> FaceEdge:
+        """The edge in space that belongs to a curve of a loop: the one that was given, or one that is made."""
+        key = ctypes.c_int64()
+        return FaceEdge(Spline._made(lib.nurbs_face_edge, self._handle, loop, index, ctypes.byref(key)), key.value)
+
+    def deviation(self, loop: int, index: int) -> FaceDeviation:
+        """How far a curve of a loop, mapped by the surface, and its edge are apart."""
+        distance = ctypes.c_double()
+        proven = get(ctypes.c_int32, lib.nurbs_face_deviation, self._handle, loop, index, ctypes.byref(distance))
+        return FaceDeviation(distance.value, bool(proven))
+
+    # --- What it is ---
+
+    def classify(self, params: ArrayLike, tolerance: float = 0.0, *, progress: Progress = None,
+                 work: Optional[int] = None) -> Int32s:
+        """On which side of the boundary parameters (..., 2) lie: 1 inside, 0 within `tolerance` of the boundary, -1
+        outside."""
+        given, batch = parameters(params, 2)
+        sides = numpy.empty(batch, numpy.int32)
+        call(watched(lib.nurbs_face_classify, progress, work), self._handle, given.n, *given.layout, tolerance,
+             sides.ctypes.data)
+        return sides
+
+    def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
+             work: Optional[int] = None) -> Measured:
+        """Its area; a tolerance of 0 asks for the best that there is."""
+        area = ctypes.c_double()
+        error = get(ctypes.c_double, watched(lib.nurbs_face_area, progress, work), self._handle, relative_tolerance,
+                    ctypes.byref(area))
+        return Measured(area.value, error)
+
+    def moments(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
+                work: Optional[int] = None) -> Moments:
+        """Area, centroid and inertia, as those of a surface."""
+        content, error = ctypes.c_double(), ctypes.c_double()
+        centroid, inertia = moments_of(self.surface.dimension, watched(lib.nurbs_face_moments, progress, work),
+                                       (self._handle, relative_tolerance, ctypes.byref(content)), (ctypes.byref(error),))
+        return Moments(content.value, centroid, inertia, error.value)
+
+    def box(self, tolerance: float = 0.0, *, progress: Progress = None, work: Optional[int] = None) -> Box:
+        """An axis-aligned box that contains it; no side is farther from it than the tolerance."""
+        lower, upper = numpy.empty(self.surface.dimension), numpy.empty(self.surface.dimension)
+        gap = get(ctypes.c_double, watched(lib.nurbs_face_box, progress, work), self._handle, tolerance,
+                  lower.ctypes.data, upper.ctypes.data)
+        return Box(lower, upper, gap)

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Trimmed faces: the part of a surface that loops of curves bound.
+
+use crate::arrays::{if_given, Records};
+use crate::bounds::BoundingBox;
+use crate::call::Call;
+use crate::error::{check, value, Result};
+use crate::face::Face;
+use crate::measure::{Measured, Moments};
+use crate::moments::moments_of;
+use crate::sizes::sum;
+use crate::spline::{some_handles, Spline};
+use crate::sys;
+use std::ptr::null_mut;
+
+/// An edge of a face.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FaceEdge {
+    /// The curve in space.
+    pub spline: Spline,
+    /// Its number, negative if it runs against the loop.
+    pub key: i64,
+}
+
+/// How far a curve of a loop and its edge are apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FaceDeviation {
+    /// The distance.
+    pub distance: f64,
+    /// Whether it is a bound, not only the largest one seen.
+    pub proven: bool,
+}
+
+/// Trimmed faces: the part of a surface that loops of curves bound.
+impl Face {
+    /// A face of a surface and loops of curves in its domain, edges in space, or both; sizes are the numbers
+    /// of curves of the loops. Where a curve or an edge is missing, it is made. Without loops it is the whole
+    /// surface.
+    pub fn create(
+        surface: &Spline,
+        sizes: &[i64],
+        curves: &[Option<&Spline>],
+        edges: &[Option<&Spline>],
+        keys: &[i64],
+        tolerance: f64,
+        flags: u32,
+    ) -> Result<Face> {
+        let curves = some_handles(curves);
+        let curves = if_given(&curves, sum(sizes), "curves")?;
+        let edges = some_handles(edges);
+        let edges = if_given(&edges, sum(sizes), "edges")?;
+        let keys = if_given(keys, sum(sizes), "keys")?;
+        Face::made(|out| unsafe {
+            sys::nurbs_face_create(
+                surface.raw(),
+                sizes.len() as i64,
+                sizes.as_ptr(),
+                curves,
+                edges,
+                keys,
+                tolerance,
+                flags,
+                null_mut(),
+                out,
+            )
+        })
+    }
+
+    /// The same as `create`; it can be watched and stopped.
+    pub fn create_with(
+        surface: &Spline,
+        sizes: &[i64],
+        curves: &[Option<&Spline>],
+        edges: &[Option<&Spline>],
+        keys: &[i64],
+        tolerance: f64,
+        flags: u32,
+        call: &mut Call,
+    ) -> Result<Face> {
+        let curves = some_handles(curves);
+        let curves = if_given(&curves, sum(sizes), "curves")?;
+        let edges = some_handles(edges);
+        let edges = if_given(&edges, sum(sizes), "edges")?;
+        let keys = if_given(keys, sum(sizes), "keys")?;
+        Face::made(|out| unsafe {
+            sys::nurbs_face_create_with(
+                surface.raw(),
+                sizes.len() as i64,
+                sizes.as_ptr(),
+                curves,
+                edges,
+                keys,
+                tolerance,
+                flags,
+                null_mut(),
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// Its surface.
+    pub fn surface(&self) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_face_surface(self.raw(), out) })
+    }
+
+    /// The number of curves of each loop.
+    pub fn loops(&self) -> Result<Vec<i64>> {
+        let fill = |cap, sizes, count| unsafe { sys::nurbs_face_loops(self.raw(), cap, sizes, count) };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut sizes = vec![0; n];
+        check(fill(count, sizes.as_mut_ptr(), &mut count))?;
+        Ok(sizes)
+    }
+
+    /// A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+    pub fn curve(&self, loop_index: usize, index: usize) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_face_curve(self.raw(), loop_index as i64, index as i64, out) })
+    }
+
+    /// The edge in space that belongs to a curve of a loop: the one that was given, or one that is made.
+    pub fn edge(&self, loop_index: usize, index: usize) -> Result<FaceEdge> {
+        let mut key = 0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_face_edge(self.raw(), loop_index as i64, index as i64, &mut key, out)
+        })?;
+        Ok(FaceEdge { spline, key })
+    }
+
+    /// How far a curve of a loop, mapped by the surface, and its edge are apart.
+    pub fn deviation(&self, loop_index: usize, index: usize) -> Result<FaceDeviation> {
+        let mut distance = 0.0;
+        let mut proven = 0;
+        check(unsafe {
+            sys::nurbs_face_deviation(self.raw(), loop_index as i64, index as i64, &mut distance, &mut proven)
+        })?;
+        Ok(FaceDeviation { distance, proven: proven != 0 })
+    }
+
+    /// The tolerance that it was created with.
+    pub fn tolerance(&self) -> Result<f64> {
+        value(|tolerance| unsafe { sys::nurbs_face_tolerance(self.raw(), tolerance) })
+    }
+
+    /// On which side of the boundary parameters lie: 1 inside, 0 on the boundary, -1 outside.
+    pub fn classify<'a>(&self, params: impl Into<Records<'a>>, tolerance: f64) -> Result<Vec<i32>> {
+        let params = params.into();
+        let n = params.count(2, "params")?;
+        let mut sides = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_classify(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                tolerance,
+                sides.as_mut_ptr(),
+            )
+        })?;
+        Ok(sides)
+    }
+
+    /// The same as `classify`; it can be watched and stopped.
+    pub fn classify_with<'a>(
+        &self,
+        params: impl Into<Records<'a>>,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Vec<i32>> {
+        let params = params.into();
+        let n = params.count(2, "params")?;
+        let mut sides = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_classify_with(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                tolerance,
+                sides.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(sides)
+    }
+
+    /// Its area.
+    pub fn area(&self, relative_tolerance: f64) -> Result<Measured> {
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe { sys::nurbs_face_area(self.raw(), relative_tolerance, &mut value, &mut error) })?;
+        Ok(Measured { value, error })
+    }
+
+    /// The same as `area`; it can be watched and stopped.
+    pub fn area_with(&self, relative_tolerance: f64, call: &mut Call) -> Result<Measured> {
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_face_area_with(self.raw(), relative_tolerance, &mut value, &mut error, call.options())
+        })?;
+        Ok(Measured { value, error })
+    }
+
+    /// Area, centroid and inertia about the centroid.
+    pub fn moments(&self, relative_tolerance: f64) -> Result<Moments> {
+        let mut content = 0.0;
+        let dim = self.dimension()? as usize;
+        let mut centroid = vec![0.0; dim];
+        let mut inertia = vec![0.0; dim * dim];
+        let mut error = 0.0;
+        moments_of(&mut centroid, &mut inertia, |centroid, inertia| unsafe {
+            sys::nurbs_face_moments(
+                self.raw(),
+                relative_tolerance,
+                &mut content,
+                centroid,
+                inertia,
+                &mut error,
+            )
+        })?;
+        Ok(Moments { content, centroid, inertia, error })
+    }
+
+    /// The same as `moments`; it can be watched and stopped.
+    pub fn moments_with(&self, relative_tolerance: f64, call: &mut Call) -> Result<Moments> {
+        let mut content = 0.0;
+        let dim = self.dimension()? as usize;
+        let mut centroid = vec![0.0; dim];
+        let mut inertia = vec![0.0; dim * dim];
+        let mut error = 0.0;
+        moments_of(&mut centroid, &mut inertia, |centroid, inertia| unsafe {
+            sys::nurbs_face_moments_with(
+                self.raw(),
+                relative_tolerance,
+                &mut content,
+                centroid,
+                inertia,
+                &mut error,
+                call.options(),
+            )
+        })?;
+        Ok(Moments { content, centroid, inertia, error })
+    }
+
+    /// An axis-aligned box that contains it; no side is farther from it than the tolerance.
+    pub fn bounding_box(&self, tolerance: f64) -> Result<BoundingBox> {
+        let dim = self.dimension()? as usize;
+        let mut lower = vec![0.0; dim];
+        let mut upper = vec![0.0; dim];
+        let mut gap = 0.0;
+        check(unsafe {
+            sys::nurbs_face_box(self.raw(), tolerance, lower.as_mut_ptr(), upper.as_mut_ptr(), &mut gap)
+        })?;
+        Ok(BoundingBox { lower, upper, gap })
+    }
+
+    /// The same as `bounding_box`; it can be watched and stopped.
+    pub fn bounding_box_with(&self, tolerance: f64, call: &mut Call) -> Result<BoundingBox> {
+        let dim = self.dimension()? as usize;
+        let mut lower = vec![0.0; dim];
+        let mut upper = vec![0.0; dim];
+        let mut gap = 0.0;
+        check(unsafe {
+            sys::nurbs_face_box_with(
+                self.raw(),
+                tolerance,
+                lower.as_mut_ptr(),
+                upper.as_mut_ptr(),
+                &mut gap,
+                call.options(),
+            )
+        })?;
+        Ok(BoundingBox { lower, upper, gap })
+    }
+}
