@@ -2,7 +2,7 @@
 #include "model/shapes/curve_shape.h"
 
 #include "base/error.h"
-#include "closest/locator.h"
+#include "closest/closest.h"
 #include "eval/evaluate.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ double ellipse_parameter(double a, double b, double x, double y) noexcept {
 }
 
 double spline_parameter(const Spline &spline, const double *point) {
-    const closest::Query query{point, nullptr, 0, 0, false, true};
+    const closest::Query query{point, nullptr, 0, closest::usual_budget(spline), false, true};
     return closest::locator_of(spline).nearest(query).params[0];
 }
 
