@@ -15,9 +15,10 @@ namespace nrb::io {
 
 namespace {
 
+// STEP comes first: it has a word of its own, and a long line of it may have a section letter of IGES in its place.
 constexpr Format known[] = {
-    {"IGES", iges::begins_iges, read_iges},
     {"STEP", step::begins_step, read_step},
+    {"IGES", iges::begins_iges, read_iges},
     {"compressed IGES", iges::begins_compressed, nullptr},
 };
 

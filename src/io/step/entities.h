@@ -33,6 +33,9 @@ public:
     [[noreturn]] void fail_kind(const Instance &found, const Attributes &owner, const char *attribute,
                                 const char *expected) const;
 
+    // What a curve, a surface or a spline takes besides its numbers, in doubles.
+    static constexpr int64_t size_of_a_shape = 160;
+
     // Numbers that are made from the file. Instances that name each other often could make any amount of them from a
     // small file; throws Status::too_large before that.
     void spend(int64_t doubles);

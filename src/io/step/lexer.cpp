@@ -153,6 +153,10 @@ Token Lexer::next() noexcept {
     case '"':
         return take_quoted(TokenKind::binary, c);
     case '.': {
+        if (at_ + 1 < text_.size() &&
+            is(text_[at_ + 1], digit)) { // some writers leave out the 0 before the point
+            return take_word(TokenKind::number, of_number);
+        }
         size_t end = at_ + 1;
         while (end < text_.size() && is(text_[end], letter | digit)) {
             ++end;

@@ -25,7 +25,6 @@ using step::Kind;
 using step::Units;
 
 constexpr int64_t work_of_an_entity = 1000; // beyond what its numbers count
-constexpr int64_t size_of_a_spline = 160;   // doubles that a spline takes beyond its points
 // How far surfaces without ends go on behind the boundary of their face, as a part of its size.
 constexpr double margin = 1.0 / 64;
 
@@ -233,7 +232,7 @@ private:
     template <class Make>
     SplinePtr made(const Instance &instance, Make &&make) {
         return step::naming(instances_, instance, [&] {
-            entities_.spend(size_of_a_spline);
+            entities_.spend(step::Entities::size_of_a_shape);
             SplinePtr spline = make();
             entities_.spend(spline->point_count() * spline->width());
             return spline;

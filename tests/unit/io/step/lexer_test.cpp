@@ -35,6 +35,7 @@ TEST(StepLexer, one_token_of_each_kind) {
     EXPECT_EQ(only("END-ISO-10303-21"), std::pair(keyword, std::string("END-ISO-10303-21")));
     EXPECT_EQ(only("#12"), std::pair(instance, std::string("#12")));
     EXPECT_EQ(only("-1.5E+03"), std::pair(number, std::string("-1.5E+03")));
+    EXPECT_EQ(only(".5"), std::pair(number, std::string(".5")));
     EXPECT_EQ(only("+7"), std::pair(number, std::string("+7")));
     EXPECT_EQ(only("'it''s; (not) /* one */'"), std::pair(string, std::string("it''s; (not) /* one */")));
     EXPECT_EQ(only("''"), std::pair(string, std::string()));
