@@ -4,8 +4,8 @@
 #include "base/error.h"
 #include "io/iges/lines.h"
 #include "io/iges/read_iges.h"
-#include "io/step/exchange.h"
 #include "io/step/read_step.h"
+#include "io/step/structure/exchange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@ import make_models  # noqa: E402
 
 CORPUS = HERE / "corpus" / "read"
 DICTIONARY = HERE / "read.dict"
-KEYWORDS = HERE.parent.parent / "src" / "io" / "step" / "keywords.cpp"
+KEYWORDS = HERE.parent.parent / "src" / "io" / "step" / "structure" / "keywords.cpp"
 
 
 def one(add):

@@ -3,7 +3,7 @@
 // and within a limit of what may be made of a file.
 #pragma once
 
-#include "io/step/attributes.h"
+#include "io/step/structure/attributes.h"
 
 #include <array>
 

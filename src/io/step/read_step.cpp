@@ -6,7 +6,8 @@
 #include "io/iges/text.h"
 #include "io/step/boundary.h"
 #include "io/step/contexts.h"
-#include "io/step/exchange.h"
+#include "io/step/parts.h"
+#include "io/step/structure/exchange.h"
 #include "model/shapes/curve_spline.h"
 #include "model/shapes/surface_spline.h"
 
@@ -57,7 +58,8 @@ double unit_factor(double metres, double wanted) {
 class Reader {
 public:
     Reader(const Instances &instances, const ReadSettings &settings)
-        : instances_(instances), entities_(instances), contexts_(entities_) {
+        : instances_(instances), entities_(instances), contexts_(entities_),
+          part_(step::find_parts(instances)) {
         const double stated = contexts_.all().front().metres;
         model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
         unit_factor(stated, settings.unit);
@@ -73,7 +75,6 @@ public:
     }
 
     model::Model run() {
-        find_parts();
         Steps steps(3);
         std::vector<model::NamedSpline> edges = read_all(&Reader::wants_edge, &Reader::add_edge);
         steps.next();
@@ -92,45 +93,6 @@ public:
 
 private:
     using Splines = std::vector<model::NamedSpline>;
-
-    // Calls visit(place) for what an instance makes a part of itself.
-    template <class Visit>
-    void for_each_part(const Instance &owner, Visit &&visit) const {
-        if (step::owns_geometry(owner.kind())) {
-            step::for_each_reference(instances_.text(), owner, [&](int64_t number) {
-                if (const int64_t place = instances_.find(number); place >= 0) {
-                    visit(place);
-                }
-            });
-        }
-    }
-
-    // Marks the curves and surfaces of which others are made. Those that are parts of each other only are read on their
-    // own, so that somebody hears of the cycle.
-    void find_parts() {
-        part_.assign(static_cast<size_t>(instances_.size()), false);
-        for (const Instance &instance : instances_.all()) {
-            for_each_part(instance, [&](int64_t place) { part_[static_cast<size_t>(place)] = true; });
-        }
-        std::vector<int64_t> waiting;
-        for (int64_t place = 0; place < instances_.size(); ++place) {
-            if (!part_[static_cast<size_t>(place)] && step::owns_geometry(instances_[place].kind())) {
-                waiting.push_back(place);
-            }
-        }
-        std::vector<bool> reached(part_.size(), false);
-        while (!waiting.empty()) {
-            const Instance &owner = instances_[waiting.back()];
-            waiting.pop_back();
-            for_each_part(owner, [&](int64_t place) {
-                if (!reached[static_cast<size_t>(place)]) {
-                    reached[static_cast<size_t>(place)] = true;
-                    waiting.push_back(place);
-                }
-            });
-        }
-        part_ = std::move(reached);
-    }
 
     [[nodiscard]] bool wants_edge(int64_t place) const noexcept {
         return instances_[place].kind() == Kind::edge_curve;

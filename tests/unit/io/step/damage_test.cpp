@@ -1,5 +1,5 @@
 // What is wrong inside an instance becomes a note that names the instance, the attribute, and what stands there.
-#include "io/step/exchange.h"
+#include "io/step/structure/exchange.h"
 #include "support/step_reading.h"
 
 namespace step_damage_test {

@@ -1,5 +1,5 @@
 // The sections of an exchange structure, and the index of its instances.
-#include "io/step/exchange.h"
+#include "io/step/structure/exchange.h"
 #include "support/step_reading.h"
 
 namespace step_exchange_test {

@@ -1,5 +1,5 @@
 // The tokens of an exchange structure.
-#include "io/step/lexer.h"
+#include "io/step/structure/lexer.h"
 
 #include <gtest/gtest.h>
 #include <string>

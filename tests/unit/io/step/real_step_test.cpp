@@ -1,7 +1,7 @@
 // Real STEP files: what is in them must match the table that comes with them, and every face contains its edges.
 #include "closest/closest.h"
 #include "io/step/boundary.h"
-#include "io/step/exchange.h"
+#include "io/step/structure/exchange.h"
 #include "model/shapes/curve_spline.h"
 #include "support/step_reading.h"
 

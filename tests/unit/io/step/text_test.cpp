@@ -1,5 +1,5 @@
 // Strings of an exchange structure.
-#include "io/step/text.h"
+#include "io/step/structure/text.h"
 
 #include <gtest/gtest.h>
 

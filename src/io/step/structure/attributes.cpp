@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/attributes.h"
+#include "io/step/structure/attributes.h"
 
 #include "base/error.h"
 #include "io/iges/text.h"
-#include "io/step/text.h"
+#include "io/step/structure/text.h"
 
 #include <charconv>
 #include <cmath>

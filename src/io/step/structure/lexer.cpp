@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/lexer.h"
+#include "io/step/structure/lexer.h"
 
 #include <algorithm>
 #include <array>
