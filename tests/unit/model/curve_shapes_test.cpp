@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "model/shapes/curve_map.h"
 #include "model/shapes/curve_spline.h"
+#include "recognize/recognize.h"
 #include "support/step_reading.h"
 
 #include <cmath>
@@ -139,6 +140,20 @@ TEST(CurveShapes, curves_without_ends_have_no_spline) {
             ADD_FAILURE() << name;
         } catch (const Error &error) {
             EXPECT_EQ(error.status(), Status::length);
+        }
+    }
+}
+
+TEST(CurveShapes, splines_are_recognized_as_what_they_were_made_of) {
+    using namespace nrb::recognize;
+    const int32_t kinds[] = {shape_line, shape_circle, shape_ellipse, shape_parabola, shape_hyperbola};
+    for (size_t i = 0; i < shapes().size(); ++i) {
+        const auto &[name, curve] = shapes()[i];
+        SCOPED_TRACE(name);
+        const Recognition found = recognize::recognize(*curve_spline(*curve, {-0.5, 2}), 1e-12);
+        EXPECT_EQ(found.shape.kind, kinds[i]);
+        if (found.shape.kind != shape_line) {
+            EXPECT_NEAR(found.shape.sizes[0], curve->sizes[0], 1e-11);
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "model/shapes/curve_spline.h"
 #include "model/shapes/surface_spline.h"
+#include "recognize/recognize.h"
 #include "support/step_reading.h"
 
 #include <cmath>
@@ -163,6 +164,25 @@ TEST(SurfaceShapes, measures_say_what_parameters_are) {
         SCOPED_TRACE(all[i].name);
         EXPECT_EQ(measure_of(all[i].surface, 0), expected[i].first);
         EXPECT_EQ(measure_of(all[i].surface, 1), expected[i].second);
+    }
+}
+
+// Recognition knows nothing of how splines are made.
+TEST(SurfaceShapes, splines_are_recognized_as_what_they_were_made_of) {
+    using namespace nrb::recognize;
+    const std::pair<int32_t, std::array<double, 2>> expected[] = {
+        {shape_plane, {0, 0}},  {shape_cylinder, {2, 0}}, {shape_cone, {0.5, 0}},
+        {shape_sphere, {2, 0}}, {shape_torus, {3, 0.5}},  {shape_torus, {3, 0.5}}};
+    const std::vector<Case> all = cases();
+    for (size_t i = 0; i < std::size(expected); ++i) {
+        SCOPED_TRACE(all[i].name);
+        const SplinePtr spline = surface_spline(all[i].surface, {{0.25, 1.5}, {-0.5, 1}});
+        const Recognition found = recognize::recognize(*spline, 1e-12);
+        EXPECT_EQ(found.shape.kind, expected[i].first);
+        if (found.shape.kind != shape_plane) {
+            EXPECT_NEAR(found.shape.sizes[0], expected[i].second[0], 1e-12);
+            EXPECT_NEAR(found.shape.sizes[1], expected[i].second[1], 1e-12);
+        }
     }
 }
 

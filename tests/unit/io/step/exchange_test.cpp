@@ -1,4 +1,5 @@
 // The sections of an exchange structure, and the index of its instances.
+#include "base/watch.h"
 #include "io/step/structure/exchange.h"
 #include "support/step_reading.h"
 
@@ -104,6 +105,21 @@ TEST(StepExchange, a_broken_structure_names_its_line) {
            "line 8: found 3, expected '(' after the keyword of a part");
     expect(StepBuilder::around("#1=(A(3)"), Status::syntax,
            "line 8: found ;, expected '(' after the keyword of a part");
+}
+
+TEST(StepExchange, reading_can_be_ended_from_outside) {
+    std::string data;
+    for (int i = 1; i < 20000; ++i) {
+        data += "#" + std::to_string(i) + "=LINE('',#1,#2);\n";
+    }
+    const std::string text = StepBuilder::around(data);
+    const auto stop = [](double, void *) -> int32_t { return 1; };
+    const nrb::Watch watch({0, stop, nullptr});
+    EXPECT_THROW(read(text), nrb::CallEnded);
+    for (const int64_t work : {1000, 100000}) { // in the index, and behind it
+        const nrb::Watch limited({work, nullptr, nullptr});
+        EXPECT_THROW(read(text), nrb::CallEnded);
+    }
 }
 
 TEST(StepExchange, files_of_buildings_are_refused) {
