@@ -6162,14 +6162,26 @@ typedef struct nurbs_read_options {
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
-/** \brief Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
- * Entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order
+/** \brief Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
+ * IGES 5.x (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order
  * of the directory; transformation matrices (124), parameter ranges (as far as they lie inside the knots),
  * delimiters, unit and model scale are respected. Curves used in the parameter plane of a surface have
  * dimension 2, everything else dimension 3; parameter-plane curves are not scaled to `unit`. An entity
  * whose weights are all equal becomes a polynomial spline, whatever its flags say; an axis becomes
  * periodic if the entity says so and its knots and points wrap. Every other entity that did not go into a
  * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
+ *
+ * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
+ * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
+ * order of instance numbers. Lines, conics, polylines, trimmed and composite curves, planes, cylinders, cones,
+ * spheres, tori, surfaces of revolution and of linear extrusion, trimmed surfaces, and Bezier and B-spline
+ * curves and surfaces in all their forms become splines exactly, but for rounding; the ends of their domains
+ * are the parameters of ISO 10303-42, with angles in radians. Surfaces without ends are cut to the boundary
+ * of their face and 1/64 of its size more. Lengths are in the unit of the first context that states units; what
+ * stands in other contexts is converted. Parts stay where they are modelled: their placements in assemblies,
+ * curves in parameter planes, and how faces are trimmed are not read. Offset surfaces and whatever else
+ * shapes contain are listed in the notes. However the instances name each other, memory stays below 64 times
+ * the size of the file and 1 MB more.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6220,8 +6232,9 @@ NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out);
 
-/** \brief Name of spline `index`: that of the file (name property, else label and subscript), else
- * "type#line" such as "126#17"; in other lists as the function says that made them. At most cap - 1 bytes
+/** \brief Name of spline `index`: that of the file (IGES: name property, else label and subscript; STEP: name
+ * of the face, edge, curve or surface, in UTF-8), else "type#line" such as "126#17", in STEP the instance such
+ * as "#17"; in other lists as the function says that made them. At most cap - 1 bytes
  * and a terminating zero are written.
  * \param[in] list a list.
  * \param[in] index 0-based.
@@ -6244,7 +6257,8 @@ NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *co
  * \param[in] list a list.
  * \param[in] index 0-based.
  * \param[out] entity_type or NULL: type number of the entity in the file's format, 0 if that has none.
- * \param[out] line or NULL: sequence number of the entity in the directory section.
+ * \param[out] line or NULL: sequence number of the entity in the directory section; of STEP, the number of the
+ *   instance.
  * \param[out] reason or NULL: NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with
  *   it.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.
@@ -6260,7 +6274,7 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
  * \param[in] list a list.
  * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known, and
  *   in lists that are not from files.
- *   A file without any unit is in inches, as IGES has it.
+ *   An IGES file without any unit is in inches, as IGES has it; of a STEP file without one, 0.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);

@@ -4,9 +4,9 @@
 #include "base/error.h"
 #include "io/iges/lines.h"
 #include "io/iges/read_iges.h"
-#include "io/step/exchange.h"
 #include "io/step/read_model.h"
 #include "io/step/read_step.h"
+#include "io/step/structure/exchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,10 @@ namespace nrb::io {
 
 namespace {
 
+// STEP comes first: it has a word of its own, and a long line of it may have a section letter of IGES in its place.
 constexpr Format known[] = {
-    {"IGES", iges::begins_iges, read_iges, nullptr},
     {"STEP", step::begins_step, read_step, read_step_model},
+    {"IGES", iges::begins_iges, read_iges, nullptr},
     {"compressed IGES", iges::begins_compressed, nullptr, nullptr},
 };
 

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes corpus/read, the seeds of fuzz_read: small IGES files that use all that the reader knows.
+"""Writes corpus/read, the seeds of fuzz_read: small IGES and STEP files that use all that the readers know, and
+read.dict, the words of STEP, which libFuzzer would not find by itself.
 
     make_read_corpus.py            writes the files
     make_read_corpus.py --check    exits with 1 if they are not what this script writes
 """
 
 import pathlib
+import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -15,6 +17,8 @@ sys.path.insert(0, str(HERE.parent.parent / "capi" / "examples" / "models"))
 import make_models  # noqa: E402
 
 CORPUS = HERE / "corpus" / "read"
+DICTIONARY = HERE / "read.dict"
+KEYWORDS = HERE.parent.parent / "src" / "io" / "step" / "structure" / "keywords.cpp"
 
 
 def one(add):
@@ -52,6 +56,94 @@ def add_matrix_chain(iges):
     iges.add(make_models.CURVE, "0,0,0,0,1,0,0.,1.,1.,1.,2.,3.,0.,1.,0.,0.,1.".split(","), transform=inner)
 
 
+class StepFile:
+    """Instances in the order in which they are added; add() returns the name of one."""
+
+    def __init__(self):
+        self.instances = []
+
+    def add(self, entity):
+        self.instances.append(entity)
+        return f"#{len(self.instances)}"
+
+    def point(self, *coordinates):
+        return self.add("CARTESIAN_POINT('',(" + ",".join(f"{c:.1f}" for c in coordinates) + "))")
+
+    def placement(self):
+        axis, x = self.add("DIRECTION('',(0.,0.,1.))"), self.add("DIRECTION('',(1.,0.,0.))")
+        return self.add(f"AXIS2_PLACEMENT_3D('',{self.point(1, 2, 3)},{axis},{x})")
+
+    def vector(self):
+        return self.add(f"VECTOR('',{self.add('DIRECTION($,(0.,1.,1.))')},2.)")
+
+    def text(self):
+        data = "".join(f"#{i}={entity};\n" for i, entity in enumerate(self.instances, 1))
+        return ("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n" + data +
+                "ENDSEC;\nEND-ISO-10303-21;\n")
+
+
+def step_curves():
+    step = StepFile()
+    place = step.placement()
+    parts = []
+    for conic in (f"CIRCLE('\\X2\\00E9\\X0\\',{place},2.)", f"ELLIPSE('',{place},2.,1.)", f"PARABOLA('',{place},1.)",
+                  f"HYPERBOLA('',{place},2.,1.)", f"LINE('',{step.point(0, 0, 0)},{step.vector()})"):
+        parts.append(step.add(f"TRIMMED_CURVE('',{step.add(conic)},(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(1.)),.T.,"
+                              ".PARAMETER.)"))
+    segment = step.add(f"COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,{parts[0]})")
+    step.add(f"COMPOSITE_CURVE('',({segment}),.U.)")
+    points = ",".join(step.point(i, i * i, 0) for i in range(4))
+    step.add(f"POLYLINE('',({points}))")
+    step.add(f"B_SPLINE_CURVE_WITH_KNOTS('',2,({points}),.U.,.F.,.F.,(3,1,3),(0.,.5,1.),.U.)")
+    step.add(f"(BEZIER_CURVE()B_SPLINE_CURVE(3,({points}),.U.,.F.,.F.)RATIONAL_B_SPLINE_CURVE((1.,2.,2.,1.))"
+             "REPRESENTATION_ITEM('x'))")
+    return step.text()
+
+
+def step_surfaces():
+    step = StepFile()
+    place, circle = step.placement(), None
+    circle = step.add(f"CIRCLE('',{place},1.)")
+    axis = step.add(f"AXIS1_PLACEMENT('',{step.point(5, 0, 0)},$)")
+    surfaces = [step.add(text) for text in (
+        f"PLANE('',{place})", f"CYLINDRICAL_SURFACE('',{place},2.)", f"CONICAL_SURFACE('',{place},2.,.5)",
+        f"SPHERICAL_SURFACE('',{place},2.)", f"TOROIDAL_SURFACE('',{place},3.,1.)",
+        f"DEGENERATE_TOROIDAL_SURFACE('',{place},1.,3.,.F.)", f"SURFACE_OF_REVOLUTION('',{circle},{axis})",
+        f"SURFACE_OF_LINEAR_EXTRUSION('',{circle},{step.vector()})")]
+    step.add(f"RECTANGULAR_TRIMMED_SURFACE('',{surfaces[1]},0.,1.,2.,3.,.T.,.F.)")
+    step.add(f"OFFSET_SURFACE('',{surfaces[3]},1.,.F.)")
+    rows = ",".join(f"({step.point(x, 0, 0)},{step.point(x, 1, x)})" for x in range(3))
+    step.add(f"QUASI_UNIFORM_SURFACE('',1,1,({rows}),.U.,.F.,.F.,.F.)")
+    vertex = step.add(f"VERTEX_POINT('',{step.point(2, 2, 3)})")
+    seam = step.add(f"SEAM_CURVE('',{circle},(),.CURVE_3D.)")
+    edge = step.add(f"EDGE_CURVE('',{vertex},{vertex},{seam},.T.)")
+    loop = step.add(f"EDGE_LOOP('',({step.add(f'ORIENTED_EDGE($,*,*,{edge},.F.)')}))")
+    bound = step.add(f"FACE_OUTER_BOUND('',{loop},.T.)")
+    faces = [step.add(f"ADVANCED_FACE('f',({bound}),{surface},.T.)") for surface in surfaces]
+    shell = step.add("CLOSED_SHELL('',(" + ",".join(faces) + "))")
+    metre = step.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
+    inch = step.add(f"(CONVERSION_BASED_UNIT('INCH',{step.add(f'LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),{metre})')})"
+                    "LENGTH_UNIT()NAMED_UNIT(*))")
+    error = step.add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-5),{metre},'','')")
+    context = step.add(f"(GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({error}))GLOBAL_UNIT_ASSIGNED_CONTEXT(({inch})))")
+    other = step.add(f"(GLOBAL_UNIT_ASSIGNED_CONTEXT(({metre})))")
+    step.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',({step.add(f'MANIFOLD_SOLID_BREP($,{shell})')}),{context})")
+    step.add(f"SHAPE_REPRESENTATION('',({circle},{step.add('BLOCK($)')}),{other})")
+    return step.text()
+
+
+def dictionary():
+    """The entities that the reader knows, and the words of the structure."""
+    words = re.findall(r'\{"([A-Z0-9_]+)", Kind', KEYWORDS.read_text(encoding="utf-8"))
+    parts = ["REPRESENTATION_ITEM", "PLACEMENT", "CONIC", "EDGE", "FACE", "PATH", "ELEMENTARY_SURFACE", "SWEPT_SURFACE",
+             "NAMED_UNIT", "RATIONAL_B_SPLINE_CURVE", "RATIONAL_B_SPLINE_SURFACE", "LENGTH_MEASURE(", "PARAMETER_VALUE(",
+             "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT", "HEADER;", "DATA;", "ENDSEC;", "END-ISO-10303-21;", "ISO-10303-21;"]
+    lines = ["# Words of STEP files; made by make_read_corpus.py"]
+    lines += [f'"{word}"' for word in words + parts]
+    lines += ['".T."', '".F."', '".CARTESIAN."', '"*"', '"$"', '"/*"', '"*/"', '"\\\\X2\\\\"', '"\\\\X0\\\\"']
+    return "\n".join(lines) + "\n"
+
+
 def seeds():
     loop_and_others = one(make_models.add_polynomial_curves)
     return {
@@ -65,6 +157,8 @@ def seeds():
         "short_range.igs": one(add_short_range),
         "transformed.igs": one(make_models.add_transformed_curve),
         "trimmed.igs": one(add_trimmed),
+        "curves.stp": step_curves(),
+        "surfaces.stp": step_surfaces(),
     }
 
 
@@ -74,12 +168,12 @@ def main(arguments):
         return 2
     wrong = 0
     CORPUS.mkdir(parents=True, exist_ok=True)
-    for name, text in seeds().items():
-        path = CORPUS / name
+    files = {CORPUS / name: text for name, text in seeds().items()} | {DICTIONARY: dictionary()}
+    for path, text in files.items():
         if not arguments:
             path.write_bytes(text.encode("ascii"))
         elif not path.is_file() or path.read_bytes() != text.encode("ascii"):
-            print(f"{name} is NOT what make_read_corpus.py writes")
+            print(f"{path.name} is NOT what make_read_corpus.py writes")
             wrong = 1
     return wrong
 

@@ -3262,7 +3262,7 @@ module nurbs_c
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_read_options_init
-        !> Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
+        !> Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
         function nurbs_read(bytes, size, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -3313,8 +3313,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_list_get
-        !> Name of spline `index`: that of the file (name property, else label and subscript), else
-        !> "type#line" such as "126#17"; in other lists as the function says that made them.
+        !> Name of spline `index`: that of the file (IGES: name property, else label and subscript; STEP: name
+        !> of the face, edge, curve or surface, in UTF-8), else "type#line" such as "126#17", in STEP the
+        !> instance such as "#17"; in other lists as the function says that made them.
         function nurbs_list_name(list, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: list

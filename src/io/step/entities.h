@@ -3,7 +3,7 @@
 // and within a limit of what may be made of a file.
 #pragma once
 
-#include "io/step/attributes.h"
+#include "io/step/structure/attributes.h"
 
 #include <array>
 
@@ -32,6 +32,9 @@ public:
                        const char *expected) const;
     [[noreturn]] void fail_kind(const Instance &found, const Attributes &owner, const char *attribute,
                                 const char *expected) const;
+
+    // What a curve, a surface or a spline takes besides its numbers, in doubles.
+    static constexpr int64_t size_of_a_shape = 160;
 
     // Numbers that are made from the file. Instances that name each other often could make any amount of them from a
     // small file; throws Status::too_large before that.

@@ -5,7 +5,7 @@
 #include "base/watch.h"
 #include "io/step/boundary.h"
 #include "io/step/contexts.h"
-#include "io/step/exchange.h"
+#include "io/step/structure/exchange.h"
 #include "io/step/faces.h"
 #include "io/step/placements.h"
 #include "model/from_faces.h"

@@ -6,7 +6,8 @@
 #include "io/iges/text.h"
 #include "io/step/boundary.h"
 #include "io/step/contexts.h"
-#include "io/step/exchange.h"
+#include "io/step/parts.h"
+#include "io/step/structure/exchange.h"
 #include "model/shapes/curve_spline.h"
 #include "model/shapes/surface_spline.h"
 
@@ -25,7 +26,6 @@ using step::Kind;
 using step::Units;
 
 constexpr int64_t work_of_an_entity = 1000; // beyond what its numbers count
-constexpr int64_t size_of_a_spline = 160;   // doubles that a spline takes beyond its points
 // How far surfaces without ends go on behind the boundary of their face, as a part of its size.
 constexpr double margin = 1.0 / 64;
 
@@ -58,7 +58,8 @@ double unit_factor(double metres, double wanted) {
 class Reader {
 public:
     Reader(const Instances &instances, const ReadSettings &settings)
-        : instances_(instances), entities_(instances), contexts_(entities_) {
+        : instances_(instances), entities_(instances), contexts_(entities_),
+          part_(step::find_parts(instances)) {
         const double stated = contexts_.all().front().metres;
         model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
         unit_factor(stated, settings.unit);
@@ -74,7 +75,6 @@ public:
     }
 
     model::Model run() {
-        find_parts();
         Steps steps(3);
         std::vector<model::NamedSpline> edges = read_all(&Reader::wants_edge, &Reader::add_edge);
         steps.next();
@@ -93,20 +93,6 @@ public:
 
 private:
     using Splines = std::vector<model::NamedSpline>;
-
-    // Marks the curves and surfaces of which others are made.
-    void find_parts() {
-        part_.assign(static_cast<size_t>(instances_.size()), false);
-        for (const Instance &instance : instances_.all()) {
-            if (step::owns_geometry(instance.kind())) {
-                step::for_each_reference(instances_.text(), instance, [&](int64_t number) {
-                    if (const int64_t place = instances_.find(number); place >= 0) {
-                        part_[static_cast<size_t>(place)] = true;
-                    }
-                });
-            }
-        }
-    }
 
     [[nodiscard]] bool wants_edge(int64_t place) const noexcept {
         return instances_[place].kind() == Kind::edge_curve;
@@ -208,7 +194,7 @@ private:
     template <class Make>
     SplinePtr made(const Instance &instance, Make &&make) {
         return step::naming(instances_, instance, [&] {
-            entities_.spend(size_of_a_spline);
+            entities_.spend(step::Entities::size_of_a_shape);
             SplinePtr spline = make();
             entities_.spend(spline->point_count() * spline->width());
             return spline;

@@ -186,6 +186,35 @@ SplinePtr finished(Spline::Axes axes, Net &net, std::vector<double> weights) {
 
 } // namespace
 
+namespace {
+
+KnotVectorPtr read_stated_axis(Entities &entities, Attributes &attributes, const AxisSize &size) {
+    if (attributes.complex()) {
+        attributes.part("B_SPLINE_CURVE_WITH_KNOTS");
+    } else {
+        for (const char *name : {"curve_form", "closed_curve", "self_intersect"}) {
+            attributes.skip(name);
+        }
+    }
+    const std::vector<int64_t> multiplicities = read_integers(entities, attributes, "knot_multiplicities");
+    check_multiplicities(attributes, multiplicities, size.knots(), "knot_multiplicities");
+    std::vector<double> knots;
+    append_reals(entities, attributes, "knots", knots);
+    return make_knot_vector(size.degree, expanded(attributes, multiplicities, knots, "knots"));
+}
+
+std::vector<double> read_weights(Entities &entities, Attributes &attributes, int64_t count) {
+    std::vector<double> weights;
+    if (attributes.complex() && attributes.has_part("RATIONAL_B_SPLINE_CURVE")) {
+        attributes.part("RATIONAL_B_SPLINE_CURVE");
+        append_reals(entities, attributes, "weights_data", weights);
+        check_weight_count(attributes, weights.size(), count);
+    }
+    return weights;
+}
+
+} // namespace
+
 SplinePtr read_b_spline_curve(Entities &entities, const Instance &instance, double length) {
     Attributes attributes(entities.instances(), instance);
     const Knots form = form_of(attributes, "B_SPLINE_CURVE_WITH_KNOTS", "BEZIER_CURVE", "UNIFORM_CURVE",
@@ -197,30 +226,9 @@ SplinePtr read_b_spline_curve(Entities &entities, const Instance &instance, doub
     Net net(entities, length);
     size.count = net.read(attributes, "control_points_list");
     check_count(attributes, size, form, "control_points_list");
-    KnotVectorPtr axis;
-    if (form == Knots::stated) {
-        if (attributes.complex()) {
-            attributes.part("B_SPLINE_CURVE_WITH_KNOTS");
-        } else {
-            for (const char *name : {"curve_form", "closed_curve", "self_intersect"}) {
-                attributes.skip(name);
-            }
-        }
-        const std::vector<int64_t> multiplicities =
-            read_integers(entities, attributes, "knot_multiplicities");
-        check_multiplicities(attributes, multiplicities, size.knots(), "knot_multiplicities");
-        std::vector<double> knots;
-        append_reals(entities, attributes, "knots", knots);
-        axis = make_knot_vector(size.degree, expanded(attributes, multiplicities, knots, "knots"));
-    } else {
-        axis = generated(size, form, -1);
-    }
-    std::vector<double> weights;
-    if (attributes.complex() && attributes.has_part("RATIONAL_B_SPLINE_CURVE")) {
-        attributes.part("RATIONAL_B_SPLINE_CURVE");
-        append_reals(entities, attributes, "weights_data", weights);
-        check_weight_count(attributes, weights.size(), size.count);
-    }
+    KnotVectorPtr axis =
+        form == Knots::stated ? read_stated_axis(entities, attributes, size) : generated(size, form, -1);
+    std::vector<double> weights = read_weights(entities, attributes, size.count);
     return finished({std::move(axis)}, net, std::move(weights));
 }
 

@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "closest/closest.h"
-#include "closest/locator.h"
 #include "eval/evaluate.h"
 
 #include <algorithm>
@@ -41,8 +40,11 @@ double ellipse_parameter(double a, double b, double x, double y) noexcept {
     return angle_of(std::cos(t), std::sin(t));
 }
 
+// The point lies on the curve but for a tolerance, so that a search which takes long will not find better.
 double spline_parameter(const Spline &spline, const double *point) {
-    const closest::Query query{point, nullptr, 0, closest::usual_budget(spline), false, true};
+    constexpr int64_t most_pieces = 4096;
+    const closest::Query query{point, nullptr, 0, std::min(closest::usual_budget(spline), most_pieces),
+                               false, true};
     return closest::locator_of(spline).nearest(query).params[0];
 }
 

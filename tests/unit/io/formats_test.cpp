@@ -44,6 +44,12 @@ TEST(Formats, what_editors_put_before_the_first_line_does_not_matter) {
     }
 }
 
+TEST(Formats, a_long_line_of_step_is_step) {
+    std::string line = "ISO-10303-21;HEADER;ENDSEC;DATA;ENDSEC;END-ISO-10303-21;";
+    line += std::string(72 - line.size(), ' ') + "S      1\n"; // where IGES has the letter of a section
+    EXPECT_TRUE(nrb::io::read(line, {}).splines.empty());
+}
+
 nrb::Status refusal(const std::string &text, const nrb::io::ReadSettings &settings) {
     try {
         nrb::io::read(text, settings);

@@ -114,7 +114,7 @@ class SplineList(_Splines):
 
 def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
          progress: Progress = None, work: Optional[int] = None) -> SplineList:
-    """The curves and surfaces of an IGES file held in memory; unit is the wanted one in metres, 0 keeps the file's own.
+    """The curves and surfaces of an IGES or STEP file in memory; unit is the wanted one in metres, 0 keeps the file's own.
     Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
     given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
     return SplineList._made(watched(lib.nurbs_read, progress, work), given, len(given), _options(unit, max_bytes))
@@ -122,7 +122,7 @@ def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_b
 
 def read_file(path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
               progress: Progress = None, work: Optional[int] = None) -> SplineList:
-    """The curves and surfaces of an IGES file, as read() gives them. Raises FileError if it cannot be read."""
+    """The curves and surfaces of an IGES or STEP file, as read() gives them. Raises FileError if it cannot be read."""
     name = os.fsencode(path)
     if b"\0" in name:
         raise ValueError("a path with a zero in it")

@@ -3913,7 +3913,7 @@ extern "C" {
     // --- Reading files
     /// Fills an options struct with the defaults.
     pub fn nurbs_read_options_init(options: *mut nurbs_read_options, struct_size: i64) -> nurbs_status;
-    /// Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
+    /// Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
     ///
     /// May be null: `options`.
     pub fn nurbs_read(
@@ -3953,8 +3953,9 @@ extern "C" {
     pub fn nurbs_list_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
     /// A new handle on spline `index`; it outlives the list.
     pub fn nurbs_list_get(list: *const nurbs_list, index: i64, out: *mut *mut nurbs) -> nurbs_status;
-    /// Name of spline `index`: that of the file (name property, else label and subscript), else "type#line"
-    /// such as "126#17"; in other lists as the function says that made them.
+    /// Name of spline `index`: that of the file (IGES: name property, else label and subscript; STEP: name of
+    /// the face, edge, curve or surface, in UTF-8), else "type#line" such as "126#17", in STEP the instance
+    /// such as "#17"; in other lists as the function says that made them.
     ///
     /// May be null: `buf`, `length`.
     pub fn nurbs_list_name(

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/status.h"
-#include "io/step/instances.h"
-#include "io/step/lexer.h"
+#include "io/step/structure/instances.h"
+#include "io/step/structure/lexer.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/code_pages.h"
+#include "io/step/structure/code_pages.h"
 
 namespace nrb::io::step {
 namespace {

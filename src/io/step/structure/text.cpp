@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/text.h"
+#include "io/step/structure/text.h"
 
-#include "io/step/code_pages.h"
+#include "io/step/structure/code_pages.h"
 
 #include <cstdint>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/exchange.h"
+#include "io/step/structure/exchange.h"
 
 #include "base/error.h"
 #include "base/watch.h"
 #include "io/iges/lines.h"
 #include "io/iges/text.h"
-#include "io/step/text.h"
+#include "io/step/structure/text.h"
 
 #include <algorithm>
 

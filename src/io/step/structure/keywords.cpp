@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/keywords.h"
+#include "io/step/structure/keywords.h"
 
 #include <algorithm>
 

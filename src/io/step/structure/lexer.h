@@ -56,7 +56,7 @@ private:
     bool skip_quoted(char quote) noexcept;
     Token take(TokenKind kind, size_t end) noexcept;
     Token take_quoted(TokenKind kind, char quote) noexcept;
-    Token take_word(TokenKind kind, bool (*belongs)(char) noexcept) noexcept;
+    Token take_word(TokenKind kind, int belongs) noexcept;
 
     std::string_view text_;
     size_t at_;

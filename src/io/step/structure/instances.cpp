@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/instances.h"
+#include "io/step/structure/instances.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // Where the instances of an exchange structure stand, and what kind they have.
 #pragma once
 
-#include "io/step/keywords.h"
+#include "io/step/structure/keywords.h"
 
 #include <cstdint>
 #include <string>
@@ -59,7 +59,7 @@ void for_each_reference(std::string_view text, const Instance &instance, Visit &
 
 } // namespace nrb::io::step
 
-#include "io/step/lexer.h"
+#include "io/step/structure/lexer.h"
 
 namespace nrb::io::step {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/attributes.h"
+#include "io/step/structure/attributes.h"
 
 #include "base/error.h"
 #include "io/iges/text.h"
-#include "io/step/text.h"
+#include "io/step/structure/text.h"
 
 #include <charconv>
 #include <cmath>
@@ -11,7 +11,9 @@
 namespace nrb::io::step {
 
 std::string label_of(const Instances &instances, const Instance &instance) {
-    return "#" + std::to_string(instance.number()) + " " + iges::excerpt(instances.keyword(instance));
+    constexpr size_t longest = 48; // characters of keywords print
+    return "#" + std::to_string(instance.number()) + " " +
+           std::string(instances.keyword(instance).substr(0, longest));
 }
 
 Attributes::Attributes(const Instances &instances, const Instance &instance)

@@ -2,7 +2,7 @@
 // The exchange structure of ISO 10303-21: header section, data sections.
 #pragma once
 
-#include "io/step/instances.h"
+#include "io/step/structure/instances.h"
 
 #include <span>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/lexer.h"
+#include "io/step/structure/lexer.h"
 
 #include <algorithm>
 #include <array>
@@ -8,39 +8,36 @@
 namespace nrb::io::step {
 namespace {
 
-bool blank(char c) noexcept {
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-bool digit(char c) noexcept {
-    return c >= '0' && c <= '9';
-}
-bool letter(char c) noexcept {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-}
-bool of_keyword(char c) noexcept {
-    return letter(c) || digit(c) || c == '-' || c == '!';
-}
-bool of_number(char c) noexcept {
-    return digit(c) || c == '.' || c == '+' || c == '-' || c == 'E' || c == 'e';
-}
-bool of_instance(char c) noexcept {
-    return digit(c) || c == '#';
-}
+enum Class : uint8_t { blank = 1, digit = 2, letter = 4, of_keyword = 8, of_number = 16, telling = 32 };
 
-// What a loop that looks for the end of a statement or of a list has to look at.
-constexpr std::array<bool, 256> telling = [] {
-    std::array<bool, 256> table{};
-    for (const char c : {'\'', '"', '/', ';', '(', ')'}) {
-        table[static_cast<unsigned char>(c)] = true;
-    }
+// The classes of a character. `telling` are those that a loop which looks for the end of a statement or of a list has to
+// look at.
+constexpr std::array<uint8_t, 256> classes = [] {
+    std::array<uint8_t, 256> table{};
+    const auto add = [&](std::string_view characters, int kind) {
+        for (const char c : characters) {
+            uint8_t &entry = table[static_cast<unsigned char>(c)];
+            entry = static_cast<uint8_t>(entry | kind);
+        }
+    };
+    add(" \t\n\v\f\r", blank);
+    add("0123456789", digit | of_keyword | of_number);
+    add("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_", letter | of_keyword);
+    add("-!", of_keyword);
+    add("-+.Ee", of_number);
+    add("'\"/;()", telling);
     return table;
 }();
+
+bool is(char c, int kind) noexcept {
+    return (classes[static_cast<unsigned char>(c)] & kind) != 0;
+}
 
 } // namespace
 
 void Lexer::skip_blanks() noexcept {
     while (at_ < text_.size()) {
-        if (blank(text_[at_])) {
+        if (is(text_[at_], blank)) {
             ++at_;
         } else if (text_[at_] != '/' || !skip_comment()) {
             return;
@@ -70,7 +67,7 @@ bool Lexer::skip_quoted(char quote) noexcept {
 
 bool Lexer::skip_statement() noexcept {
     while (true) {
-        while (at_ < text_.size() && !telling[static_cast<unsigned char>(text_[at_])]) {
+        while (at_ < text_.size() && !is(text_[at_], telling)) {
             ++at_;
         }
         if (at_ == text_.size()) {
@@ -119,9 +116,9 @@ Token Lexer::take(TokenKind kind, size_t end) noexcept {
     return {kind, text_.substr(begin, at_ - begin)};
 }
 
-Token Lexer::take_word(TokenKind kind, bool (*belongs)(char) noexcept) noexcept {
+Token Lexer::take_word(TokenKind kind, int belongs) noexcept {
     size_t end = at_ + 1;
-    while (end < text_.size() && belongs(text_[end])) {
+    while (end < text_.size() && is(text_[end], belongs)) {
         ++end;
     }
     return take(kind, end);
@@ -142,23 +139,29 @@ Token Lexer::next() noexcept {
     if (at_ >= text_.size()) {
         return {TokenKind::end, {}};
     }
-    if (letter(c) || c == '!') {
+    if (is(c, letter) || c == '!') {
         return take_word(TokenKind::keyword, of_keyword);
     }
-    if (digit(c) || c == '-' || c == '+') {
+    if (is(c, digit) || c == '-' || c == '+') {
         return take_word(TokenKind::number, of_number);
     }
     switch (c) {
     case '#':
-        return take_word(TokenKind::instance, of_instance);
+        return take_word(TokenKind::instance, digit);
     case '\'':
         return take_quoted(TokenKind::string, c);
     case '"':
         return take_quoted(TokenKind::binary, c);
     case '.': {
-        const size_t end = text_.find_first_not_of(
-            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789", at_ + 1);
-        if (end == std::string_view::npos || text_[end] != '.') {
+        if (at_ + 1 < text_.size() &&
+            is(text_[at_ + 1], digit)) { // some writers leave out the 0 before the point
+            return take_word(TokenKind::number, of_number);
+        }
+        size_t end = at_ + 1;
+        while (end < text_.size() && is(text_[end], letter | digit)) {
+            ++end;
+        }
+        if (end == text_.size() || text_[end] != '.') {
             return take(TokenKind::unknown, at_ + 1);
         }
         const Token whole = take(TokenKind::enumeration, end + 1);
@@ -180,7 +183,7 @@ Token Lexer::next() noexcept {
 int64_t instance_number(std::string_view text) noexcept {
     constexpr int64_t limit = int64_t{1} << 48;
     int64_t number = 0;
-    if (text.size() < 2 || text[0] != '#' || !digit(text[1])) {
+    if (text.size() < 2 || text[0] != '#' || !is(text[1], digit)) {
         return 0;
     }
     const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+// What nurbs_read() takes for STEP files that are made to take much: at most 64 times the size of the file and 1 MB more,
+// on a stack of 128 KB. Counts what operator new gives, which is what the library allocates with.
+#include "check.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <malloc.h>
+#include <new>
+#include <pthread.h>
+#include <string>
+
+// Sanitizers have an allocator, and frames, of their own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+
+#ifndef SANITIZED
+
+namespace {
+std::atomic<int64_t> held{0}, peak{0};
+
+void *taken(size_t bytes) {
+    void *place = std::malloc(bytes);
+    if (place == nullptr) {
+        throw std::bad_alloc();
+    }
+    const int64_t now = held += static_cast<int64_t>(malloc_usable_size(place));
+    peak = now > peak ? now : peak.load();
+    return place;
+}
+
+void given(void *place) noexcept {
+    held -= static_cast<int64_t>(malloc_usable_size(place));
+    std::free(place);
+}
+} // namespace
+
+void *operator new(size_t bytes) {
+    return taken(bytes);
+}
+void operator delete(void *place) noexcept {
+    given(place);
+}
+void operator delete(void *place, size_t) noexcept {
+    given(place);
+}
+
+namespace {
+
+std::string name(int64_t number) {
+    return "#" + std::to_string(number);
+}
+
+std::string times(const std::string &text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) {
+        all += text;
+    }
+    return all;
+}
+
+// A data section; instances from #20 on come `many` times.
+struct File {
+    const char *what;
+    std::string data;
+};
+
+constexpr int many = 5000;
+const std::string basis =
+    "#1=CARTESIAN_POINT('',(0.,0.,0.));#2=AXIS2_PLACEMENT_3D('',#1,$,$);#3=HYPERBOLA('',#2,1.,1.);"
+    "#4=CARTESIAN_POINT('',(1.,1.E300,0.));#5=CARTESIAN_POINT('',(1.,-1.E300,0.));#6=VERTEX_POINT('',#4);"
+    "#7=VERTEX_POINT('',#5);#8=DIRECTION('',(0.,0.,1.));#9=VECTOR('',#8,1.);"
+    "#10=SURFACE_OF_LINEAR_EXTRUSION('',#3,#9);#11=POLY_LOOP('',(#4,#5,#1));#12=FACE_BOUND('',#11,.T.);"
+    "#13=CYLINDRICAL_SURFACE('',#2,1.);#14=SPHERICAL_SURFACE('',#2,1.);#15=POLY_LOOP('',(#1,#1));"
+    "#16=FACE_BOUND('',#15,.T.);";
+
+std::string instances(const std::string &entity) {
+    std::string data = basis;
+    for (int i = 0; i < many; ++i) {
+        data += name(20 + i) + "=" + entity + ";";
+    }
+    return data;
+}
+
+// Each composite curve has the one before it eight times.
+std::string multiplied() {
+    std::string data = basis + "#18=POLYLINE('',(#1,#1));";
+    for (int64_t i = 20; i < 60; i += 2) {
+        data += name(i) + "=COMPOSITE_CURVE_SEGMENT(.C.,.T.," + name(i == 20 ? 18 : i - 1) + ");" +
+                name(i + 1) + "=COMPOSITE_CURVE('',(" + name(i) + times("," + name(i), 7) + "),.F.);";
+    }
+    return data + instances("A()").substr(basis.size());
+}
+
+const File files[] = {
+    {"edges on long hyperbolas", instances("EDGE_CURVE('',#6,#7,#3,.T.)")},
+    {"faces on extruded ones", instances("ADVANCED_FACE('',(#12),#10,.T.)")},
+    {"faces on cylinders", instances("ADVANCED_FACE('',(#16),#13,.T.)")},
+    {"faces on one sphere", instances("ADVANCED_FACE('',(),#14,.T.)")},
+    {"short instances that are wrong", instances("LINE()")},
+    {"contexts that are wrong", instances("GLOBAL_UNIT_ASSIGNED_CONTEXT()")},
+    {"a polyline", basis + "#20=POLYLINE('',(#1" + times(",#1", 20 * many) + "));"},
+    {"a surface", basis + "#20=BEZIER_SURFACE('',1,1,((#1" + times(",#1", 10 * many) + "),(#1" +
+                      times(",#1", 10 * many) + ")),.U.,.F.,.F.,.F.);"},
+    {"multiplied curves", multiplied()},
+    {"deep parentheses", basis + "#20=CIRCLE(" + times("(", 100 * many) + times(")", 100 * many) + ");"},
+};
+
+void read_file(const File &file) {
+    const std::string text = "ISO-10303-21;HEADER;ENDSEC;DATA;" + file.data + "ENDSEC;END-ISO-10303-21;";
+    nurbs_list *list = nullptr;
+    const int64_t before = held;
+    peak = before;
+    CHECK_INT(nurbs_read(text.data(), static_cast<int64_t>(text.size()), nullptr, &list), NURBS_OK);
+    const auto size = static_cast<int64_t>(text.size());
+    const int64_t limit = 64 * size + (1 << 20), most = peak - before;
+    if (most > limit) {
+        std::fprintf(stderr, "%s: %lld bytes for %lld\n", file.what, static_cast<long long>(most),
+                     static_cast<long long>(size));
+    }
+    CHECK(most > 0); // what is counted is what the library takes
+    CHECK(most <= limit);
+    nurbs_list_destroy(list);
+    CHECK_INT(held.load(), before);
+}
+
+void *read_all(void *) {
+    for (const File &file : files) {
+        read_file(file);
+    }
+    return nullptr;
+}
+
+void read_on_a_small_stack() {
+    pthread_attr_t attributes;
+    pthread_t thread;
+    CHECK(pthread_attr_init(&attributes) == 0 && pthread_attr_setstacksize(&attributes, 128 << 10) == 0);
+    CHECK(pthread_create(&thread, &attributes, read_all, nullptr) == 0 && pthread_join(thread, nullptr) == 0);
+    CHECK(pthread_attr_destroy(&attributes) == 0);
+}
+
+} // namespace
+#endif
+
+int main() {
+#ifndef SANITIZED
+    read_on_a_small_stack();
+    return check_summary("read_memory");
+#else
+    std::puts("a sanitizer has an allocator of its own");
+    return 77;
+#endif
+}
