@@ -371,6 +371,7 @@ enum {
     NURBS_ERROR_UNSUPPORTED = 403, /**< an entity that this version does not read (only in notes) */
     NURBS_ERROR_CHECKSUM = 404,    /**< bytes of a handle are not those that were written */
     NURBS_ERROR_VERSION = 405,     /**< bytes of a handle have a later version of the form */
+    NURBS_ERROR_CYCLE = 406,       /**< entities of a file contain each other (only in notes) */
     /* internal */
     NURBS_ERROR_INTERNAL = 900 /**< a defect of the library; please report it */
 };

@@ -232,7 +232,7 @@ private:
         const Motion from = frame(items.reference("transform_item_1"), items, "transform_item_1"),
                      to = frame(items.reference("transform_item_2"), items, "transform_item_2");
         add_use(part_at(both.second, attributes, "rep_2"), part_at(both.first, attributes, "rep_1"),
-                between(from, to));
+                between(from, to), relationship);
     }
 
     void place_mapped_items(const Instance &representation) {
@@ -258,7 +258,8 @@ private:
             part_at(source.reference("mapped_representation"), source, "mapped_representation");
         const Motion to =
             is_operator(target) ? read_operator(target) : frame(target, attributes, "mapping_target");
-        add_use(part_at(representation.number(), attributes, "mapping_target"), child, between(from, to));
+        add_use(part_at(representation.number(), attributes, "mapping_target"), child, between(from, to),
+                item);
     }
     [[nodiscard]] bool is_operator(int64_t number) const {
         const int64_t place = instances_.find(number);
@@ -316,7 +317,7 @@ private:
         return {{x, mirrored ? -1.0 * y : y, z}, {}};
     }
 
-    void add_use(int64_t parent, int64_t child, const Motion &motion) {
+    void add_use(int64_t parent, int64_t child, const Motion &motion, const Instance &source) {
         entities_.spend(16);
         model::Use use;
         use.parent = parent;
@@ -326,6 +327,7 @@ private:
             x += 0.0; // no -0
         }
         result_.uses.push_back(use);
+        sources_.push_back(instances_.find(source.number()));
     }
 
     // Depth first, without recursion: a use that leads back to a part on the way to it is left out.
@@ -404,6 +406,7 @@ private:
     std::vector<int64_t> representations_; // places
     std::vector<int64_t> leaders_;         // of each: another one of the same part, or itself
     std::vector<int64_t> numbers_;         // of each: its part
+    std::vector<int64_t> sources_;         // of each use: the place of the instance that makes it
     Assembly result_;
 };
 
