@@ -485,12 +485,13 @@ enum {
 /** \name What nurbs_fit_report tells besides
  * @{ */
 #define NURBS_FIT_TARGET_MISSED 0x01 /**< no smoothing leaves as little as the target asks for */
-#define NURBS_FIT_NOT_CONVERGED 0x02 /**< the rounds of a robust fit still changed it at their end */
+#define NURBS_FIT_NOT_CONVERGED 0x02 /**< rounds of a robust fit, or of a shape, still changed it */
 /** @} */
 
 /** \name What nurbs_cloud_report tells besides
  * @{ */
-#define NURBS_CLOUD_NOT_CONVERGED 0x01 /**< the rounds ended while the sum still fell */
+#define NURBS_CLOUD_NOT_CONVERGED                                                                            \
+    0x01 /**< the rounds, or the limit of work, ended while the sum still fell */
 /** @} */
 
 /** \name Rules for tangents, for nurbs_tangents()
@@ -566,13 +567,16 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * (tables and trees, built at the first call that needs them, which takes as long as that takes) is not
  * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at
  * the end of its budget, with what is proven so far: in a batch the points that are left get what is found
- * without a search. Any other function returns NURBS_ERROR_WORK and writes nothing.
+ * without a search. Fits to a tolerance, approximations and fits of clouds search with half of it, and answer
+ * with the best that they met if the rest is enough to finish that. Any other function returns NURBS_ERROR_WORK
+ * and writes nothing.
  *
  * **Without a limit of the caller's** the functions that go on until something holds (distances of two
- * splines, features of curves, the fold test, constraints, bends, free-form deformations) have one of their
- * own: some 800000000 multiply-adds, about a second, and 20000 or 200000 for each control point. They answer
- * there as at a limit of the caller's, with NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK. A larger
- * `work`, or a budget, takes its place.
+ * splines, features of curves, the fold test, constraints, bends, free-form deformations, fits to a tolerance
+ * and of clouds, approximations) have one of their own: some 10^9 multiply-adds, about a second, and 20000 to
+ * 1500000 for each control point or datum. They answer there as at a limit of the caller's, with
+ * NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK; fits always have an answer. A larger `work`, or a
+ * budget, takes its place.
  * @{ */
 
 /** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends
@@ -2829,7 +2833,8 @@ NURBS_API nurbs_status nurbs_fit_criteria_with(const nurbs_statistics *statistic
  * first fit over even ones says that they are needed, and as often at one place as a kink or a jump of the data
  * asks for; as many as the tolerance needs are found with some of the data, and checked with all. With several
  * axes each has as many as it needs beside the others. Where data leave control points open, the fit with the
- * smallest penalty is taken.
+ * smallest penalty is taken. Where the limit of work ends the search, a tolerance may be met with more control
+ * points than it needs, or missed.
  * \param[in] data the data.
  * \param[in] degrees [axes] degrees.
  * \param[in] domain [axes][2] or NULL: start and end of each axis; NULL for the range of the parameters.
@@ -2875,7 +2880,8 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
  * are fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The
  * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count has room for
  * them, periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees
- * raised, where nothing simpler is found.
+ * raised, where nothing simpler is found. Where the limit of work ends the search, a tolerance may be met with
+ * more control points than it needs, or missed.
  * \param[in] g a spline.
  * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
  * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of these degrees
@@ -3015,7 +3021,7 @@ typedef struct nurbs_cloud_report {
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \param[in] options or NULL: how to go on.
  * \param[in,out] report or NULL: where answers go; its bits have NURBS_CLOUD_NOT_CONVERGED if steps were still
- *   lowering the sum by more than the tolerance when the rounds ended.
+ *   lowering the sum by more than the tolerance when the rounds, or the limit of work, ended.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _STRIDE, _OVERFLOW, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE,
  *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of axes,

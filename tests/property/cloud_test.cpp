@@ -453,6 +453,77 @@ TEST(Clouds, HugeFactorsLeavePlanes) {
     }
 }
 
+// --- Numbers far apart ---
+
+// Beside a point that is very far away, the others' distances are as large as they are.
+TEST(Clouds, SquaresBesideAFarPoint) {
+    SplineData line = even_axes({1}, {2}, 2);
+    line.points = {0, 0, 1e300, 0};
+    Cloud cloud{2, {}, {}};
+    for (int i = 0; i < 25; ++i) {
+        cloud.add({static_cast<double>(i), 3});
+    }
+    cloud.add({1e300, 0});
+    CloudFit fit;
+    fit.options.rounds = 1;
+    (void)fit(create(line), cloud);
+    EXPECT_NEAR(fit.report.squares, 25 * 9, 1e-12);
+    EXPECT_NEAR(fit.report.rms, std::sqrt(25 * 9 / 26.0), 1e-14);
+    EXPECT_EQ(fit.report.largest, 3);
+}
+
+// A lambda beyond the largest one that changes anything acts as the one that is told.
+TEST(Clouds, TheLambdaThatWasUsed) {
+    Random random(15);
+    Cloud cloud{2, {}, {}};
+    for (int i = 0; i < 100; ++i) {
+        const double u = random.unit();
+        cloud.add({u, u * u});
+    }
+    const Handle start = start_for(cloud, even_axes({3}, {8}, 2));
+    CloudFit huge;
+    huge.options.lambda = 1e300;
+    const auto points = read_back(huge(start, cloud).get()).points;
+    const double least = std::pow(3 * std::numbers::pi / 2, 4);
+    EXPECT_DOUBLE_EQ(huge.report.lambda, 0x1p26 * 100 / least);
+    CloudFit same;
+    same.options.lambda = huge.report.lambda;
+    EXPECT_TRUE(same_bits(read_back(same(start, cloud).get()).points, points));
+    EXPECT_EQ(same.report.lambda, huge.report.lambda);
+}
+
+// --- Limits of work ---
+
+// Counted: the fit never has a larger sum than one that had less work.
+TEST(Clouds, ALimitOfWorkLeavesWhatThereIs) {
+    Random random(17);
+    Cloud cloud{4, {}, {}};
+    for (int i = 0; i < 300; ++i) {
+        cloud.add({random.unit(), random.unit(), random.unit(), random.unit()});
+    }
+    const Handle start = start_for(cloud, even_axes({2, 2, 2}, {5, 5, 5}, 4));
+    CloudFit fit;
+    fit.options.lambda = 0;
+    const auto within = [&](int64_t work) {
+        nurbs_call_options call{};
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = work;
+        nurbs *out = nullptr;
+        const nurbs_status status = nurbs_fit_cloud_with(start.get(), cloud.size(), cloud.points.data(), 0, 0,
+                                                         nullptr, 0, &fit.options, &fit.report, &call, &out);
+        const Handle made(out);
+        return status;
+    };
+    EXPECT_EQ(within(1000), NURBS_ERROR_WORK);
+    double before = HUGE_VAL;
+    for (const int64_t work : {200000000, 600000000, 1800000000}) {
+        ASSERT_EQ(within(work), NURBS_OK);
+        EXPECT_EQ(fit.report.bits, NURBS_CLOUD_NOT_CONVERGED) << work;
+        EXPECT_LT(fit.report.squares, before) << work;
+        before = fit.report.squares;
+    }
+}
+
 // --- Collapsed shapes ---
 
 // Along whole lines of parameters points are equally near: a start of no area, as one on a diagonal.

@@ -257,11 +257,11 @@ module nurbs_constants
     ! --- What nurbs_fit_report tells besides
     ! no smoothing leaves as little as the target asks for
     integer(c_int32_t), parameter :: NURBS_FIT_TARGET_MISSED = int(z'01', c_int32_t)
-    ! the rounds of a robust fit still changed it at their end
+    ! rounds of a robust fit, or of a shape, still changed it
     integer(c_int32_t), parameter :: NURBS_FIT_NOT_CONVERGED = int(z'02', c_int32_t)
 
     ! --- What nurbs_cloud_report tells besides
-    ! the rounds ended while the sum still fell
+    ! the rounds, or the limit of work, ended while the sum still fell
     integer(c_int32_t), parameter :: NURBS_CLOUD_NOT_CONVERGED = int(z'01', c_int32_t)
 
     ! --- Rules for tangents, for nurbs_tangents()

@@ -366,7 +366,7 @@ ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, co
                               double tolerance, int64_t max_count, const FitWishes &wishes) {
     // Of all data, so that what is wrong with one is told by its index.
     check_data(*form_for(data, rules, simplest_axes(domain)), data, rules);
-    const UsualLimit usual(usual_work(data.params.count));
+    const UsualLimit usual(usual_work(data.params.count, 200000));
     const auto search = [&](const Data &clean) {
         return ToleranceSearch(clean, domain, tolerance, max_count, wishes).fit();
     };

@@ -218,7 +218,8 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
         std::vector<DoubleDouble> change = found.x;
         impose_shape(data, from, &form, factor, conditions.rows(), wishes.shape, found);
         std::transform(found.x.begin(), found.x.end(), change.begin(), change.begin(), std::minus<>());
-        if (step > 0 && !(largest_of(change) > enough * largest_of(found.x))) {
+        found.settled = step > 0 && !(largest_of(change) > enough * largest_of(found.x));
+        if (found.settled) {
             break;
         }
         const std::vector<DoubleDouble> pull =
@@ -287,6 +288,7 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     result.freedom = found.freedom;
     result.residual = found.residual;
     result.reached = found.reached;
+    result.settled = found.settled;
     return result;
 }
 

@@ -167,10 +167,10 @@ NURBS_TREND_CONCAVE = 0x08  # the first derivative does not rise
 
 # --- What nurbs_fit_report tells besides
 NURBS_FIT_TARGET_MISSED = 0x01  # no smoothing leaves as little as the target asks for
-NURBS_FIT_NOT_CONVERGED = 0x02  # the rounds of a robust fit still changed it at their end
+NURBS_FIT_NOT_CONVERGED = 0x02  # rounds of a robust fit, or of a shape, still changed it
 
 # --- What nurbs_cloud_report tells besides
-NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds ended while the sum still fell
+NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds, or the limit of work, ended while the sum still fell
 
 # --- Rules for tangents, for nurbs_tangents()
 NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours

@@ -624,11 +624,11 @@ pub const NURBS_TREND_CONCAVE: i32 = 0x08;
 // --- What nurbs_fit_report tells besides
 /// no smoothing leaves as little as the target asks for
 pub const NURBS_FIT_TARGET_MISSED: i32 = 0x01;
-/// the rounds of a robust fit still changed it at their end
+/// rounds of a robust fit, or of a shape, still changed it
 pub const NURBS_FIT_NOT_CONVERGED: i32 = 0x02;
 
 // --- What nurbs_cloud_report tells besides
-/// the rounds ended while the sum still fell
+/// the rounds, or the limit of work, ended while the sum still fell
 pub const NURBS_CLOUD_NOT_CONVERGED: i32 = 0x01;
 
 // --- Rules for tangents, for nurbs_tangents()
