@@ -1,6 +1,8 @@
 // Approximation of splines by simpler ones: the bound is proven, corners stay, and less is needed than there was.
 #include "property/fits.h"
 
+#include <limits>
+
 namespace approximate_test {
 
 using namespace support;
@@ -104,6 +106,12 @@ TEST(Approximate, meets_the_tolerance_with_few_control_points) {
     EXPECT_LE(few.count(), 20);
     EXPECT_GT(few.bound, 1e-6);
     EXPECT_GT(approximated(g.get(), {3}, 0, 30).bound, 0);
+}
+
+TEST(Approximate, needs_least_for_any_distance) {
+    const Handle g = create(even_curve(3, 9, 2));
+    const Approximated result = approximated(g.get(), {1}, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(result.count(), 2);
 }
 
 TEST(Approximate, returns_what_is_simple_already) {

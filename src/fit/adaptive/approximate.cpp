@@ -150,6 +150,10 @@ std::optional<SplinePtr> same_spline(const SplinePtr &g, const std::vector<int> 
     return result;
 }
 
+bool meets(const Approximation &found, double tolerance) noexcept {
+    return found.spline != nullptr && found.bound <= tolerance;
+}
+
 class ApproximationSearch {
 public:
     // Knots where a derivative of g below an order jumps are kept, as multiple ones.
@@ -173,7 +177,7 @@ private:
         constexpr int64_t most_samples = 50000;
         double aim = 0.95 * tolerance_;
         int64_t least = 64;
-        for (int round = 0; round < most_rounds && found_.bound > tolerance_; ++round) {
+        for (int round = 0; round < most_rounds && !meets(found_, tolerance_); ++round) {
             const GridSamples samples(*g_, degrees_, least);
             const ToleranceFit fit = fit_to_tolerance(samples.data(), {}, domain_, aim, max_count_, wishes_);
             const SplinePtr &made = fit.points.fit.spline;
@@ -228,10 +232,10 @@ bool has_few_knots(const Spline &g) {
 }
 
 bool is_better(const Approximation &a, const Approximation &b, double tolerance) noexcept {
-    if ((a.bound <= tolerance) != (b.bound <= tolerance)) {
-        return a.bound <= tolerance;
+    if (meets(a, tolerance) != meets(b, tolerance)) {
+        return meets(a, tolerance);
     }
-    return a.bound <= tolerance ? a.spline->point_count() < b.spline->point_count() : a.bound < b.bound;
+    return meets(a, tolerance) ? a.spline->point_count() < b.spline->point_count() : a.bound < b.bound;
 }
 
 } // namespace
@@ -245,20 +249,20 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
     if (same && tolerance == 0) {
         return itself();
     }
-    const UsualLimit usual(3 * usual_work(g->point_count(), 100000) / 2);
+    const UsualLimit usual(5 * usual_work(g->point_count(), 100000) / 4);
     const int64_t own = same ? (*same)->point_count() : max_count;
     int64_t limit = std::min(max_count, own); // more would not be taken
     Approximation found{nullptr, INFINITY};
     if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
         const HalfOfWork half;
         found = ApproximationSearch(g, degrees, tolerance, limit, max_degree).best();
-        limit = found.bound <= tolerance ? std::min(limit, found.spline->point_count()) : limit;
+        limit = meets(found, tolerance) ? std::min(limit, found.spline->point_count()) : limit;
     }
     const Approximation plain = ApproximationSearch(g, degrees, tolerance, limit, 1).best();
     if (found.spline == nullptr || is_better(plain, found, tolerance)) {
         found = plain;
     }
-    const bool is_worse = found.bound > tolerance || own <= found.spline->point_count();
+    const bool is_worse = !meets(found, tolerance) || own <= found.spline->point_count();
     if (same && is_worse && own <= max_count) {
         return itself();
     }
