@@ -4,8 +4,8 @@
 
 use crate::call::Call;
 use crate::error::{check, value, Result};
-use crate::list::{options_pointer, path_text, written, List, ReadOptions};
-use crate::spline::Spline;
+use crate::list::{options_pointer, path_text, written, List, ReadOptions, Texts};
+use crate::spline::{handles, Spline};
 use crate::sys;
 use std::path::Path;
 
@@ -60,6 +60,17 @@ impl List {
         let path = path_text(path)?;
         List::made(|out| unsafe {
             sys::nurbs_read_file_with(path.as_ptr(), options_pointer(options), call.options(), out)
+        })
+    }
+
+    /// A list of splines, with their names, none for "0", "1", ..., and the metres per unit of length, 0 if
+    /// that is not known.
+    pub fn create(splines: &[&Spline], names: &[&str], metres: f64) -> Result<List> {
+        let splines = handles(splines);
+        let count = splines.len();
+        let names = Texts::new(names, count, "names")?;
+        List::made(|out| unsafe {
+            sys::nurbs_list_create(count as i64, splines.as_ptr(), names.as_ptr(), metres, out)
         })
     }
 

@@ -37,6 +37,7 @@ pub mod sys;
 // Generated from the header and the table of the bindings.
 mod analysis;
 mod bounds;
+mod bytes;
 mod calculus;
 mod closest;
 mod compatible;
@@ -77,6 +78,7 @@ pub use statistics::Statistics;
 
 pub use analysis::*;
 pub use bounds::*;
+pub use bytes::*;
 pub use closest::*;
 pub use compatible::*;
 pub use constrain::*;
