@@ -79,6 +79,7 @@ public:
     [[nodiscard]] const HeaderNumbers &numbers() const noexcept { return header_.numbers; }
     // Throws Status::truncated where there are not so many numbers of 64 bits; to be asked before room is made for them.
     void need(uint64_t count) const;
+    [[nodiscard]] size_t left() const noexcept { return bytes_.size() - place_; }
     [[nodiscard]] uint64_t take();
     [[nodiscard]] int64_t take_integer() { return static_cast<int64_t>(take()); }
     [[nodiscard]] double take_double();

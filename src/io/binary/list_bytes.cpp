@@ -17,10 +17,10 @@ struct ListSizes {
 
 int64_t size_from(ByteReader &reader, const char *what) {
     const int64_t size = reader.take_integer();
-    if (size < 0) {
-        fail(Status::syntax, "%s = %lld, expected >= 0", what, static_cast<long long>(size));
+    if (size < 0 || static_cast<uint64_t>(size) > reader.left()) {
+        fail(Status::syntax, "%s = %lld, expected 0 to %zu, for the bytes that follow", what,
+             static_cast<long long>(size), reader.left());
     }
-    reader.need(static_cast<uint64_t>(size) / 8); // as many as there can be of bytes
     return size;
 }
 
