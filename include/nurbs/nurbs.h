@@ -6100,17 +6100,17 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
 /** \defgroup bytes Handles as bytes
  * \code
  * int64_t length = 0;
+ * unsigned char bytes[1024]; // cap = 0 asks how many are needed
  * nurbs *again = NULL;
- * nurbs_to_bytes(surface, 0, NULL, &length);
- * void *bytes = malloc((size_t)length);
- * nurbs_to_bytes(surface, length, bytes, NULL);
+ * nurbs_to_bytes(surface, sizeof bytes, bytes, &length);
  * nurbs_from_bytes(bytes, length, &again); // the same spline, bit for bit, on any machine
  * nurbs_destroy(again);
- * free(bytes);
- * \endcode Splines, lists and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared.
- * The same values have the same bytes on every machine, so that a hash of the bytes is one of the contents.
- * They are read with one copy, checked as creation checks its arguments, and any change of up to 64 bits in
- * a row is found.
+ * \endcode
+ * Splines, lists and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared. The same
+ * values have the same bytes on every machine, so that a hash of the bytes is one of the contents. They are
+ * read with one copy, and checked as creation checks its arguments. Any change of up to 64 bits in a row is
+ * found, and any truncation. The page "The form of bytes" of the manual has the layout with examples: NumPy's
+ * view of control points in place, and a spline that is cut out of a list.
  *
  * **The form.** All numbers have their lowest byte first; doubles are those of IEEE 754. Each part begins at
  * a multiple of 64 bytes, with zeros before it, so that programs that know the layout can look at numbers in
