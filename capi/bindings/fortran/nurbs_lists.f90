@@ -168,8 +168,6 @@ contains
         call settle(nurbs_list_unit(this%handle, value), status)
     end function unit
 
-    ! Handles as bytes: the same on every machine for the same contents
-
     !> The list of what to_bytes() made of it.
     subroutine from_bytes(this, contents, status)
         class(nurbs_list), intent(inout) :: this

@@ -5,11 +5,11 @@ module nurbs_splines
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_create, nurbs_create_homogeneous, nurbs_create_short, nurbs_create_multiplicities, &
-        nurbs_create_periodic, nurbs_create_bezier, nurbs_with_points, nurbs_iso, nurbs_insert_knot, nurbs_refine, &
-        nurbs_refine_uniform, nurbs_split, nurbs_extract, nurbs_clamp_ends, nurbs_move_seam, nurbs_elevate, &
-        nurbs_reverse, nurbs_transpose, nurbs_reparametrize, nurbs_make_rational, nurbs_to_homogeneous, &
+        nurbs_create_periodic, nurbs_create_bezier, nurbs_with_points, nurbs_from_bytes, nurbs_iso, nurbs_insert_knot, &
+        nurbs_refine, nurbs_refine_uniform, nurbs_split, nurbs_extract, nurbs_clamp_ends, nurbs_move_seam, &
+        nurbs_elevate, nurbs_reverse, nurbs_transpose, nurbs_reparametrize, nurbs_make_rational, nurbs_to_homogeneous, &
         nurbs_from_homogeneous, nurbs_transform, nurbs_transform_projective, nurbs_bezier_pieces, nurbs_join, &
-        nurbs_refinement_matrix, nurbs_from_bytes
+        nurbs_refinement_matrix
     use nurbs_support
     use nurbs_handles
     use nurbs_evaluation
@@ -20,9 +20,9 @@ module nurbs_splines
     type, extends(nurbs_shape), public :: nurbs_spline
     contains
         procedure :: create, create_homogeneous, create_short, create_multiplicities, create_periodic, create_bezier
-        procedure :: with_points, iso, insert_knot, refine, refine_uniform, split, extract, clamp, move_seam, elevate
-        procedure :: reverse, transpose_axes, reparametrize, make_rational, to_homogeneous, from_homogeneous, transform
-        procedure :: transform_projective, bezier_pieces, join, refinement_matrix, from_bytes
+        procedure :: with_points, from_bytes, iso, insert_knot, refine, refine_uniform, split, extract, clamp, move_seam
+        procedure :: elevate, reverse, transpose_axes, reparametrize, make_rational, to_homogeneous, from_homogeneous
+        procedure :: transform, transform_projective, bezier_pieces, join, refinement_matrix
     end type nurbs_spline
 
 contains
@@ -184,6 +184,18 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine with_points
+
+    !> The spline of what to_bytes() made of it, bit for bit.
+    subroutine from_bytes(this, contents, status)
+        class(nurbs_spline), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine from_bytes
 
     ! Exact refinement, and parts of a spline
 
@@ -510,18 +522,4 @@ contains
         end if
         call settle(code, status)
     end subroutine refinement_matrix
-
-    ! Handles as bytes: the same on every machine for the same contents
-
-    !> The spline of what to_bytes() made of it, bit for bit.
-    subroutine from_bytes(this, contents, status)
-        class(nurbs_spline), intent(inout) :: this
-        character(kind=c_char, len=*), intent(in), target :: contents
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        type(c_ptr) :: made
-        code = nurbs_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
-        call this%replace(made)
-        call settle(code, status)
-    end subroutine from_bytes
 end module nurbs_splines

@@ -15,6 +15,11 @@
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
+/// Kinds of handles that bytes hold.
+inline constexpr std::int32_t bytes_spline = NURBS_BYTES_SPLINE;
+inline constexpr std::int32_t bytes_list = NURBS_BYTES_LIST;
+inline constexpr std::int32_t bytes_statistics = NURBS_BYTES_STATISTICS;
+
 /// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of
 /// them: where libraries that were compiled with two versions meet in one program, each has to say its own
 /// size, and none the other's.
@@ -32,11 +37,6 @@ struct Note {
     std::string text;         ///< The same in words.
 };
 
-/// Kinds of handles that bytes hold.
-inline constexpr std::int32_t bytes_spline = NURBS_BYTES_SPLINE;
-inline constexpr std::int32_t bytes_list = NURBS_BYTES_LIST;
-inline constexpr std::int32_t bytes_statistics = NURBS_BYTES_STATISTICS;
-
 /// What bytes hold, by their header.
 struct BytesKind {
     std::int32_t kind;  ///< A bytes_ constant.
@@ -51,19 +51,6 @@ inline Returned<BytesKind> bytes_kind(std::span<const std::byte> bytes) {
                  &found.minor);
     return found;
 }
-
-/// A curve, surface or volume: a handle that is copied in constant time and freed by its destructor.
-class Spline : public detail::SplineHandle {
-public:
-    using SplineHandle::SplineHandle;
-
-    // Handles as bytes: the same on every machine for the same contents
-
-    /// The spline of what to_bytes() made of it, bit for bit.
-    static Returned<Spline> from_bytes(std::span<const std::byte> bytes) {
-        return detail::made<Spline>(nurbs_from_bytes, bytes.data(), detail::length(bytes));
-    }
-};
 
 /// Splines in an order: the parts of one, or what a file held. It cannot be copied.
 class List : public detail::ListHandle {
@@ -141,9 +128,6 @@ public:
     [[nodiscard]] Returned<double> unit() const {
         return detail::result_of<double>([&](auto *v) { return nurbs_list_unit(get(), v); });
     }
-
-    // Handles as bytes: the same on every machine for the same contents
-
     /// The list of what to_bytes() made of it.
     [[nodiscard]] static Returned<List> from_bytes(std::span<const std::byte> bytes) {
         return detail::made<List>(nurbs_list_from_bytes, bytes.data(), detail::length(bytes));

@@ -9,7 +9,9 @@
 #include <nurbs/cpp/sizes.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -134,6 +136,10 @@ public:
         return detail::made<Spline>(nurbs_with_points, get(), points.data(), points.stride(),
                                     points.component_stride(), detail::pointer(weights), weights.step());
     }
+    /// The spline of what to_bytes() made of it, bit for bit.
+    static Returned<Spline> from_bytes(std::span<const std::byte> bytes) {
+        return detail::made<Spline>(nurbs_from_bytes, bytes.data(), detail::length(bytes));
+    }
     /// Another handle on the same data, in constant time.
     [[nodiscard]] Returned<Spline> clone() const { return detail::made<Spline>(nurbs_clone, get()); }
 
@@ -185,8 +191,14 @@ public:
     }
     /// The knot vector without its first and last knot.
     [[nodiscard]] Returned<std::vector<double>> short_knots(std::int32_t axis) const {
-        std::vector<double> values = detail::room(count);
-        detail::call(nurbs_short_knots, get(), axis, cap, values.data(), count);
+        std::vector<double> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_short_knots, get(), axis, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room(count);
+        ask(count);
         return values;
     }
     /// Number of control points along an axis, each counted once.
@@ -196,8 +208,14 @@ public:
     }
     /// The knots of one period with its end; of an axis that is not periodic all of them.
     [[nodiscard]] Returned<std::vector<double>> unwrapped_knots(std::int32_t axis) const {
-        std::vector<double> values = detail::room(count);
-        detail::call(nurbs_unwrapped_knots, get(), axis, cap, values.data(), count);
+        std::vector<double> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_unwrapped_knots, get(), axis, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room(count);
+        ask(count);
         return values;
     }
     /// Control points and weights, each once.

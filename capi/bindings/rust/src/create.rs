@@ -243,6 +243,11 @@ impl Spline {
         })
     }
 
+    /// The spline of what to_bytes() made of it, bit for bit.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out) })
+    }
+
     /// Another handle on the same data, in constant time.
     pub fn try_clone(&self) -> Result<Spline> {
         Spline::made(|out| unsafe { sys::nurbs_clone(self.raw(), out) })

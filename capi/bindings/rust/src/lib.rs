@@ -37,7 +37,6 @@ pub mod sys;
 // Generated from the header and the table of the bindings.
 mod analysis;
 mod bounds;
-mod bytes;
 mod calculus;
 mod closest;
 mod compatible;
@@ -78,7 +77,6 @@ pub use statistics::Statistics;
 
 pub use analysis::*;
 pub use bounds::*;
-pub use bytes::*;
 pub use closest::*;
 pub use compatible::*;
 pub use constrain::*;
