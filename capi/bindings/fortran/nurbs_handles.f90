@@ -50,29 +50,29 @@ module nurbs_handles
 
     !> What nurbs_to_bytes() and those like it are.
     abstract interface
-        function bytes_writer(handle, cap, bytes, length) bind(c) result(r)
+        function writer_of_bytes(handle, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: handle, bytes
             integer(c_int64_t), value :: cap
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
-        end function bytes_writer
+        end function writer_of_bytes
     end interface
 
 contains
 
     !> The bytes that one of them makes of a handle.
-    subroutine write_bytes(write, handle, bytes, status)
-        procedure(bytes_writer) :: write
+    subroutine write_bytes(writer, handle, bytes, status)
+        procedure(writer_of_bytes) :: writer
         type(c_ptr), intent(in) :: handle
         character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int64_t) :: length
         integer(c_int32_t) :: code
         length = 0
-        code = write(handle, 0_c_int64_t, c_null_ptr, length)
+        code = writer(handle, 0_c_int64_t, c_null_ptr, length)
         allocate (character(kind=c_char, len=length) :: bytes)
-        if (code == NURBS_OK) code = write(handle, length, c_loc(bytes))
+        if (code == NURBS_OK) code = writer(handle, length, c_loc(bytes))
         call settle(code, status)
     end subroutine write_bytes
 
@@ -257,6 +257,14 @@ contains
         call nurbs_list_destroy(this%handle)
         this%handle = handle
     end subroutine replace_list
+
+    !> The same bytes on every machine for the same list, with names, notes and unit.
+    subroutine list_to_bytes(this, bytes, status)
+        class(nurbs_list_handle), intent(in) :: this
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        call write_bytes(nurbs_list_to_bytes, this%handle, bytes, status)
+    end subroutine list_to_bytes
 
     impure elemental subroutine refuse_copy(this, other)
         class(nurbs_list_handle), intent(inout) :: this
