@@ -44,7 +44,7 @@ def given(contents: Contents) -> NDArray[numpy.uint8]:
 def pickled(function: Any, handle: Any, protocol: SupportsIndex) -> Any:
     """The bytes of a handle as pickles hold them: from protocol 5 on beside the pickle, where that is wanted."""
     contents = written(function, handle)
-    return pickle.PickleBuffer(memoryview(contents)) if operator.index(protocol) >= 5 else contents.tobytes()
+    return pickle.PickleBuffer(contents.data) if operator.index(protocol) >= 5 else contents.tobytes()
 
 
 def bytes_kind(contents: Contents) -> BytesKind:
