@@ -31,6 +31,9 @@ class Inputs:
             self.compute(value)
         for name in self.order():
             self.check(self.values[name])
+        for name in self.reach:
+            if self.values[name].kind == "texts":
+                self.texts(self.values[name])
 
     def taken_by(self, argument):
         if isinstance(argument.pattern, By):
@@ -110,6 +113,10 @@ class Inputs:
             local = name if isinstance(argument.pattern, Struct) else reached
             self.statements.append(f"let {local} = {reached}.map(Spline::raw);")
             self.pointers[name] = [f"{local}.as_ptr()"]
+
+    def texts(self, value):
+        n = self.terms.product(value.extents)
+        self.statements.append(f'let {value.name} = Texts::new({self.reach[value.name]}, {n}, "{value.name}")?;')
 
     def may_lack(self, value, argument):
         """Whether it is an Option."""
@@ -302,7 +309,7 @@ class Inputs:
             return [f"{self.handle(name)}.raw()"]
         if value.kind == "options":
             return [self.struct(value)]
-        if value.kind == "path":
+        if value.kind in ("path", "texts"):
             return [f"{name}.as_ptr()"]
         if value.kind == "bytes":
             return [f"{self.reach[name]}.as_ptr().cast()"]

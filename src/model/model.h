@@ -2,8 +2,10 @@
 // What a file holds.
 #pragma once
 
+#include "base/error.h"
 #include "spline/spline.h"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,5 +30,11 @@ struct Model {
     std::vector<Note> notes;
     double metres_per_unit = 0; // 0: the file does not say
 };
+
+inline void check_metres(double metres) {
+    if (!std::isfinite(metres) || metres < 0) {
+        fail(Status::factor, "metres = %s, expected a finite value >= 0", Number(metres).text);
+    }
+}
 
 } // namespace nrb::model

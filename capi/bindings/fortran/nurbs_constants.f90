@@ -399,4 +399,9 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_NORMAL = 2
     ! the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_CURVATURE = 3
+
+    ! --- Kinds of handles
+    integer(c_int32_t), parameter :: NURBS_BYTES_SPLINE = 1  ! a spline: nurbs_from_bytes()
+    integer(c_int32_t), parameter :: NURBS_BYTES_LIST = 2  ! a list: nurbs_list_from_bytes()
+    integer(c_int32_t), parameter :: NURBS_BYTES_STATISTICS = 3  ! statistics: nurbs_statistics_from_bytes()
 end module nurbs_constants

@@ -272,6 +272,11 @@ NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, eithe
 NURBS_CONSTRAIN_NORMAL = 2  # all first derivatives are perpendicular to the target
 NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 
+# --- Kinds of handles
+NURBS_BYTES_SPLINE = 1  # a spline: nurbs_from_bytes()
+NURBS_BYTES_LIST = 2  # a list: nurbs_list_from_bytes()
+NURBS_BYTES_STATISTICS = 3  # statistics: nurbs_statistics_from_bytes()
+
 
 def on_axis(axis: int, flags: int) -> int:
     """The bits `flags` moved to those of `axis`: the macro NURBS_ON_AXIS."""
