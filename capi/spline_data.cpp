@@ -33,14 +33,6 @@ std::vector<double> packed(ConstRecords view) {
     return values;
 }
 
-void check_dimension(int32_t dim) {
-    constexpr int32_t largest =
-        std::numeric_limits<int32_t>::max() - 1; // a homogeneous record has one more value
-    if (dim < 1 || dim > largest) {
-        fail(Status::dimension, "dim = %d, expected 1 to %d", dim, largest);
-    }
-}
-
 AxesData::AxesData(int32_t axes, const int32_t *degrees, const int64_t *counts, uint32_t flags)
     : size_(axes) {
     check_axes(axes);

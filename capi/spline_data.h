@@ -59,8 +59,6 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k);
 
 // The records one after the other, with memory after them for the padding of a spline.
 std::vector<double> packed(ConstRecords view);
-// 1 <= dim, and a homogeneous record still has a width; otherwise NURBS_ERROR_DIMENSION.
-void check_dimension(int32_t dim);
 
 struct PointsData {
     int32_t dim;

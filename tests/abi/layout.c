@@ -347,6 +347,9 @@ static void pin_flags(void) {
 }
 
 static void pin_kinds(void) {
+    PIN(NURBS_BYTES_SPLINE, 1);
+    PIN(NURBS_BYTES_LIST, 2);
+    PIN(NURBS_BYTES_STATISTICS, 3);
     PIN(NURBS_ARC_QUARTERS, 0);
     PIN(NURBS_ARC_THIRDS, 1);
     PIN(NURBS_ARC_SMOOTH, 2);
