@@ -40,34 +40,39 @@ std::vector<int64_t> checked_counts(int32_t axes, const int64_t *counts) {
     return {counts, counts + axes};
 }
 
-// All of the points, packed; there may be NaN at those that may_be_unknown(index).
+// There may be NaN at points that may_be_unknown(index).
 template <class Unknown>
-std::vector<double> finite_points(const char *name, const Points &points, int64_t count,
-                                  Unknown &&may_be_unknown) {
-    check_dimension(points.dim);
-    std::vector<double> values =
-        packed(input(name, points.data, count, points.dim, points.stride, points.component_stride));
+void check_finite(const char *name, std::span<const double> values, int dim, Unknown &&may_be_unknown) {
     if (all_finite(values)) {
-        return values;
+        return;
     }
     for (size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]) &&
-            !(std::isnan(values[i]) && may_be_unknown(static_cast<int64_t>(i) / points.dim))) {
+            !(std::isnan(values[i]) && may_be_unknown(static_cast<int64_t>(i) / dim))) {
             fail(Status::point_not_finite, "%s[%zu][%zu] = %s is not finite", name,
-                 i / static_cast<size_t>(points.dim), i % static_cast<size_t>(points.dim),
-                 Number(values[i]).text);
+                 i / static_cast<size_t>(dim), i % static_cast<size_t>(dim), Number(values[i]).text);
         }
     }
-    return values;
+}
+
+void check_finite(const char *name, std::span<const double> values, int dim) {
+    check_finite(name, values, dim, [](int64_t) { return false; });
+}
+
+ConstRecords records(const char *name, const Points &points, int64_t count) {
+    check_dimension(points.dim);
+    return input(name, points.data, count, points.dim, points.stride, points.component_stride);
 }
 
 std::vector<double> finite_points(const char *name, const Points &points, int64_t count) {
-    return finite_points(name, points, count, [](int64_t) { return false; });
+    std::vector<double> values = packed(records(name, points, count));
+    check_finite(name, values, points.dim);
+    return values;
 }
 
-// A grid without its points, of which there are `total`.
-fit::PointGrid checked_axes_of_grid(std::vector<int64_t> counts, int dim, uint32_t flags, int64_t &total) {
-    fit::PointGrid grid{std::move(counts), dim, {}};
+// The shape of a grid of `total` points.
+fit::GridShape checked_shape(std::vector<int64_t> counts, int dim, uint32_t flags, int64_t &total) {
+    fit::GridShape grid{std::move(counts), dim};
     total = 1;
     for (size_t k = 0; k < grid.counts.size(); ++k) {
         total = checked_product(total, grid.counts[k], "points");
@@ -79,24 +84,24 @@ fit::PointGrid checked_axes_of_grid(std::vector<int64_t> counts, int dim, uint32
 
 fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, uint32_t flags) {
     int64_t total = 1;
-    fit::PointGrid grid = checked_axes_of_grid(std::move(counts), points.dim, flags, total);
-    grid.points = finite_points("points", points, total);
-    return grid;
+    fit::GridShape shape = checked_shape(std::move(counts), points.dim, flags, total);
+    return {std::move(shape), finite_points("points", points, total)};
 }
 
 // Of layers, whose mixed derivatives may be NaN.
 fit::PointGrid checked_grid_of_layers(std::vector<int64_t> counts, const Points &values,
                                       const std::vector<fit::AxisLayers> &layers, uint32_t flags) {
     int64_t total = 1;
-    fit::PointGrid grid = checked_axes_of_grid(std::move(counts), values.dim, flags, total);
-    grid.points = finite_points("values", values, total, [&](int64_t point) {
-        std::vector<int64_t> place(grid.counts.size());
-        for (size_t k = place.size(); k-- > 0; point /= grid.counts[k]) {
-            place[k] = point % grid.counts[k];
+    fit::GridShape shape = checked_shape(std::move(counts), values.dim, flags, total);
+    std::vector<double> points = packed(records("values", values, total));
+    check_finite("values", points, values.dim, [&](int64_t point) {
+        std::vector<int64_t> place(shape.counts.size());
+        for (size_t k = place.size(); k-- > 0; point /= shape.counts[k]) {
+            place[k] = point % shape.counts[k];
         }
         return fit::is_mixed(layers, place);
     });
-    return grid;
+    return {std::move(shape), std::move(points)};
 }
 
 // The sum of the counts, each of which is a factor of the number of points, so that it does not overflow.
@@ -143,7 +148,7 @@ void check_rule(int32_t rule, double exponent) {
 }
 
 // The full knot vectors of all axes, over which an axis has as many distinct layers as data.
-Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::PointGrid &grid, const double *knots,
+Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::GridShape &grid, const double *knots,
                           int64_t knot_count) {
     std::vector<int64_t> sizes(degrees.size());
     int64_t total = 0;
@@ -230,7 +235,7 @@ KnotVectorPtr knots_for(int degree, std::span<const double> params, const double
                         uint32_t flags) {
     const bool periodic = decode_periodic(flags, 1, 0);
     if (knots != nullptr && knot_count != 0) {
-        fit::PointGrid grid{{std::ssize(params)}, 1, {}};
+        fit::GridShape grid{{std::ssize(params)}, 1};
         grid.periodic[0] = periodic;
         return checked_axes({degree}, grid, knots, knot_count)[0];
     }
@@ -250,15 +255,18 @@ nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim,
                                int64_t point_stride, int64_t point_component_stride, int32_t rule,
                                double exponent, uint32_t flags, double *params) {
     return guard([&] {
-        const fit::PointGrid grid = checked_grid(checked_counts(axes, counts),
-                                                 {dim, points, point_stride, point_component_stride}, flags);
+        int64_t total = 1;
+        const fit::GridShape grid = checked_shape(checked_counts(axes, counts), dim, flags, total);
+        const ConstRecords given =
+            records("points", {dim, points, point_stride, point_component_stride}, total);
+        std::vector<double> room;
+        const std::span<const double> values = packed(given, room);
+        check_finite("points", values, dim);
         check_rule(rule, exponent);
         require(params, "params");
-        const int64_t n = sum_of(grid.counts), total = std::ssize(grid.points) / dim;
-        check_overlap("params", output("params", params, n, 1, 1, 1), "points",
-                      input("points", points, total, dim, point_stride, point_component_stride));
+        check_overlap("params", output("params", params, sum_of(grid.counts), 1, 1, 1), "points", given);
         const std::vector<double> made =
-            fit::parametrize(grid, static_cast<fit::ParameterRule>(rule), exponent);
+            fit::parametrize(grid, values, static_cast<fit::ParameterRule>(rule), exponent);
         std::copy(made.begin(), made.end(), params);
     });
 }

@@ -206,7 +206,7 @@ SplinePtr interpolate_conditions(CurveConditions given, KnotVectorPtr knots) {
             given.targets[i] *= lengths[i / static_cast<size_t>(given.dim)];
         }
     }
-    PointGrid grid{{std::ssize(given.conditions)}, given.dim, std::move(given.targets)};
+    PointGrid grid{{{std::ssize(given.conditions)}, given.dim}, std::move(given.targets)};
     std::vector<int64_t> sources(given.conditions.size());
     std::iota(sources.begin(), sources.end(), 0);
     solve_axis(axis, sources, 0, grid);

@@ -9,6 +9,11 @@
 
 namespace nrb::inline numeric {
 
+// Whether a sum of squares has lost nothing that counts to the limits of doubles.
+constexpr bool safe_square(double sum) noexcept {
+    return sum > 1e-280 && sum < 1e300;
+}
+
 // The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite
 // if a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
 template <class Component>
@@ -17,7 +22,7 @@ double norm_of(int n, Component &&x) noexcept {
     for (int c = 0; c < n; ++c) {
         sum += x(c) * x(c);
     }
-    if (sum > 1e-280 && sum < 1e300) {
+    if (safe_square(sum)) {
         return std::sqrt(sum);
     }
     double largest = 0;
