@@ -170,12 +170,11 @@ Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::GridShape 
     return axes;
 }
 
-// The condition at i; one of a direction is of order 1.
-fit::Condition condition_at(int64_t i, int degree, const double *params, const int32_t *orders) {
+// The order of a condition; that of a direction is 1.
+int32_t checked_order(int64_t i, int degree, double param, int32_t order) {
     const long long at = i;
-    const int32_t order = orders == nullptr ? 0 : orders[i];
-    if (!std::isfinite(params[i])) {
-        fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(params[i]).text);
+    if (!std::isfinite(param)) {
+        fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(param).text);
     }
     constexpr int highest = 15; // above 20 rounding decides which lengths have the least energy
     if (order == NURBS_ORDER_DIRECTION && (degree < 2 || degree > highest)) {
@@ -186,20 +185,19 @@ fit::Condition condition_at(int64_t i, int degree, const double *params, const i
         fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree, or NURBS_ORDER_DIRECTION", at,
              order, degree);
     }
-    return {params[i], order == NURBS_ORDER_DIRECTION ? 1 : order};
+    return order == NURBS_ORDER_DIRECTION ? 1 : order;
 }
 
-// Parameters that do not decrease, with orders that rise where they are equal.
-void check_next(const fit::Condition &before, const fit::Condition &next, int64_t i) {
-    const long long at = i;
-    if (next.param < before.param) {
-        fail(Status::knots_decreasing, "params[%lld] = %s, expected at least params[%lld] = %s", at,
-             Number(next.param).text, at - 1, Number(before.param).text);
+// Parameters that do not decrease, with orders that rise where they are equal, at i and before it.
+void check_next(const fit::CurveConditions &given, size_t i) {
+    const double before = given.params[i - 1], next = given.params[i];
+    if (next < before) {
+        fail(Status::knots_decreasing, "params[%zu] = %s, expected at least params[%zu] = %s", i,
+             Number(next).text, i - 1, Number(before).text);
     }
-    if (next.param == before.param && next.order <= before.order) {
-        fail(Status::order,
-             "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
-             next.order, at - 1, before.order, Number(next.param).text);
+    if (next == before && given.orders[i] <= given.orders[i - 1]) {
+        fail(Status::order, "orders[%zu] = %d, expected more than orders[%zu] = %d at the same parameter %s",
+             i, given.orders[i], i - 1, given.orders[i - 1], Number(next).text);
     }
 }
 
@@ -216,12 +214,13 @@ fit::CurveConditions checked_conditions(int degree, int64_t n, const double *par
     require(targets.data, "targets");
     check_degree(degree, -1);
     check_at_least(n, 1, "n");
-    fit::CurveConditions given{{}, {}, targets.dim, finite_points("targets", targets, n)};
-    given.conditions.reserve(static_cast<size_t>(n));
+    fit::CurveConditions given{
+        {params, params + n}, {}, {}, targets.dim, finite_points("targets", targets, n)};
+    given.orders.reserve(static_cast<size_t>(n));
     for (int64_t i = 0; i < n; ++i) {
-        given.conditions.push_back(condition_at(i, degree, params, orders));
+        given.orders.push_back(checked_order(i, degree, params[i], orders == nullptr ? 0 : orders[i]));
         if (i > 0) {
-            check_next(given.conditions[static_cast<size_t>(i) - 1], given.conditions.back(), i);
+            check_next(given, static_cast<size_t>(i));
         }
         if (orders != nullptr && orders[i] == NURBS_ORDER_DIRECTION) {
             given.directions.push_back(i);

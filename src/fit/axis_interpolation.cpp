@@ -9,6 +9,7 @@
 #include "numeric/solvers/banded_least_squares.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace nrb::fit {
 
@@ -26,17 +27,22 @@ void scale_rows(const std::vector<double> &scales, int64_t width, std::vector<do
 
 } // namespace
 
-AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, std::vector<Condition> conditions, int axis)
-    : knots_(std::move(knots)), conditions_(std::move(conditions)), axis_(axis) {
-    const bool values_only =
-        std::ranges::all_of(conditions_, [](const Condition &condition) { return condition.order == 0; });
+AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, const Sites &sites, int axis)
+    : knots_(std::move(knots)), sites_(sites), axis_(axis) {
+    const bool values_only = std::ranges::all_of(sites.orders, [](int32_t order) { return order == 0; });
     if (!knots_->periodic()) {
         values_only ? factor() : factor_derivatives();
     }
 }
 
+// With factors as many as fill the registers several times; rotations make the factors again.
+int64_t AxisInterpolation::best_width() const noexcept {
+    constexpr int64_t many = 64;
+    return direct_.has_value() ? many : std::numeric_limits<int64_t>::max();
+}
+
 int64_t AxisInterpolation::next_function(int64_t i, int64_t first) const noexcept {
-    const double t = conditions_[static_cast<size_t>(i)].param;
+    const double t = sites_.param(i);
     const int p = knots_->degree();
     const double *const knots = knots_->knots().data();
     int64_t span = first + p;
@@ -51,8 +57,8 @@ int64_t AxisInterpolation::next_function(int64_t i, int64_t first) const noexcep
 }
 
 void AxisInterpolation::read(int64_t i, int64_t first, double *values) const noexcept {
-    const auto [t, order] = conditions_[static_cast<size_t>(i)];
-    const int p = knots_->degree();
+    const double t = sites_.param(i);
+    const int order = sites_.order(i), p = knots_->degree();
     if (order == 0) {
         return basis_values(knots_->knots().data(), p, first + p, t, values);
     }
@@ -66,14 +72,14 @@ void AxisInterpolation::fail_outside_support(int64_t i) const {
     fail(Status::schoenberg_whitney,
          "params[%lld] = %s on axis %d is outside (%s, %s), "
          "between knots %lld and %lld, the support of control point %lld",
-         static_cast<long long>(i), Number(conditions_[static_cast<size_t>(i)].param).text, axis_,
-         Number((*knots_)[i]).text, Number((*knots_)[end]).text, static_cast<long long>(i),
-         static_cast<long long>(end), static_cast<long long>(i));
+         static_cast<long long>(i), Number(sites_.param(i)).text, axis_, Number((*knots_)[i]).text,
+         Number((*knots_)[end]).text, static_cast<long long>(i), static_cast<long long>(end),
+         static_cast<long long>(i));
 }
 
 // At a knot of some multiplicity as many functions vanish.
-AxisInterpolation::Row AxisInterpolation::row_of_values(int64_t i, int64_t &first) const noexcept {
-    const double t = conditions_[static_cast<size_t>(i)].param;
+AxisInterpolation::Row AxisInterpolation::row_of_values(int64_t i, int64_t &first) const {
+    const double t = sites_.param(i);
     const int p = knots_->degree();
     first = next_function(i, first);
     const double *const span = knots_->knots().data() + first + p;
@@ -84,19 +90,19 @@ AxisInterpolation::Row AxisInterpolation::row_of_values(int64_t i, int64_t &firs
     while (begin < p && span[begin + 1] == t) {
         ++begin;
     }
-    return {static_cast<int32_t>(i - first), static_cast<int16_t>(begin), static_cast<int16_t>(end)};
+    const int64_t before = i - first;
+    if (before < begin || before >= end) {
+        fail_outside_support(i);
+    }
+    return {static_cast<int8_t>(before), static_cast<int8_t>(begin), static_cast<int8_t>(end)};
 }
 
 std::vector<AxisInterpolation::Row> AxisInterpolation::rows_of_values() const {
     std::vector<Row> rows;
-    rows.reserve(conditions_.size());
+    rows.reserve(sites_.params.size());
     int64_t first = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
-        const Row row = row_of_values(i, first);
-        if (row.before < row.begin || row.before >= row.end) {
-            fail_outside_support(i);
-        }
-        rows.push_back(row);
+        rows.push_back(row_of_values(i, first));
     }
     return rows;
 }
@@ -147,7 +153,7 @@ void AxisInterpolation::factor_derivatives() {
     const int p = knots_->degree();
     int64_t below = 0, first = 0;
     direct_.emplace(empty_band(below));
-    scales_.reserve(conditions_.size());
+    scales_.reserve(sites_.params.size());
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{8} * (p + 1) * (p + 1));
         first = next_function(i, first);
@@ -179,13 +185,13 @@ void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const 
         rotate(values, width);
     }
     const auto [lower, upper] = knots_->domain();
-    const auto value_at = [](const Condition &condition, double t) {
-        return condition.param == t && condition.order == 0;
+    const auto value_at = [this](int64_t i, double t) {
+        return sites_.param(i) == t && sites_.order(i) == 0;
     };
-    if (knots_->clamped_start() && value_at(conditions_.front(), lower)) {
+    if (knots_->clamped_start() && value_at(0, lower)) {
         std::ranges::copy(start, values.begin());
     }
-    if (knots_->clamped_end() && value_at(conditions_.back(), upper)) {
+    if (knots_->clamped_end() && value_at(conditions() - 1, upper)) {
         std::ranges::copy(end, values.begin() + last);
     }
 }

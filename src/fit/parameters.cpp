@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/finite.h"
+#include "base/small_width.h"
 #include "base/watch.h"
 #include "basis/bspline.h"
 #include "basis/generators.h"
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <type_traits>
 
 namespace nrb::fit {
 
@@ -53,7 +53,7 @@ struct Line {
     }
 };
 
-// Loops of their own for points of few coordinates, and one that ends in no call, for many processors at once to work at.
+// A loop that decides nothing, of which a processor has several steps under way; then those whose squares are not safe.
 template <class Dimension>
 void set_chords(const Line &line, Dimension dim, std::span<double> chords) noexcept {
     for (size_t i = 0; i < chords.size(); ++i) {
@@ -70,18 +70,7 @@ void set_chords(const Line &line, Dimension dim, std::span<double> chords) noexc
         chord = std::sqrt(chord);
     }
     for (size_t i = 0; unsafe > 0 && i < chords.size(); ++i) {
-        chords[i] = norm_of(dim, [&](int c) { return line.step(static_cast<int64_t>(i), c); });
-    }
-}
-
-void set_chords(const Line &line, std::span<double> chords) noexcept {
-    switch (line.dim) {
-    case 2:
-        return set_chords(line, std::integral_constant<int, 2>(), chords);
-    case 3:
-        return set_chords(line, std::integral_constant<int, 3>(), chords);
-    default:
-        return set_chords(line, line.dim, chords);
+        chords[i] = norm_of(line.dim, [&](int c) { return line.step(static_cast<int64_t>(i), c); });
     }
 }
 
@@ -139,7 +128,7 @@ void apply(ParameterRule rule, double exponent, double largest, const Line &line
 // Adds the parameters of a line, in room for its chords; false if it has no length.
 bool add(const Line &line, ParameterRule rule, double exponent, std::span<double> room,
          std::span<double> params) {
-    set_chords(line, room);
+    with_width(line.dim, [&](auto dim) { set_chords(line, dim, room); });
     const double largest = largest_magnitude(room);
     if (!(largest > 0)) {
         return false;

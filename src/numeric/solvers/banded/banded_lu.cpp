@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numeric/solvers/banded/banded_lu.h"
 
+#include "base/small_width.h"
 #include "base/watch.h"
 
 #include <algorithm>
@@ -91,27 +92,11 @@ bool BandedLu::factor_checked(double most) {
     return true;
 }
 
-// Records of points of few coordinates have loops of their own.
 void BandedLu::solve(double *values, int64_t width) const {
-    const auto all_at_once = [&]<int64_t n>(std::integral_constant<int64_t, n> size) {
-        count_work(rows_ * (below_ + above_ + 1) * n);
-        solve_some(values, n, size);
-    };
-    switch (width) {
-    case 1:
-        return all_at_once(std::integral_constant<int64_t, 1>());
-    case 2:
-        return all_at_once(std::integral_constant<int64_t, 2>());
-    case 3:
-        return all_at_once(std::integral_constant<int64_t, 3>());
-    case 4:
-        return all_at_once(std::integral_constant<int64_t, 4>());
-    default:
-        break;
-    }
     for (int64_t first = 0; first < width; first += most_together) {
-        solve_some(values + first, width, std::min(most_together, width - first));
-        count_work(rows_ * (below_ + above_ + 1) * std::min(most_together, width - first));
+        const int64_t some = std::min(most_together, width - first);
+        count_work(rows_ * (below_ + above_ + 1) * some);
+        with_width(some, [&](auto size) { solve_some(values + first, width, size); });
     }
 }
 
