@@ -53,15 +53,8 @@ private:
     void read(int64_t i, int64_t first, double *values) const noexcept;
     // Divided by the largest entry, because derivatives of high order would outweigh the values; returns the factor.
     double read_scaled(int64_t i, int64_t first, double *values) const noexcept;
-    void factor();
-    void factor_derivatives();
-    // Of a row of values: its diagonal is `before` functions behind the first one of the span; those that do not vanish.
-    struct Row {
-        int8_t before, begin, end;
-    };
-    [[nodiscard]] Row row_of_values(int64_t i, int64_t &first) const;
-    [[nodiscard]] BandedLu empty_band(int64_t &below) const;
-    [[nodiscard]] std::vector<Row> rows_of_values() const;
+    void factor_values();
+    [[nodiscard]] bool factor_derivatives();
     [[noreturn]] void fail_outside_support(int64_t i) const;
     void rotate(std::vector<double> &values, int64_t width) const;
     void rotate_transposed(std::vector<double> &values, int64_t width) const;
