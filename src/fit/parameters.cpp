@@ -47,32 +47,11 @@ struct Line {
     bool closed;
     double scale;
 
-    [[nodiscard]] double step(int64_t i, int c) const noexcept {
-        const double *const point = points + i * stride;
+    [[nodiscard]] double step(size_t i, int c) const noexcept {
+        const double *const point = points + static_cast<int64_t>(i) * stride;
         return point[stride + c] * scale - point[c] * scale;
     }
 };
-
-// A loop that decides nothing, of which a processor has several steps under way; then those whose squares are not safe.
-template <class Dimension>
-void set_chords(const Line &line, Dimension dim, std::span<double> chords) noexcept {
-    for (size_t i = 0; i < chords.size(); ++i) {
-        double sum = 0;
-        for (int c = 0; c < dim; ++c) {
-            const double x = line.step(static_cast<int64_t>(i), c);
-            sum += x * x;
-        }
-        chords[i] = sum;
-    }
-    int64_t unsafe = 0;
-    for (double &chord : chords) {
-        unsafe += safe_square(chord) ? 0 : 1;
-        chord = std::sqrt(chord);
-    }
-    for (size_t i = 0; unsafe > 0 && i < chords.size(); ++i) {
-        chords[i] = norm_of(line.dim, [&](int c) { return line.step(static_cast<int64_t>(i), c); });
-    }
-}
 
 // How much longer the steps of a line count for the angles at their ends (T. Foley, G. Nielson, "Knot selection for
 // parametric spline interpolation", in: Mathematical Methods in Computer Aided Geometric Design, 1989), with Euclidean
@@ -93,9 +72,7 @@ private:
         if (!(chords_[beside] > 0)) {
             return 0;
         }
-        const auto step = [&](size_t at) {
-            return [this, at](int c) { return line_.step(static_cast<int64_t>(at), c); };
-        };
+        const auto step = [&](size_t at) { return [this, at](int c) { return line_.step(at, c); }; };
         const double turn = angle_between(step(i), chords_[i], step(beside), chords_[beside], line_.dim);
         return std::min(turn, std::numbers::pi / 2) * (chords_[beside] / (chords_[beside] + chords_[i]));
     }
@@ -128,7 +105,10 @@ void apply(ParameterRule rule, double exponent, double largest, const Line &line
 // Adds the parameters of a line, in room for its chords; false if it has no length.
 bool add(const Line &line, ParameterRule rule, double exponent, std::span<double> room,
          std::span<double> params) {
-    with_width(line.dim, [&](auto dim) { set_chords(line, dim, room); });
+    with_width(line.dim, [&](auto dim) {
+        norms_of(
+            dim, [&](size_t i, int c) { return line.step(i, c); }, room);
+    });
     const double largest = largest_magnitude(room);
     if (!(largest > 0)) {
         return false;

@@ -42,6 +42,27 @@ double norm_of(int n, Component &&x) noexcept {
     return std::sqrt(sum) / scale / scale;
 }
 
+// The same of many vectors of which number i has the components x(i, c): at first in loops that decide nothing, of which a
+// processor has several steps under way.
+template <class Size, class Component>
+void norms_of(Size n, Component &&x, std::span<double> lengths) noexcept {
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        double sum = 0;
+        for (int c = 0; c < n; ++c) {
+            sum += x(i, c) * x(i, c);
+        }
+        lengths[i] = sum;
+    }
+    int64_t unsafe = 0;
+    for (double &length : lengths) {
+        unsafe += safe_square(length) ? 0 : 1;
+        length = std::sqrt(length);
+    }
+    for (size_t i = 0; unsafe > 0 && i < lengths.size(); ++i) {
+        lengths[i] = norm_of(static_cast<int>(n), [&](int c) { return x(i, c); });
+    }
+}
+
 inline double norm(const double *x, int n) noexcept {
     return norm_of(n, [x](int c) { return x[c]; });
 }
