@@ -96,8 +96,8 @@ void AxisInterpolation::factor_values() {
             fail_outside_support(i);
         }
         read(i, first, row);
-        if (!(row[i - first] >
-              0)) { // a function is 0 at the ends of its support, but for those of clamped ends
+        // A function is 0 at the ends of its support, but for those of clamped ends.
+        if (!(row[i - first] > 0)) {
             fail_outside_support(i);
         }
         if (!direct_->factor_row(i)) {

@@ -28,10 +28,10 @@ struct Sites {
 class AxisInterpolation {
 public:
     // As many conditions as the axis has distinct layers, by rising parameters in the domain, the orders not above the
-    // degree, in arrays that outlive this; `axis` is for messages. Values alone are solved without an exchange of rows, after the condition of I.
-    // Schoenberg and A. Whitney has been checked (Trans. Amer. Math. Soc. 74 (1953)): condition i has to lie in the
-    // support of function i, else Status::schoenberg_whitney. So are derivatives where that turns out to be as accurate.
-    // All else, and what belongs to a periodic axis, goes by rotations, which take several times as long.
+    // degree, in arrays that outlive this; `axis` is for messages. Values alone are solved without an exchange of rows, for
+    // which condition i has to lie in the support of function i (I. Schoenberg, A. Whitney, Trans. Amer. Math. Soc. 74 (1953)),
+    // else Status::schoenberg_whitney. So are derivatives where that turns out to be as accurate. All else, and what belongs
+    // to a periodic axis, goes by rotations, which take several times as long.
     AxisInterpolation(KnotVectorPtr knots, const Sites &sites, int axis);
 
     [[nodiscard]] const KnotVectorPtr &knots() const noexcept { return knots_; }

@@ -58,7 +58,8 @@ void for_each_distance(const Data &data, const eval::AxisRules &given, int weigh
                 },
                 own);
         });
-        for (int64_t i = 0; i < count; ++i) {
+        const bool all = counts.surely_all(first, count);
+        for (int64_t i = 0; i < count && !all; ++i) {
             if (!counts(first + i)) {
                 own[static_cast<size_t>(i)] = std::numeric_limits<double>::quiet_NaN();
             }

@@ -76,31 +76,50 @@ int exponent_above(double value) noexcept {
     return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
+namespace {
+
+// The sum of squares, and the largest distance, of data that count.
+struct Comparison {
+    CompensatedSum squares;
+    double largest = -1;
+    int64_t largest_index = -1;
+
+    // In units of the misfit.
+    void add(const Data &data, const Misfit &units, int64_t first,
+             std::span<const double> distances) noexcept {
+        const int of_values = -units.value_exponent, of_weights = -units.weight_exponent;
+        for (size_t i = 0; i < distances.size(); ++i) {
+            const double distance = distances[i];
+            if (std::isnan(distance)) {
+                continue;
+            }
+            const int64_t at = first + static_cast<int64_t>(i);
+            const double part = times_power_of_two(distance, of_values),
+                         weight = times_power_of_two(weight_of(data, at), of_weights);
+            squares.add(weight * part * part);
+            if (distance > largest) {
+                largest = distance;
+                largest_index = at;
+            }
+        }
+    }
+};
+
+} // namespace
+
 // The sums of the statistics tell the squares to 2^-60 of what there was.
 void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
     Misfit &misfit = found.fit.misfit;
-    CompensatedSum squares;
-    double largest = -1;
-    const int of_values = -misfit.value_exponent, of_weights = -misfit.weight_exponent;
+    Comparison all;
     for_each_distance(data, rules, misfit.weight_exponent, *found.fit.spline,
                       [&](int64_t first, std::span<const double> distances) {
-                          for (size_t i = 0; i < distances.size(); ++i) {
-                              const int64_t at = first + static_cast<int64_t>(i);
-                              const double distance = distances[i];
-                              if (std::isnan(distance)) {
-                                  continue;
-                              }
-                              const double part = times_power_of_two(distance, of_values),
-                                           weight = times_power_of_two(weight_of(data, at), of_weights);
-                              squares.add(weight * part * part);
-                              if (distance > largest) {
-                                  largest = distance;
-                                  found.largest_index = at;
-                              }
-                          }
+                          Comparison next = all; // in registers
+                          next.add(data, misfit, first, distances);
+                          all = next;
                       });
-    found.largest = std::max(largest, 0.0);
-    misfit.squares = squares.value();
+    found.largest = std::max(all.largest, 0.0);
+    found.largest_index = all.largest_index;
+    misfit.squares = all.squares.value();
 }
 
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,
