@@ -3,13 +3,13 @@
 
 #include "base/error.h"
 #include "base/watch.h"
+#include "fit/statistics/cell_slots.h"
 #include "fit/statistics/fixed_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
-#include <unordered_map>
 
 namespace nrb::fit {
 
@@ -30,33 +30,6 @@ namespace {
 
 // Sums in 128 bits have room for so many terms: a weight times a function is below 2^115.
 constexpr int32_t most_pending = 1 << 11;
-
-// The cells that were met so far.
-class Slots {
-public:
-    explicit Slots(int64_t cells, int64_t points) {
-        constexpr int64_t few = 1024;
-        if (cells <= std::max(few, 4 * points)) {
-            dense_.assign(static_cast<size_t>(cells), -1);
-        }
-    }
-    // The number of a cell, by the order of arrival.
-    int64_t of(int64_t cell) {
-        int64_t &slot =
-            dense_.empty() ? sparse_.try_emplace(cell, -1).first->second : dense_[static_cast<size_t>(cell)];
-        if (slot < 0) {
-            slot = std::ssize(cells_);
-            cells_.push_back(cell);
-        }
-        return slot;
-    }
-    [[nodiscard]] const std::vector<int64_t> &cells() const noexcept { return cells_; }
-
-private:
-    std::vector<int64_t> dense_;
-    std::unordered_map<int64_t, int64_t> sparse_;
-    std::vector<int64_t> cells_;
-};
 
 class Gathering {
 public:
@@ -166,11 +139,10 @@ private:
             recent_.resize(recent_.size() + entries());
             sums_.resize(sums_.size() + entries());
         }
-        ++counts_[slot];
-        if (++pending_[slot] > most_pending) {
+        if (pending_[slot] == most_pending) {
             settle(slot);
-            pending_[slot] = 1;
         }
+        ++pending_[slot];
         add_to(recent_.data() + slot * entries(), point);
     }
 
@@ -300,14 +272,13 @@ private:
         Int128 *const moments = sums + (place.from_end ? 2 * p : 0);
         Int128 *const right = sums + (2 * p + 1) + (place.from_end ? p * dim : 0);
         Int128 *const squares = sums + (2 * p + 1) + (p + 1) * dim;
-        Value values[dim];
-        std::copy_n(point.values, static_cast<int>(dim), values);
+        const Value *const values = point.values; // without weights
         int64_t functions[2 * p + 1];
         functions[0] = function_unit;
         raise_functions(0, p, place.distance, functions);
         for (int j = 0; j <= p; ++j) {
             for (int c = 0; c < dim; ++c) {
-                right[j * step * dim + c] += Int128::product(functions[j], values[c].weighted);
+                right[j * step * dim + c] += Int128::product(functions[j], values[c].units);
             }
         }
         raise_functions(p, 2 * p, place.distance, functions);
@@ -315,7 +286,7 @@ private:
             moments[j * step] += Int128(0, static_cast<uint64_t>(functions[j]));
         }
         for (int c = 0; c < dim; ++c) {
-            squares[c] += Int128::product(values[c].units, values[c].weighted);
+            squares[c] += Int128::product(values[c].units, values[c].units);
         }
         squares[dim] += Int128(0, 1);
     }
@@ -370,6 +341,7 @@ private:
             sums[e].add(recent[e], is_weighted ? 0 : value_bits);
             recent[e] = {};
         }
+        counts_[slot] += pending_[slot];
         pending_[slot] = 0;
     }
 
@@ -378,7 +350,7 @@ private:
     const eval::AxisRules &rules_;
     CellLayout layout_;
     ScaledUnits of_values_, of_weights_;
-    Slots slots_;
+    CellSlots slots_;
     bool weighted_;
     std::vector<SpanTable::Finder> finders_;
     // Of a batch.
