@@ -67,16 +67,16 @@ std::vector<double> LengthEnergy::product(const std::vector<double> &u) const {
 
 // The sum of 1 / h over the nearest other parameters on both sides, at distances h.
 double LengthEnergy::stiffness_at(int64_t i) const noexcept {
-    const double t = axis_.param(i);
+    const double t = axis_.sites().param(i);
     int64_t before = i, after = i;
-    while (before >= 0 && axis_.param(before) == t) {
+    while (before >= 0 && axis_.sites().param(before) == t) {
         --before;
     }
-    while (after < axis_.conditions() && axis_.param(after) == t) {
+    while (after < axis_.conditions() && axis_.sites().param(after) == t) {
         ++after;
     }
-    const double sum = (before >= 0 ? 1 / (t - axis_.param(before)) : 0) +
-                       (after < axis_.conditions() ? 1 / (axis_.param(after) - t) : 0);
+    const double sum = (before >= 0 ? 1 / (t - axis_.sites().param(before)) : 0) +
+                       (after < axis_.conditions() ? 1 / (axis_.sites().param(after) - t) : 0);
     const Interval domain = axis_.knots()->domain();
     return std::max(sum, 1 / (domain.upper - domain.lower));
 }

@@ -26,7 +26,7 @@ std::vector<double> fixed_part(const AxisInterpolation &axis, std::span<const in
     std::vector<double> place;
     for (int64_t i = 0; i < axis.conditions(); ++i) {
         double *const own = targets.data() + i * dim;
-        if (axis.order(i) == 0) {
+        if (axis.sites().order(i) == 0) {
             place = place.empty() ? std::vector<double>(own, own + dim) : place;
             std::transform(own, own + dim, place.begin(), own, std::minus<>());
         }
