@@ -3,49 +3,16 @@
 
 #include "base/error.h"
 #include "io/step/geometry.h"
+#include "io/step/motion.h"
 #include "io/step/placements.h"
+#include "model/cycles.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
 namespace nrb::io::step {
 namespace {
 
 constexpr int64_t no_part = -1;
-
-// x -> M x + t.
-struct Motion {
-    std::array<Vector3, 3> columns{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
-    Vector3 shift{};
-
-    [[nodiscard]] Vector3 turned(const Vector3 &x) const noexcept {
-        return x.x * columns[0] + x.y * columns[1] + x.z * columns[2];
-    }
-};
-
-// From the coordinates of a frame to those around it.
-Motion motion_of(const build::Placement &frame) {
-    return {{frame.x, frame.y, frame.z}, frame.origin};
-}
-
-// The motion by which `from` becomes `to`. Precondition: the axes of `from` are at right angles and of length 1.
-Motion between(const Motion &from, const Motion &to) noexcept {
-    Motion result;
-    const auto &[x, y, z] = from.columns;
-    const std::array<Vector3, 3> rows{Vector3{x.x, y.x, z.x}, Vector3{x.y, y.y, z.y}, Vector3{x.z, y.z, z.z}};
-    for (size_t k = 0; k < 3; ++k) {
-        result.columns[k] = to.turned(rows[k]);
-    }
-    result.shift = to.shift - result.turned(from.shift);
-    return result;
-}
-
-std::array<double, 12> matrix_of(const Motion &motion) noexcept {
-    const auto &[x, y, z] = motion.columns;
-    const Vector3 &t = motion.shift;
-    return {x.x, y.x, z.x, t.x, x.y, y.y, z.y, t.y, x.z, y.z, z.z, t.z};
-}
 
 class AssemblyReader {
 public:
@@ -256,65 +223,12 @@ private:
         const Motion from = frame(source.reference("mapping_origin"), source, "mapping_origin");
         const int64_t child =
             part_at(source.reference("mapped_representation"), source, "mapped_representation");
-        const Motion to =
-            is_operator(target) ? read_operator(target) : frame(target, attributes, "mapping_target");
+        const Instance &onto = entities_.at(target, attributes, "mapping_target");
+        const Motion to = is_operator(instances_, onto)
+                              ? read_operator(entities_, onto, length_(instances_.find(target)))
+                              : frame(target, attributes, "mapping_target");
         add_use(part_at(representation.number(), attributes, "mapping_target"), child, between(from, to),
                 item);
-    }
-    [[nodiscard]] bool is_operator(int64_t number) const {
-        const int64_t place = instances_.find(number);
-        return place >= 0 &&
-               instances_.keyword(instances_[place]).starts_with("CARTESIAN_TRANSFORMATION_OPERATOR");
-    }
-    // cartesian_transformation_operator_3d: axes that may be missing, and may be a mirror image; a scale.
-    Motion read_operator(int64_t number) {
-        const int64_t place = instances_.find(number);
-        Attributes attributes(instances_, instances_[place]);
-        attributes.part("REPRESENTATION_ITEM");
-        attributes.skip("name");
-        attributes.part("CARTESIAN_TRANSFORMATION_OPERATOR");
-        if (!attributes.complex()) {
-            attributes.skip("name of the transformation");
-        }
-        const std::optional<Vector3> first = axis(attributes, "axis1"), second = axis(attributes, "axis2");
-        const Point origin = read_point(entities_, attributes.reference("local_origin"), attributes,
-                                        "local_origin", length_(place));
-        const double scale = attributes.real_or("scale", 1);
-        attributes.part("CARTESIAN_TRANSFORMATION_OPERATOR_3D");
-        const std::optional<Vector3> third = axis(attributes, "axis3");
-        if (!(scale > 0)) {
-            attributes.fail_attribute(Status::factor, "scale", "expected more than 0");
-        }
-        Motion motion = operator_axes(first, second, third);
-        for (Vector3 &column : motion.columns) {
-            column = scale * column;
-        }
-        motion.shift = {origin.x[0], origin.x[1], origin.x[2]};
-        return motion;
-    }
-    std::optional<Vector3> axis(Attributes &attributes, const char *name) {
-        const int64_t number = attributes.reference_or_none(name);
-        if (number == 0) {
-            return std::nullopt;
-        }
-        const Point direction = read_direction(entities_, number, attributes, name);
-        return unit_vector({direction.x[0], direction.x[1], direction.x[2]});
-    }
-    static Vector3 unit_vector(const Vector3 &x) noexcept {
-        const Vector3 y = scaled_to_one(x);
-        return (1 / std::sqrt(dot(y, y))) * y;
-    }
-    static Vector3 across(const Vector3 &x, const Vector3 &axis) noexcept {
-        return unit_vector(x - dot(x, axis) * axis);
-    }
-    // base_axis() of ISO 10303-42: the third rules, then the first, and the second says on which side.
-    static Motion operator_axes(const std::optional<Vector3> &first, const std::optional<Vector3> &second,
-                                const std::optional<Vector3> &third) noexcept {
-        const Vector3 z = third.value_or(Vector3{0, 0, 1});
-        const Vector3 wanted = first.value_or(std::fabs(z.x) < 0.9 ? Vector3{1, 0, 0} : Vector3{0, 1, 0});
-        const Vector3 x = across(wanted, z), y = cross(z, x);
-        const bool mirrored = second && dot(*second, y) < 0;
-        return {{x, mirrored ? -1.0 * y : y, z}, {}};
     }
 
     void add_use(int64_t parent, int64_t child, const Motion &motion, const Instance &source) {
@@ -330,46 +244,18 @@ private:
         sources_.push_back(instances_.find(source.number()));
     }
 
-    // Depth first, without recursion: a use that leads back to a part on the way to it is left out.
     void drop_cycles() {
-        std::vector<std::vector<size_t>> below(result_.parts.size());
-        for (size_t i = 0; i < result_.uses.size(); ++i) {
-            below[static_cast<size_t>(result_.uses[i].parent)].push_back(i);
-        }
-        enum class State { fresh, open, done };
-        std::vector<State> states(result_.parts.size(), State::fresh);
-        std::vector<bool> dropped(result_.uses.size(), false);
-        std::vector<std::array<size_t, 2>> path;
-        for (size_t root = 0; root < result_.parts.size(); ++root) {
-            if (states[root] != State::fresh) {
-                continue;
-            }
-            path.push_back({root, 0});
-            states[root] = State::open;
-            while (!path.empty()) {
-                auto &[part, next] = path.back();
-                if (next == below[part].size()) {
-                    states[part] = State::done;
-                    path.pop_back();
-                    continue;
-                }
-                const size_t use = below[part][next++];
-                const auto child = static_cast<size_t>(result_.uses[use].part);
-                if (states[child] == State::open) {
-                    dropped[use] = true;
-                    result_.damages.push_back(
-                        {0, Status::syntax, "a part is placed in itself, which is left out"});
-                } else if (states[child] == State::fresh) {
-                    states[child] = State::open;
-                    path.push_back({child, 0});
-                }
-            }
-        }
+        const std::vector<bool> dropped = model::uses_in_cycles(result_.parts.size(), result_.uses);
         size_t kept = 0;
-        for (size_t i = 0; i < result_.uses.size(); ++i) {
+        for (size_t i = 0; i < dropped.size(); ++i) {
             if (!dropped[i]) {
                 result_.uses[kept++] = result_.uses[i];
+                continue;
             }
+            const Instance &source = instances_[sources_[i]];
+            result_.damages.push_back(
+                {source.number(), Status::cycle,
+                 label_of(instances_, source) + ": places a part in itself, which is left out"});
         }
         result_.uses.resize(kept);
     }
