@@ -77,13 +77,11 @@ bool is_operator(const Instances &instances, const Instance &instance) {
 
 Motion read_operator(Entities &entities, const Instance &instance, double length) {
     Attributes attributes(entities.instances(), instance);
-    attributes.part("REPRESENTATION_ITEM");
-    attributes.skip("name");
-    if (!attributes
-             .complex()) { // functionally_defined_transformation has a name of its own, and a description
-        attributes.skip("name");
+    if (attributes.complex()) {
+        attributes.part("CARTESIAN_TRANSFORMATION_OPERATOR");
+    } else { // writers differ on how many names and descriptions stand before
+        skip_to_last(attributes, 5);
     }
-    attributes.part("CARTESIAN_TRANSFORMATION_OPERATOR");
     const std::optional<Vector3> first = read_axis_direction(entities, attributes, "axis1"),
                                  second = read_axis_direction(entities, attributes, "axis2");
     const Point origin =
