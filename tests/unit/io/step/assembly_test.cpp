@@ -7,17 +7,18 @@
 #include <array>
 #include <cmath>
 
+namespace step_assembly_test {
 namespace {
 
 using namespace nrb;
-using step_test::StepBuilder;
+using namespace step_test;
 
 model::Model model_of(const StepBuilder &file, const io::ReadSettings &settings = {}) {
     return io::read_model(file.text(), settings);
 }
 
 // A file of representations, each with its own unit and placement at the origin.
-struct Parts : StepBuilder {
+struct PartsFile : StepBuilder {
     std::string angle = radian();
 
     // With an edge from the origin to (1, 0, 0) in that unit.
@@ -54,12 +55,6 @@ Vector3 placed(const model::Use &use, const Vector3 &x) {
             m[8] * x.x + m[9] * x.y + m[10] * x.z + m[11]};
 }
 
-void expect_near(const Vector3 &x, const Vector3 &y) {
-    EXPECT_NEAR(x.x, y.x, 1e-12);
-    EXPECT_NEAR(x.y, y.y, 1e-12);
-    EXPECT_NEAR(x.z, y.z, 1e-12);
-}
-
 const model::Use &use_of(const model::Model &model, int64_t part) {
     for (const model::Use &use : model.uses) {
         if (use.part == part) {
@@ -70,7 +65,7 @@ const model::Use &use_of(const model::Model &model, int64_t part) {
 }
 
 TEST(StepAssembly, APartAloneStandsInTheWholeUnderTheNameOfItsProduct) {
-    Parts file;
+    PartsFile file;
     file.product("bolt", file.part(file.millimetre()));
     const model::Model found = model_of(file);
     ASSERT_EQ(found.parts.size(), 1U);
@@ -84,7 +79,7 @@ TEST(StepAssembly, APartAloneStandsInTheWholeUnderTheNameOfItsProduct) {
 
 // Inches in millimetres in metres: lengths are converted, and so are the origins of frames, each in its own unit.
 TEST(StepAssembly, UnitsNestedThreeDeep) {
-    Parts file;
+    PartsFile file;
     const std::string inner_from = file.frame("1.,0.,0."),
                       middle_to = file.frame("0.,10.,0.", "0.,0.,1.", "0.,1.,0.");
     const std::string middle_from = file.frame("0.,0.,5."), outer_to = file.frame("0.,0.,2.");
@@ -100,9 +95,9 @@ TEST(StepAssembly, UnitsNestedThreeDeep) {
     EXPECT_EQ(first.parent, 1);
     EXPECT_EQ(second.parent, 2);
     EXPECT_EQ(third.parent, -1);
-    expect_near(placed(first, {25.4, 0, 0}), {0, 10, 0});
-    expect_near(placed(first, {26.4, 0, 0}), {0, 11, 0});
-    expect_near(placed(second, {0, 0, 5}), {0, 0, 2000});
+    expect_near(placed(first, {25.4, 0, 0}), {0, 10, 0}, 1e-11);
+    expect_near(placed(first, {26.4, 0, 0}), {0, 11, 0}, 1e-11);
+    expect_near(placed(second, {0, 0, 5}), {0, 0, 2000}, 1e-11);
     ASSERT_EQ(found.edges.size(), 3U);
     const double lengths[] = {25.4, 1, 1000};
     for (const model::Edge &edge : found.edges) {
@@ -113,7 +108,7 @@ TEST(StepAssembly, UnitsNestedThreeDeep) {
 }
 
 TEST(StepAssembly, MappedItemsMayBeMirroredAndScaled) {
-    Parts file;
+    PartsFile file;
     const std::string origin = file.frame("1.,0.,0.");
     const std::string child = file.part(file.millimetre(), "," + origin);
     const std::string map = file.add("REPRESENTATION_MAP(" + origin + "," + child + ")");
@@ -128,12 +123,12 @@ TEST(StepAssembly, MappedItemsMayBeMirroredAndScaled) {
     ASSERT_EQ(found.parts.size(), 2U);
     const model::Use &use = use_of(found, 0);
     EXPECT_EQ(use.parent, 1);
-    expect_near(placed(use, {1, 0, 0}), {0, 0, 7});
-    expect_near(placed(use, {2, 3, 4}), {2, -6, 15});
+    expect_near(placed(use, {1, 0, 0}), {0, 0, 7}, 1e-11);
+    expect_near(placed(use, {2, 3, 4}), {2, -6, 15}, 1e-11);
 }
 
 TEST(StepAssembly, RelationshipsWithoutATransformationMakeOnePart) {
-    Parts file;
+    PartsFile file;
     const std::string a = file.part(file.millimetre()), b = file.part(file.millimetre());
     file.add("SHAPE_REPRESENTATION_RELATIONSHIP('',''," + a + "," + b + ")");
     file.product("plate", a);
@@ -145,7 +140,7 @@ TEST(StepAssembly, RelationshipsWithoutATransformationMakeOnePart) {
 
 // 2^40 copies if they were multiplied.
 TEST(StepAssembly, PartsThatDoubleAreToldAndNotMultiplied) {
-    Parts file;
+    PartsFile file;
     const std::string left = file.frame("0.,0.,0."), right = file.frame("3.,0.,0.");
     std::vector<std::string> parts;
     for (int level = 0; level <= 40; ++level) {
@@ -162,7 +157,7 @@ TEST(StepAssembly, PartsThatDoubleAreToldAndNotMultiplied) {
 }
 
 TEST(StepAssembly, PartsInThemselvesAreToldAndLeftOut) {
-    Parts file;
+    PartsFile file;
     const std::string frame = file.frame("0.,0.,0.");
     const std::string a = file.part(file.millimetre(), "," + frame),
                       b = file.part(file.millimetre(), "," + frame);
@@ -179,7 +174,7 @@ TEST(StepAssembly, PartsInThemselvesAreToldAndLeftOut) {
 }
 
 TEST(StepAssembly, DamagedPlacementsBecomeNotes) {
-    Parts file;
+    PartsFile file;
     const std::string frame = file.frame("0.,0.,0.");
     const std::string a = file.part(file.millimetre(), "," + frame), b = file.part(file.millimetre());
     file.place(a, frame, b, "#99999");
@@ -191,7 +186,7 @@ TEST(StepAssembly, DamagedPlacementsBecomeNotes) {
 }
 
 TEST(StepAssembly, ColoursOfFacesOverruleThoseOfTheWhole) {
-    Parts file;
+    PartsFile file;
     const std::string frame = file.frame("0.,0.,0."), plane = file.add("PLANE(''," + frame + ")");
     std::vector<std::string> faces;
     for (int i = 0; i < 2; ++i) {
@@ -227,3 +222,4 @@ TEST(StepAssembly, ColoursOfFacesOverruleThoseOfTheWhole) {
 }
 
 } // namespace
+} // namespace step_assembly_test
