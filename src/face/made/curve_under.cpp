@@ -167,8 +167,8 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
         return chart->curve_under(*edge, tolerance);
     }
     const Projection model(*surface, covering, *edge, tolerance);
-    const FittedCurve fitted = fit_curve(
-        model, breaks_of(*edge), same_places(*surface, covering, tolerance), share_of_fit * tolerance);
+    const FittedCurve fitted = fit_curve(model, breaks_of(*edge), same_places(*surface, covering, tolerance),
+                                         share_of_fit * tolerance);
     if (const SplinePtr over = composed(surface, covering, fitted.spline)) {
         const pieces::Enclosure found = bounds::deviation(*over, *edge);
         return {fitted.spline, found.upper, std::isfinite(found.upper)};
