@@ -174,6 +174,31 @@ TEST(WorstFaces, boxes_reach_ends_of_surfaces_and_poles) {
     EXPECT_NEAR(area_of(cap.get()), pi * 0.5 * std::hypot(0.5, 1), 1e-9);
 }
 
+// Long pieces that pass a corner of a cell, knots on which nothing jumps, and an apex where all tangents do.
+TEST(WorstFaces, boxes_are_tight_along_slanted_loops_and_creases) {
+    const Ground ring = torus(3, 1);
+    const Handle a = segment(ring.at(0, 0), ring.at(1, 1)), b = segment(ring.at(1.5, 1), ring.at(0.5, 0)),
+                 c = segment(ring.at(0.25, 1), ring.at(0.25, 0)),
+                 d = segment(ring.at(0.75, 0), ring.at(0.75, 1));
+    const Box slanted = box_of(face_of(ring.surface.get(), {{a.get()}, {b.get()}}).get(), 1e-3);
+    EXPECT_LE(slanted.gap, 1.001e-3);
+    EXPECT_LT(slanted.upper[1], 3.15); // (3 + cos v) sin u with v = u - pi has its largest value there
+    const Box half = box_of(face_of(ring.surface.get(), {{c.get()}, {d.get()}}).get(), 1e-3);
+    EXPECT_LE(half.gap, 1.001e-3);
+    EXPECT_NEAR(half.upper[0], 0, 1e-3);
+    EXPECT_NEAR(half.lower[0], -4, 1e-3);
+    const Vec knots{0, 0, 0.125, 0.75, 1, 1};
+    SplineData hat{{1, 1}, {4, 4}, {knots, knots}, 3, {}, {}, 0};
+    for (int i = 0; i < 16; ++i) {
+        hat.points.insert(hat.points.end(), {i / 4 + 0.0, i % 4 + 0.0, i == 5 ? 1.0 : i == 10 ? -2.0 : 0.0});
+    }
+    const Ground tent = ground_of(create(hat), false, false);
+    const Handle outline = square(0.01, 0.01, 0.99, 0.99);
+    const Box box = box_of(face_of(tent.surface.get(), {{outline.get()}}).get(), 1e-6);
+    EXPECT_NEAR(box.upper[2], 1, 1e-6);
+    EXPECT_NEAR(box.lower[2], -2, 1e-6);
+}
+
 // There and back encloses nothing, nor does a place; the message names the loop.
 TEST(WorstFaces, what_encloses_nothing_is_refused) {
     const Ground ground = plane();
