@@ -19,11 +19,12 @@ import header  # noqa: E402 - from the project
 
 # Pointers to one value that is written; arrays have names in the plural.
 SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "cells", "complete", "content", "convexity",
-                  "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries", "error", "factor",
-                  "form", "gap", "geometric", "homogeneous", "index", "kind", "knot", "length", "line", "major",
-                  "metres", "minor", "moved", "openness",
+                  "count", "curvature_gap", "degree", "deviation", "dim", "distance", "entity_type", "entries",
+                  "error", "factor", "form", "gap", "geometric", "homogeneous", "index", "key", "kind", "knot",
+                  "length", "line", "major", "metres", "minor", "moved", "openness",
                   "optimality", "order", "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason",
-                  "removed", "residual", "result", "shape", "size", "slots", "status", "type", "value", "volume", "weight")
+                  "removed", "residual", "result", "shape", "size", "slots", "status", "tolerance", "type",
+                  "value", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]
 
 

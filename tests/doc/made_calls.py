@@ -56,6 +56,9 @@ class Border:
         assert self.library.nurbs_statistics_create(
             1, (ctypes.c_int32 * 1)(2), (ctypes.c_int64 * 1)(2), (ctypes.c_double * 2)(0, 1), ctypes.c_int64(2), 1,
             ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.statistics)) == 0
+        self.face = ctypes.c_void_p()
+        assert self.library.nurbs_face_create(self.splines[1].handle, ctypes.c_int64(0), None, None, None, None,
+                                              ctypes.c_double(0.25), 0, None, ctypes.byref(self.face)) == 0
         self.structs = {struct.name: slots.struct_class(self.manual, struct) for struct in self.manual.structs}
         self.callbacks = {name: slots.callback_type(self.manual, name)(lambda *_: 0) for name in self.manual.callbacks}
 
@@ -115,6 +118,8 @@ class Border:
             if entry.pointers == 1:
                 return self.statistics
             return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
+        if entry.base == "nurbs_face":
+            return self.face if entry.pointers == 1 else ctypes.pointer(ctypes.c_void_p())
         if entry.base in slots.INTEGERS:
             return (slots.INTEGERS[entry.base] * ROOM)(*[ELEMENTS.get(entry.name, 1)] * 64)
         if entry.base in ("double", "float"):
