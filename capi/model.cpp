@@ -189,29 +189,29 @@ nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t index, char
     });
 }
 
-nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part, int64_t *vertices,
+nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part, int64_t *end_vertices,
                               int32_t *shape, nurbs **out) {
     return guard([&] {
         require_out(out);
         const model::Edge &edge = item_of(model_of(model).edges, index, "edges");
         capi::give(edge.curve, out);
         put(part, edge.part);
-        put_all(vertices, edge.vertices);
+        put_all(end_vertices, edge.vertices);
         put(shape, shape_of(edge.shape));
     });
 }
 
-nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap, int64_t *uses,
+nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap, int64_t *places,
                                    int64_t *count) {
     return guard([&] {
         const model::Edge &edge = item_of(model_of(model).edges, index, "edges");
         const int64_t used = checked_cap(cap, std::ssize(edge.uses));
-        check_apart({memory("uses", uses, checked_product(cap, 3, "uses")), memory("count", count, 1)}, {});
-        for (int64_t i = 0; uses != nullptr && i < used; ++i) {
+        check_apart({memory("places", places, checked_product(cap, 3, "places")), memory("count", count, 1)}, {});
+        for (int64_t i = 0; places != nullptr && i < used; ++i) {
             const model::EdgeUse &use = edge.uses[static_cast<size_t>(i)];
-            uses[3 * i] = use.face;
-            uses[3 * i + 1] = use.loop;
-            uses[3 * i + 2] = use.index;
+            places[3 * i] = use.face;
+            places[3 * i + 1] = use.loop;
+            places[3 * i + 2] = use.index;
         }
         put(count, static_cast<int64_t>(edge.uses.size()));
     });
