@@ -255,7 +255,7 @@ class LayerCall:
         if isinstance(found, nurbs.Model):
             yield f"{name}.counts", map(str, found.counts)
             for face in found.faces:
-                yield from self.handle_lines(f"{name}.faces", face.face)
+                yield from self.handle_lines(f"{name}.faces", face)
             for edge in found.edges:
                 yield from self.handle_lines(f"{name}.edges", edge.spline)
             return

@@ -647,11 +647,6 @@ void data(const Inputs &in) {
         const auto found = n::Model::create(std::vector<n::Face>{in.face, in.face}, 0.001);
         show("out", found);
     }
-    {
-        begin("model_create empty");
-        const auto found = n::Model::create(std::vector<n::Face>{}, 0.0);
-        show("out", found);
-    }
     by_hand("model_clone");
     by_hand("model_destroy");
     {

@@ -971,13 +971,6 @@ contains
             call found%create(faces=faces_given, metres=0.001d0)
             call show('out', found)
         end block
-        call begin('model_create empty')
-        block
-            type(nurbs_face) :: faces_given(0)
-            type(nurbs_model) :: found
-            call found%create(faces=faces_given, metres=0.0d0)
-            call show('out', found)
-        end block
         call by_hand('model_clone')
         call by_hand('model_destroy')
         call begin('model_face')

@@ -1062,11 +1062,6 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::create(&[&given.face, &given.face], 0.001)?;
         show("out", &found);
     }
-    begin("model_create empty");
-    {
-        let found = Model::create(&[], 0.0)?;
-        show("out", &found);
-    }
     by_hand("model_clone");
     by_hand("model_destroy");
     begin("model_face");

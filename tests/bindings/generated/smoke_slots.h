@@ -148,7 +148,6 @@ inline constexpr Slot slots[] = {
     {"read_model in millimetres", "out", "model", 0, 1},
     {"read_model_file", "out", "model", 0, 1},
     {"model_create", "out", "model", 0, 1},
-    {"model_create empty", "out", "model", 0, 1},
     {"model_clone", "out", "model", 0, 1},
     {"model_face", "part", "spans", 0, 1},
     {"model_face", "shape", "states", 0, 1},

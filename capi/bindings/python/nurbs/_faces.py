@@ -150,7 +150,7 @@ class Face:
     def copy(self) -> Face:
         """Another handle on the same face, in constant time; copy.copy() and copy.deepcopy() do the same."""
         face = self._made(lib.nurbs_face_clone, self._handle)
-        face.__dict__["_gaps"] = self._gaps
+        face.__dict__.update((name, value) for name, value in self.__dict__.items() if name != "_handle")
         return face
 
     __copy__ = copy

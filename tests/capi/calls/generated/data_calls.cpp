@@ -685,11 +685,6 @@ const Call group[] = {
          const nurbs_face *const faces[] = {in.face, in.face};
          return nurbs_model_create(2, faces, 0.001, &o.model);
      }},
-    {"model_create empty",
-     [](const Inputs &, Output &o) -> nurbs_status {
-         const nurbs_face *const faces[] = {};
-         return nurbs_model_create(0, faces, 0, &o.model);
-     }},
     {"model_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_clone(in.model, &o.model);
