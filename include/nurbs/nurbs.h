@@ -6402,7 +6402,7 @@ NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *par
  * \param[out] against or NULL: 1 if the outer normal is against the normal S_u x S_v of the surface, else 0.
  * \param[out] colour [3] or NULL: red, green and blue from 0 to 1, NaN where the file gives none.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *part,
                                         int32_t *shape, int32_t *against, double *colour, nurbs_face **out);
@@ -6427,7 +6427,7 @@ NURBS_API nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t i
  * \param[out] shape or NULL: the kind of its curve, one of the NURBS_SHAPE_ constants; NURBS_SHAPE_NONE for a
  *   spline.
  * \param[out] out the new handle on its curve.
- * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part,
                                         int64_t *end_vertices, int32_t *shape, nurbs **out);
