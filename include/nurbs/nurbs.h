@@ -5887,11 +5887,17 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
 
 /** \defgroup face Trimmed faces
  * \code
+ * nurbs *circle = NULL;
  * nurbs_face *face = NULL;
- * int64_t size = 1; // one loop of one closed curve
+ * const nurbs *curves[1];
+ * const int64_t size = 1; // one loop of one closed curve
+ * const double center[] = {0.5, 0.5};
  * double gap = 0, area = 0, error = 0;
- * nurbs_face_create(surface, 1, &size, &curve, NULL, NULL, 1e-6, 0, &gap, &face);
+ * nurbs_curve_circle(2, center, NULL, NULL, 0.25, NURBS_ARC_QUARTERS, &circle);
+ * curves[0] = circle;
+ * nurbs_face_create(surface, 1, &size, curves, NULL, NULL, 1e-6, 0, &gap, &face);
  * nurbs_face_area(face, 1e-9, &area, &error);
+ * nurbs_destroy(circle);
  * nurbs_face_destroy(face);
  * \endcode
  * A face is the part of a surface that loops of curves in its domain bound. The curves of a loop follow one
@@ -5926,10 +5932,10 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  *   nor are poles, from the lower left corner on.
  * \param[in] sizes [loops] number of curves of each loop, at least 1.
  * \param[in] curves [size] or NULL for none, size being the sum of the sizes: curves of dimension 2 in the
- *   domain of the surface, with positive weights, in the direction of their loops, loop by loop. An entry may
- *   be NULL where there is an edge.
- * \param[in] edges [size] or NULL for none: curves of the dimension of the surface. An entry may be NULL where
- *   there is a curve.
+ *   domain of the surface, with positive weights, in the direction of their loops, loop by loop. One
+ *   that is NULL is made under its edge.
+ * \param[in] edges [size] or NULL for none: curves of the dimension of the surface. One that is NULL is made
+ *   over its curve.
  * \param[in] keys [size] or NULL for zeros: numbers of edges, the same in all faces that share an edge,
  *   negative if the edge runs against the direction of the loop. 0: an edge without number, which runs with
  *   the loop.

@@ -102,6 +102,8 @@ class LayerCall:
         handles = [value for value in self.values.values() if value.kind in OWNERS and not value.is_output]
         made = OWNERS[next((value.kind for value in self.step.method.made), "spline")]
         owners = [self.values[method.receiver] for method in methods if self.values.get(method.receiver) in handles]
+        if any(method.receiver in ("Face", "Model") for method in methods):  # a class method, whatever it is given
+            return "", getattr(made, methods[0].name)
         first = next(iter([*owners, *handles]), None)
         names = [name for name in names if name != "count"]  # of a sequence: how often it holds something
         for name in names:

@@ -56,6 +56,14 @@ class Border:
         assert self.library.nurbs_statistics_create(
             1, (ctypes.c_int32 * 1)(2), (ctypes.c_int64 * 1)(2), (ctypes.c_double * 2)(0, 1), ctypes.c_int64(2), 1,
             ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.statistics)) == 0
+        surface = self.splines[1].handle
+        self.face, self.model = ctypes.c_void_p(), ctypes.c_void_p()
+        assert self.library.nurbs_face_create(surface, ctypes.c_int64(0), None, None, None, None, ctypes.c_double(0), 0, None,
+                                              ctypes.byref(self.face)) == 0
+        assert self.library.nurbs_model_create(ctypes.c_int64(1), ctypes.byref(self.face), ctypes.c_double(0),
+                                               ctypes.byref(self.model)) == 0
+        self.handles = {"nurbs_list": self.list, "nurbs_statistics": self.statistics, "nurbs_face": self.face,
+                        "nurbs_model": self.model}
         self.structs = {struct.name: slots.struct_class(self.manual, struct) for struct in self.manual.structs}
         self.callbacks = {name: slots.callback_type(self.manual, name)(lambda *_: 0) for name in self.manual.callbacks}
 
@@ -108,12 +116,11 @@ class Border:
                 return spline.handle
             several = (ctypes.c_void_p * 16)(*[spline.handle.value] * 16)
             return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
-        if entry.base == "nurbs_list":
-            return self.list if entry.pointers == 1 else ctypes.pointer(ctypes.c_void_p())
-        if entry.base == "nurbs_statistics":
-            several = (ctypes.c_void_p * 16)(*[self.statistics.value] * 16)
+        if entry.base in self.handles:
+            one = self.handles[entry.base]
+            several = (ctypes.c_void_p * 16)(*[one.value] * 16)
             if entry.pointers == 1:
-                return self.statistics
+                return one
             return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
         if entry.base in slots.INTEGERS:
             return (slots.INTEGERS[entry.base] * ROOM)(*[ELEMENTS.get(entry.name, 1)] * 64)

@@ -5,8 +5,8 @@ module nurbs_handles
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
-        nurbs_list_destroy, nurbs_model_clone, nurbs_model_destroy, nurbs_read_options, nurbs_read_options_init, nurbs_statistics_clone, &
-        nurbs_statistics_destroy, nurbs_statistics_to_bytes
+        nurbs_list_destroy, nurbs_model_clone, nurbs_model_destroy, nurbs_read_options, nurbs_read_options_init, &
+        nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes
     use nurbs_support
     implicit none
     private

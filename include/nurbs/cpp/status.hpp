@@ -75,6 +75,7 @@ enum class Status : nurbs_status {
     schoenberg_whitney = NURBS_ERROR_SCHOENBERG_WHITNEY,
     rank = NURBS_ERROR_RANK,
     scale = NURBS_ERROR_SCALE,
+    orientation = NURBS_ERROR_ORIENTATION,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -124,6 +125,7 @@ inline constexpr std::uint32_t two_sheets = NURBS_TWO_SHEETS;
 inline constexpr std::uint32_t equal_chords = NURBS_EQUAL_CHORDS;
 inline constexpr std::uint32_t reversed = NURBS_REVERSED;
 inline constexpr std::uint32_t nan_points = NURBS_NAN_POINTS;
+inline constexpr std::uint32_t as_oriented = NURBS_AS_ORIENTED;
 inline constexpr std::int32_t start_of_axis = NURBS_START;
 inline constexpr std::int32_t end_of_axis = NURBS_END;
 

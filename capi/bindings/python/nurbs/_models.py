@@ -41,7 +41,7 @@ class EdgeUse(NamedTuple):
 
     face: int
     loop: int
-    index: int
+    place: int
 
 
 class ModelEdge(NamedTuple):
