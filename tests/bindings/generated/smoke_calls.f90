@@ -49,7 +49,8 @@ program smoke_calls
         '#20=MANIFOLD_SOLID_BREP('''',#19);'//new_line('a')//&
         '#21=BLOCK('''',#4,1.,1.,1.);'//new_line('a')//&
         '#22=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));'//new_line('a')//&
-        '#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('''',''''));'//new_line('a')//&
+        '#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)'//new_line('a')//&
+        'GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('''',''''));'//new_line('a')//&
         '#24=SHAPE_REPRESENTATION('''',(#20,#21),#23);'//new_line('a')//&
         'ENDSEC;'//new_line('a')//&
         'END-ISO-10303-21;'//new_line('a')

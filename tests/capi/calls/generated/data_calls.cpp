@@ -667,14 +667,14 @@ const Call group[] = {
      }},
     {"read_model",
      [](const Inputs &, Output &o) -> nurbs_status {
-         return nurbs_read_model(texts::solid, 962, nullptr, &o.model);
+         return nurbs_read_model(texts::solid, 963, nullptr, &o.model);
      }},
     {"read_model in millimetres",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_read_options options;
          (void)nurbs_read_options_init(&options, sizeof options);
          options.unit = 0.001;
-         return nurbs_read_model(texts::solid, 962, &options, &o.model);
+         return nurbs_read_model(texts::solid, 963, &options, &o.model);
      }},
     {"read_model_file",
      [](const Inputs &, Output &o) -> nurbs_status {
@@ -951,7 +951,7 @@ const Call group[] = {
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_read_model_with(texts::solid, 962, nullptr, &call, &o.model);
+         return nurbs_read_model_with(texts::solid, 963, nullptr, &call, &o.model);
      }},
     {"read_model_with in millimetres",
      [](const Inputs &, Output &o) -> nurbs_status {
@@ -960,7 +960,7 @@ const Call group[] = {
          options.unit = 0.001;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_read_model_with(texts::solid, 962, &options, &call, &o.model);
+         return nurbs_read_model_with(texts::solid, 963, &options, &call, &o.model);
      }},
     {"read_model_file_with",
      [](const Inputs &, Output &o) -> nurbs_status {
