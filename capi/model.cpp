@@ -168,6 +168,9 @@ nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *
     return guard([&] {
         require_out(out);
         const model::ModelFace &face = item_of(model_of(model).faces, index, "faces");
+        check_apart({memory("part", part, 1), memory("shape", shape, 1), memory("against", against, 1),
+                     memory("colour", colour, 3)},
+                    {});
         *out = new nurbs_face{face.face};
         put(part, face.part);
         put(shape, shape_of(face.shape));
@@ -185,29 +188,36 @@ nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t index, char
     });
 }
 
-nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part, int64_t *vertices,
+nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part, int64_t *end_vertices,
                               int32_t *shape, nurbs **out) {
     return guard([&] {
         require_out(out);
         const model::Edge &edge = item_of(model_of(model).edges, index, "edges");
+        check_apart(
+            {memory("part", part, 1), memory("end_vertices", end_vertices, 2), memory("shape", shape, 1)},
+            {});
         capi::give(edge.curve, out);
         put(part, edge.part);
-        put_all(vertices, edge.vertices);
+        put_all(end_vertices, edge.vertices);
         put(shape, shape_of(edge.shape));
     });
 }
 
-nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap, int64_t *uses,
+nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap, int64_t *places,
                                    int64_t *count) {
     return guard([&] {
-        const model::Edge &edge = item_of(model_of(model).edges, index, "edges");
+        const model::Model &own = model_of(model);
+        if (cap > 0) {
+            require(places, "places");
+        }
+        const model::Edge &edge = item_of(own.edges, index, "edges");
         const int64_t used = checked_cap(cap, std::ssize(edge.uses));
-        check_apart({memory("uses", uses, checked_product(cap, 3, "uses")), memory("count", count, 1)}, {});
-        for (int64_t i = 0; uses != nullptr && i < used; ++i) {
+        check_apart({memory("places", places, 3 * used), memory("count", count, 1)}, {});
+        for (int64_t i = 0; i < used; ++i) {
             const model::EdgeUse &use = edge.uses[static_cast<size_t>(i)];
-            uses[3 * i] = use.face;
-            uses[3 * i + 1] = use.loop;
-            uses[3 * i + 2] = use.index;
+            places[3 * i] = use.face;
+            places[3 * i + 1] = use.loop;
+            places[3 * i + 2] = use.index;
         }
         put(count, static_cast<int64_t>(edge.uses.size()));
     });
@@ -215,8 +225,9 @@ nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int6
 
 nurbs_status nurbs_model_vertex(const nurbs_model *model, int64_t index, double *point) {
     return guard([&] {
-        const Vector3 &vertex = item_of(model_of(model).vertices, index, "vertices");
+        const model::Model &own = model_of(model);
         require(point, "point");
+        const Vector3 &vertex = item_of(own.vertices, index, "vertices");
         point[0] = vertex.x;
         point[1] = vertex.y;
         point[2] = vertex.z;

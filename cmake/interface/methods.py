@@ -14,7 +14,8 @@ class MethodError(Exception):
     """A call does not suit its function."""
 
 
-KINDS = {"nurbs": "spline", "nurbs_list": "list", "nurbs_statistics": "statistics", "nurbs_face": "face"}
+KINDS = {"nurbs": "spline", "nurbs_list": "list", "nurbs_statistics": "statistics", "nurbs_face": "face",
+         "nurbs_model": "model"}
 
 
 def similar(name, names):

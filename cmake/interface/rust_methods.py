@@ -26,7 +26,8 @@ CRATE = {
               "periodic_count", "positive", "product", "sum", "times"],
     "spline": ["handles", "some_handles", "Spline"],
     "statistics": ["statistics_handles", "Statistics"],
-    "face": ["Face"],
+    "face": ["face_handles", "Face"],
+    "model": ["Model"],
 }
 STANDARD = {"std::path": ["Path"], "std::ptr": ["null", "null_mut"]}
 
@@ -56,8 +57,10 @@ def documentation(group):
 def uses(own, body, homes):
     code = re.sub(r"//.*", "", body)
     names = {f"crate::{home}": list(found) for home, found in CRATE.items()}
+    by_hand = {name for found in CRATE.values() for name in found}
     for name, home in homes.items():
-        names.setdefault(f"crate::{home}", []).append(name)
+        if name not in by_hand:
+            names.setdefault(f"crate::{home}", []).append(name)
     names.pop(f"crate::{own}", None)
     for home in sorted(names):
         yield from use(home, names[home], code)

@@ -6626,7 +6626,7 @@ NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *par
  * \param[out] against or NULL: 1 if the outer normal is against the normal S_u x S_v of the surface, else 0.
  * \param[out] colour [3] or NULL: red, green and blue from 0 to 1, NaN where the file gives none.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *part,
                                         int32_t *shape, int32_t *against, double *colour, nurbs_face **out);
@@ -6647,25 +6647,25 @@ NURBS_API nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t i
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] part or NULL: the part that it belongs to.
- * \param[out] vertices [2] or NULL: where its curve begins and ends; -1 for none.
+ * \param[out] end_vertices [2] or NULL: where its curve begins and ends; -1 for none.
  * \param[out] shape or NULL: the kind of its curve, one of the NURBS_SHAPE_ constants; NURBS_SHAPE_NONE for a
  *   spline.
  * \param[out] out the new handle on its curve.
- * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part,
-                                        int64_t *vertices, int32_t *shape, nurbs **out);
+                                        int64_t *end_vertices, int32_t *shape, nurbs **out);
 
 /** \brief Where faces use an edge: once at a free boundary, twice inside a shell.
  * \param[in] model a model.
  * \param[in] index 0-based, of the edge.
- * \param[in] cap number of rows of uses, 0 to ask for it.
- * \param[out] uses [cap][3] or NULL when cap is 0: face, loop, and place in the loop.
+ * \param[in] cap number of rows of places, 0 to ask for it.
+ * \param[out] places [cap][3] or NULL when cap is 0: face, loop, and place in the loop.
  * \param[out] count or NULL: the number of uses.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT, _SIZE, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap,
-                                             int64_t *uses, int64_t *count);
+                                             int64_t *places, int64_t *count);
 
 /** \brief The point of a vertex, in the coordinates of its part.
  * \param[in] model a model.

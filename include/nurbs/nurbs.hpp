@@ -52,6 +52,7 @@
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/measure.hpp>
+#include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/parts.hpp>
 #include <nurbs/cpp/placement.hpp>
 #include <nurbs/cpp/projections.hpp>

@@ -405,6 +405,9 @@ static void pin_kinds(void) {
     PIN(NURBS_SHAPE_CYLINDER, 9);
     PIN(NURBS_SHAPE_CONE, 10);
     PIN(NURBS_SHAPE_TORUS, 11);
+    PIN(NURBS_SHAPE_REVOLUTION, 12);
+    PIN(NURBS_SHAPE_EXTRUSION, 13);
+    PIN(NURBS_SHAPE_OFFSET, 14);
 }
 
 static void pin_queries(void) {

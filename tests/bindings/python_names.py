@@ -17,24 +17,25 @@ INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_cal
           "nurbs_list_create", "nurbs_list_to_bytes", "nurbs_list_from_bytes",
           "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy",
           "nurbs_data_init", "nurbs_statistics_create", "nurbs_statistics_destroy", "nurbs_statistics_size",
-          "nurbs_fit_options_init", "nurbs_cloud_options_init", "nurbs_face_destroy"}
+          "nurbs_fit_options_init", "nurbs_cloud_options_init", "nurbs_face_destroy", "nurbs_model_destroy"}
 
 
 def functions():
-    """{name: the class of its first argument, if that is one handle that it only reads}; what else makes statistics
-    or faces has them first too."""
+    """{name: the class of its first argument, if that is one handle that it only reads}; what else makes statistics,
+    faces or models has them first too."""
     text = re.sub(r"/\*.*?\*/", " ", HEADER.read_text(), flags=re.S)
     found = {}
     for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text):
-        first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face) \*\w+(,|$)", arguments)
-        own = re.match("nurbs_(statistics|face)_", name)
-        found[name] = own[0][:-1] if own else first[1] if first else ""
+        first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face|nurbs_model) \*\w+(,|$)", arguments)
+        own = re.match("nurbs_(?:read_(?=model))?(statistics|face|model)", name)
+        found[name] = f"nurbs_{own[1]}" if own else first[1] if first else ""
     return found
 
 
 def names_of(function):
     """What a function may be called here."""
-    name = function[len("nurbs_"):].removeprefix("statistics_").removeprefix("face_").removesuffix("_with")
+    name = function[len("nurbs_"):].removeprefix("statistics_").removeprefix("face_").removeprefix("model_").removesuffix("_with")
+    name = name.replace("read_model", "read")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
             re.sub("^create_", "", name)}
@@ -66,7 +67,7 @@ class Rule(unittest.TestCase):
         found = functions()
         self.assertTrue(found)
         for function, first in found.items():
-            if function not in INSIDE and first not in ("nurbs_statistics", "nurbs_face"):
+            if function not in INSIDE and first not in ("nurbs_statistics", "nurbs_face", "nurbs_model"):
                 named = names_of(function)
                 made = function.startswith("nurbs_create_") or function == "nurbs_from_bytes"
                 self.assertEqual(bool(named & methods.keys()), first == "nurbs" or made, function)
@@ -80,11 +81,17 @@ class Rule(unittest.TestCase):
             self.assertTrue(names_of(function) & methods.keys(), function)
             self.assertFalse(names_of(function) & functions_here.keys(), function)
 
-
     def test_methods_of_faces(self):
         methods = attributes(nurbs.Face)
         found = {function for function, first in functions().items() if first == "nurbs_face"} - INSIDE
         self.assertGreaterEqual(found, {"nurbs_face_create", "nurbs_face_area", "nurbs_face_classify_with"})
+        for function in found:
+            self.assertTrue(names_of(function) & methods.keys(), function)
+
+    def test_methods_of_models(self):
+        methods = attributes(nurbs.Model)
+        found = {function for function, first in functions().items() if first == "nurbs_model"} - INSIDE
+        self.assertGreaterEqual(found, {"nurbs_read_model", "nurbs_read_model_file_with", "nurbs_model_face"})
         for function in found:
             self.assertTrue(names_of(function) & methods.keys(), function)
 

@@ -148,7 +148,8 @@ class Call:
             if isinstance(value, Slot) and value.length > 0:
                 self.show_array(name, parameter, self.outputs[parameter])
             elif isinstance(value, NewHandle):
-                shown = {"list": self.show_list, "statistics": self.show_statistics, "face": self.show_face}.get(value.place, self.show_spline)
+                shown = {"list": self.show_list, "statistics": self.show_statistics, "face": self.show_face,
+                         "model": self.show_model}.get(value.place, self.show_spline)
                 shown(name, parameter, self.outputs[parameter].value)
         if self.call.result is not None:
             found = self.outputs["return"]
@@ -196,6 +197,17 @@ class Call:
             for i in range(size):
                 g = self.library.answer("nurbs_face_curve", ctypes.c_void_p, face, loop, i)
                 self.show_spline(name, f"{parameter}.curves", g)
+
+    def show_model(self, name, parameter, model):
+        counts = [ctypes.c_int64() for _ in range(5)]
+        self.library.call("nurbs_model_counts", model, *map(ctypes.byref, counts))
+        show(name, f"{parameter}.counts", [str(count.value) for count in counts])
+        for i in range(counts[2].value):
+            face = self.library.answer("nurbs_model_face", ctypes.c_void_p, model, i, None, None, None, None)
+            self.show_face(name, f"{parameter}.faces", face)
+        for i in range(counts[3].value):
+            edge = self.library.answer("nurbs_model_edge", ctypes.c_void_p, model, i, None, None, None)
+            self.show_spline(name, f"{parameter}.edges", edge)
 
     def show_list(self, name, parameter, handle):
         count = self.library.answer("nurbs_list_count", ctypes.c_int64, handle)

@@ -27,7 +27,8 @@ INSTEAD = {"contents": ("bytes",), "curves": ("boundaries",), "end": ("end_a",),
            "lam": ("lambda",)}
 # What the package takes from the shapes of arrays, those of structs too.
 IN_SHAPES = ("counts", "dim", "degrees", "break_counts", "n", "axes")
-OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics, "face": nurbs.Face}
+OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics, "face": nurbs.Face,
+          "model": nurbs.Model}
 
 
 class Unlike(Exception):
@@ -101,6 +102,8 @@ class LayerCall:
         handles = [value for value in self.values.values() if value.kind in OWNERS and not value.is_output]
         made = OWNERS[next((value.kind for value in self.step.method.made), "spline")]
         owners = [self.values[method.receiver] for method in methods if self.values.get(method.receiver) in handles]
+        if any(method.receiver in ("Face", "Model") for method in methods):  # a class method, whatever it is given
+            return "", getattr(made, methods[0].name)
         first = next(iter([*owners, *handles]), None)
         names = [name for name in names if name != "count"]  # of a sequence: how often it holds something
         for name in names:
@@ -250,6 +253,13 @@ class LayerCall:
             yield f"{name}.sizes", map(str, found.loops)
             for curve in (curve for loop in found.curves for curve in loop):
                 yield from self.handle_lines(f"{name}.curves", curve)
+            return
+        if isinstance(found, nurbs.Model):
+            yield f"{name}.counts", map(str, found.counts)
+            for face in found.faces:
+                yield from self.handle_lines(f"{name}.faces", face)
+            for edge in found.edges:
+                yield from self.handle_lines(f"{name}.edges", edge.spline)
             return
         yield f"{name}.degrees", map(str, found.degrees)
         yield f"{name}.knots", [text_of(x, ctypes.c_double) for knots in found.knots for x in knots]

@@ -97,6 +97,24 @@ void print_face(const std::string &name, const nurbs_face *face) {
     }
 }
 
+void print_model(const std::string &name, const nurbs_model *model) {
+    int64_t counts[5];
+    CHECK_OK(nurbs_model_counts(model, &counts[0], &counts[1], &counts[2], &counts[3], &counts[4]));
+    print_integers<int64_t>((name + ".counts").c_str(), counts);
+    for (int64_t i = 0; i < counts[2]; ++i) {
+        nurbs_face *face = nullptr;
+        CHECK_OK(nurbs_model_face(model, i, nullptr, nullptr, nullptr, nullptr, &face));
+        print_face(name + ".faces", face);
+        nurbs_face_destroy(face);
+    }
+    for (int64_t i = 0; i < counts[3]; ++i) {
+        nurbs *edge = nullptr;
+        CHECK_OK(nurbs_model_edge(model, i, nullptr, nullptr, nullptr, &edge));
+        print_spline((name + ".edges").c_str(), edge);
+        nurbs_destroy(edge);
+    }
+}
+
 void print_list(const char *name, const nurbs_list *list) {
     const std::string before = where;
     where += name;
@@ -131,6 +149,8 @@ void print_slot(const Slot &slot, const calls::Output &o) {
         print_statistics(slot.parameter, o.statistics);
     } else if (place == "face") {
         print_face(slot.parameter, o.face);
+    } else if (place == "model") {
+        print_model(slot.parameter, o.model);
     } else {
         print_spline(slot.parameter, place == "out" ? o.out : o.other);
     }
@@ -152,7 +172,7 @@ void print_call(const calls::Inputs &in, const calls::Call &call) {
 } // namespace
 
 int main() {
-    CHECK(calls::write_file("smoke_reference.igs"));
+    CHECK(calls::write_files("smoke_reference.igs"));
     const calls::Inputs in = calls::make_inputs();
     for (const calls::Call &call : calls::scalar_calls()) {
         print_call(in, call);

@@ -9,7 +9,8 @@ module smoke_support
 
     interface show
         module procedure show_double, show_doubles, show_singles, show_int, show_ints, show_long, show_longs
-        module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics, show_face
+        module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics, show_face, &
+            show_model
     end interface show
 
     interface flat
@@ -134,6 +135,25 @@ contains
             end do
         end do
     end subroutine show_face
+
+    subroutine show_model(name, model)
+        character(len=*), intent(in) :: name
+        class(nurbs_model), intent(in) :: model
+        type(nurbs_face) :: face
+        type(nurbs_spline) :: edge
+        integer(c_int64_t) :: n(5)
+        integer :: i
+        call model%counts(n(1), n(2), n(3), n(4), n(5))
+        call show(name//'.counts', n)
+        do i = 1, int(n(3))
+            call model%face(i, face)
+            call show(name//'.faces', face)
+        end do
+        do i = 1, int(n(4))
+            call model%edge(i, edge)
+            call show(name//'.edges', edge)
+        end do
+    end subroutine show_model
 
     subroutine show_spline(name, g)
         character(len=*), intent(in) :: name

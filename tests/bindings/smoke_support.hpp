@@ -98,6 +98,17 @@ inline void show(const std::string &name, const libnurbs::Face &face) {
     }
 }
 
+inline void show(const std::string &name, const libnurbs::Model &model) {
+    const libnurbs::ModelCounts n = model.counts();
+    show(name + ".counts", std::vector<std::int64_t>{n.parts, n.uses, n.faces, n.edges, n.vertices});
+    for (std::int64_t i = 0; i < n.faces; ++i) {
+        show(name + ".faces", libnurbs::ModelFace(model.face(i)).face);
+    }
+    for (std::int64_t i = 0; i < n.edges; ++i) {
+        show(name + ".edges", libnurbs::ModelEdge(model.edge(i)).spline);
+    }
+}
+
 inline void show(const std::string &name, const libnurbs::Spline &spline) {
     std::vector<std::int32_t> degrees;
     std::vector<std::vector<double>> knots;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! How the smoke test of Rust prints what calls return: see smoke_reference.cpp.
 
-use nurbs::{Face, List, Spline, Statistics};
+use nurbs::{Face, List, Model, Spline, Statistics};
 use std::cell::RefCell;
 
 thread_local!(static CALL: RefCell<&'static str> = const { RefCell::new("") });
@@ -110,6 +110,19 @@ impl Show for Face {
             for i in 0..size as usize {
                 show(&format!("{name}.curves"), &self.curve(k, i).expect(name));
             }
+        }
+    }
+}
+
+impl Show for Model {
+    fn lines(&self, name: &str) {
+        let n = self.counts().expect(name);
+        show(&format!("{name}.counts"), &vec![n.parts, n.uses, n.faces, n.edges, n.vertices]);
+        for i in 0..n.faces as usize {
+            show(&format!("{name}.faces"), &self.face(i).expect(name).face);
+        }
+        for i in 0..n.edges as usize {
+            show(&format!("{name}.edges"), &self.edge(i).expect(name).spline);
         }
     }
 }

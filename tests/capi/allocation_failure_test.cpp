@@ -183,7 +183,7 @@ int main() {
         return 77;
     }
     const char *const path = "allocation_failure_test.igs";
-    CHECK(calls::write_file(path));
+    CHECK(calls::write_files(path));
     scalars_allocate_nothing();
     calls::for_each_allocating(every_allocation_fails);
     evaluation_allocates_nothing_per_point();
@@ -192,6 +192,6 @@ int main() {
         handles_cost_their_data(count, false);
         handles_cost_their_data(count, true);
     }
-    std::remove(path);
+    calls::remove_files();
     return check_summary("allocation_failure");
 }

@@ -157,7 +157,7 @@ int main(int argc, char **argv) {
                    count = argc > 2 ? std::strtoull(argv[2], nullptr, 10)
                                     : static_cast<uint64_t>(support::scaled(6));
     const char *const path = "extremes_test.igs";
-    CHECK(calls::write_file(path));
+    CHECK(calls::write_files(path));
     for (uint64_t seed = first; seed < first + count; ++seed) {
         const calls::Inputs in = extreme_inputs(seed);
         const auto before = all_numbers(in);
@@ -168,7 +168,7 @@ int main(int argc, char **argv) {
         CHECK(all_numbers(in) == before);
         calls::destroy(in);
     }
-    std::remove(path);
+    calls::remove_files();
     std::printf("%d answers, %d refusals\n", good, refused);
     CHECK(good > refused / 2);
     return check_summary("extremes");

@@ -82,12 +82,12 @@ int main() {
     std::signal(SIGSEGV, report);
     std::signal(SIGBUS, report);
     const char *const path = "guarded_pages_test.igs";
-    CHECK(calls::write_file(path));
+    CHECK(calls::write_files(path));
     for (const guarded::Side side : {guarded::Side::end, guarded::Side::start}) {
         guarded::side = side;
         all_calls();
     }
     check_complete();
-    std::remove(path);
+    calls::remove_files();
     return check_summary("guarded pages");
 }

@@ -369,10 +369,10 @@ void small_stack() {
 
 int main() {
     const char *const path = "threads_test.igs";
-    CHECK(calls::write_file(path));
+    CHECK(calls::write_files(path));
     every_function();
     small_stack();
-    std::remove(path);
+    calls::remove_files();
     for (const SplineArgs &a : shapes) {
         first_use_by_all(a);
         clones_come_and_go(a);

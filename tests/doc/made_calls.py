@@ -56,9 +56,14 @@ class Border:
         assert self.library.nurbs_statistics_create(
             1, (ctypes.c_int32 * 1)(2), (ctypes.c_int64 * 1)(2), (ctypes.c_double * 2)(0, 1), ctypes.c_int64(2), 1,
             ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.statistics)) == 0
-        self.face = ctypes.c_void_p()
-        assert self.library.nurbs_face_create(self.splines[1].handle, ctypes.c_int64(0), None, None, None, None,
-                                              ctypes.c_double(0.25), 0, None, ctypes.byref(self.face)) == 0
+        surface = self.splines[1].handle
+        self.face, self.model = ctypes.c_void_p(), ctypes.c_void_p()
+        assert self.library.nurbs_face_create(surface, ctypes.c_int64(0), None, None, None, None, ctypes.c_double(0.25), 0, None,
+                                              ctypes.byref(self.face)) == 0
+        assert self.library.nurbs_model_create(ctypes.c_int64(1), ctypes.byref(self.face), ctypes.c_double(0),
+                                               ctypes.byref(self.model)) == 0
+        self.handles = {"nurbs_list": self.list, "nurbs_statistics": self.statistics, "nurbs_face": self.face,
+                        "nurbs_model": self.model}
         self.structs = {struct.name: slots.struct_class(self.manual, struct) for struct in self.manual.structs}
         self.callbacks = {name: slots.callback_type(self.manual, name)(lambda *_: 0) for name in self.manual.callbacks}
 
@@ -98,7 +103,8 @@ class Border:
             return ctypes.c_double(UPPER.get(entry.name, 0.25) * slot.used)
         values = {"dim": spline.dim, "axes": spline.axes, "out_dim": spline.dim, "count": count, "n": count,
                   "size": count, "knot_count": knot_count, "break_count": 2 * spline.axes,
-                  "break_total": 2 * spline.axes, "cap": cap, "degree": 2, "pieces": 4, "parts": 4, "sides": 4}
+                  "break_total": 2 * spline.axes, "cap": cap, "degree": 2, "pieces": 4, "parts": 4, "sides": 4,
+                  "loops": 1}
         if slot.holder and entry.name == "struct_size":
             values["struct_size"] = slots.known_size(self.structs[slot.holder.base])
         return slots.INTEGERS[entry.base](values.get(entry.name, 0) * slot.used)
@@ -111,15 +117,12 @@ class Border:
                 return spline.handle
             several = (ctypes.c_void_p * 16)(*[spline.handle.value] * 16)
             return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
-        if entry.base == "nurbs_list":
-            return self.list if entry.pointers == 1 else ctypes.pointer(ctypes.c_void_p())
-        if entry.base == "nurbs_statistics":
-            several = (ctypes.c_void_p * 16)(*[self.statistics.value] * 16)
+        if entry.base in self.handles:
+            one = self.handles[entry.base]
+            several = (ctypes.c_void_p * 16)(*[one.value] * 16)
             if entry.pointers == 1:
-                return self.statistics
+                return one
             return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
-        if entry.base == "nurbs_face":
-            return self.face if entry.pointers == 1 else ctypes.pointer(ctypes.c_void_p())
         if entry.base in slots.INTEGERS:
             return (slots.INTEGERS[entry.base] * ROOM)(*[ELEMENTS.get(entry.name, 1)] * 64)
         if entry.base in ("double", "float"):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes corpus/read, the seeds of fuzz_read: small IGES and STEP files that use all that the readers know, and
-read.dict, the words of STEP, which libFuzzer would not find by itself.
+"""Writes corpus/read, the seeds of fuzz_read: small IGES and STEP files that use all that the readers know; solids for
+fuzz_model; and read.dict and model.dict, the words of STEP, which libFuzzer would not find by itself.
 
     make_read_corpus.py            writes the files
     make_read_corpus.py --check    exits with 1 if they are not what this script writes
@@ -16,8 +16,8 @@ sys.path.insert(0, str(HERE.parent.parent / "capi" / "examples" / "models"))
 
 import make_models  # noqa: E402
 
-CORPUS = HERE / "corpus" / "read"
-DICTIONARY = HERE / "read.dict"
+CORPUS = HERE / "corpus"
+DICTIONARIES = [HERE / "read.dict", HERE / "model.dict"]
 KEYWORDS = HERE.parent.parent / "src" / "io" / "step" / "structure" / "keywords.cpp"
 
 
@@ -76,6 +76,20 @@ class StepFile:
     def vector(self):
         return self.add(f"VECTOR('',{self.add('DIRECTION($,(0.,1.,1.))')},2.)")
 
+    def face(self, surface, edges, sense):
+        oriented = ",".join(self.add(f"ORIENTED_EDGE('',*,*,{edge},{way})") for edge, way in edges)
+        loop = self.add(f"EDGE_LOOP('',({oriented}))")
+        bound = self.add(f"FACE_OUTER_BOUND('',{loop},.T.)")
+        return self.add(f"ADVANCED_FACE('',({bound}),{self.add(surface)},{sense})")
+
+    def solid(self, faces):
+        """The whole file."""
+        shell = self.add(f"CLOSED_SHELL('',({','.join(faces)}))")
+        metre = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
+        context = self.add(f"(GLOBAL_UNIT_ASSIGNED_CONTEXT(({metre})))")
+        self.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',({self.add(f'MANIFOLD_SOLID_BREP($,{shell})')}),{context})")
+        return self.text()
+
     def text(self):
         data = "".join(f"#{i}={entity};\n" for i, entity in enumerate(self.instances, 1))
         return ("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n" + data +
@@ -132,6 +146,36 @@ def step_surfaces():
     return step.text()
 
 
+def step_half_ball():
+    """A disk and the half ball over it, which share their circle."""
+    step = StepFile()
+    place = step.placement()
+    vertex = step.add(f"VERTEX_POINT('',{step.point(3, 2, 3)})")
+    circle = step.add(f"CIRCLE('',{place},2.)")
+    edge = step.add(f"EDGE_CURVE('',{vertex},{vertex},{circle},.T.)")
+    faces = [step.face(f"PLANE('',{place})", [(edge, ".F.")], ".F."),
+             step.face(f"SPHERICAL_SURFACE('',{place},2.)", [(edge, ".T.")], ".T.")]
+    return step.solid(faces)
+
+
+def step_tube():
+    """The side of a cylinder with a seam, and one disk."""
+    step = StepFile()
+    place = step.placement()
+    low, high = (step.add(f"VERTEX_POINT('',{step.point(3, 2, z)})") for z in (3, 7))
+    circle = step.add(f"CIRCLE('',{place},2.)")
+    other = step.add(f"AXIS2_PLACEMENT_3D('',{step.point(1, 2, 7)},$,$)")
+    upper = step.add(f"CIRCLE('',{other},2.)")
+    up = step.add(f"VECTOR('',{step.add('DIRECTION($,(0.,0.,1.))')},1.)")
+    seam = step.add(f"LINE('',{step.point(3, 2, 3)},{up})")
+    edges = [step.add(f"EDGE_CURVE('',{a},{b},{curve},.T.)") for a, b, curve in
+             ((low, low, circle), (high, high, upper), (low, high, seam))]
+    side = [(edges[0], ".T."), (edges[2], ".T."), (edges[1], ".F."), (edges[2], ".F.")]
+    faces = [step.face(f"CYLINDRICAL_SURFACE('',{place},2.)", side, ".T."),
+             step.face(f"PLANE('',{place})", [(edges[0], ".F.")], ".F.")]
+    return step.solid(faces)
+
+
 def dictionary():
     """The entities that the reader knows, and the words of the structure."""
     words = re.findall(r'\{"([A-Z0-9_]+)", Kind', KEYWORDS.read_text(encoding="utf-8"))
@@ -162,14 +206,20 @@ def seeds():
     }
 
 
+def solids():
+    return {"half_ball.stp": step_half_ball(), "tube.stp": step_tube(), "surfaces.stp": step_surfaces()}
+
+
 def main(arguments):
     if arguments not in ([], ["--check"]):
         print("usage: make_read_corpus.py [--check]", file=sys.stderr)
         return 2
     wrong = 0
-    CORPUS.mkdir(parents=True, exist_ok=True)
-    files = {CORPUS / name: text for name, text in seeds().items()} | {DICTIONARY: dictionary()}
+    files = {CORPUS / "read" / name: text for name, text in seeds().items()}
+    files |= {CORPUS / "model" / name: text for name, text in solids().items()}
+    files |= dict.fromkeys(DICTIONARIES, dictionary())
     for path, text in files.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
         if not arguments:
             path.write_bytes(text.encode("ascii"))
         elif not path.is_file() or path.read_bytes() != text.encode("ascii"):

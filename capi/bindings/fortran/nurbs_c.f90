@@ -3461,5 +3461,143 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: kind, major, minor
             integer(c_int32_t) :: r
         end function nurbs_bytes_kind
+        ! --- Models
+        !> Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242).
+        function nurbs_read_model(bytes, size, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(nurbs_read_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_model
+        !> nurbs_read_model() as a call that can be watched and ended.
+        function nurbs_read_model_with(bytes, size, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(nurbs_read_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_model_with
+        !> Reads a file by its path; see nurbs_read_model().
+        function nurbs_read_model_file(path, options, out) bind(c) result(r)
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(nurbs_read_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_model_file
+        !> nurbs_read_model_file() as a call that can be watched and ended.
+        function nurbs_read_model_file_with(path, options, call, out) bind(c) result(r)
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(nurbs_read_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_model_file_with
+        !> A model of faces, with one part and one use of it.
+        function nurbs_model_create(count, faces, metres, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: faces(*)
+            real(c_double), value :: metres
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_create
+        !> Another handle on the same model, in constant time.
+        function nurbs_model_clone(model, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_clone
+        !> Frees a handle on a model.
+        subroutine nurbs_model_destroy(model) bind(c)
+            import
+            type(c_ptr), value :: model
+        end subroutine nurbs_model_destroy
+        !> How much a model holds.
+        function nurbs_model_counts(model, parts, uses, faces, edges, vertices) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), intent(inout), optional :: parts, uses, faces, edges, vertices
+            integer(c_int32_t) :: r
+        end function nurbs_model_counts
+        !> A face of a model.
+        function nurbs_model_face(model, index, part, shape, against, colour, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index
+            integer(c_int64_t), intent(inout), optional :: part
+            integer(c_int32_t), intent(inout), optional :: shape, against
+            real(c_double), intent(inout), optional :: colour(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_face
+        !> The name of a face, from the file; else "#" and the number of its entity, or its index in other
+        !> models.
+        function nurbs_model_face_name(model, index, buf, cap, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index, cap
+            character(kind=c_char), intent(inout), optional :: buf(*)
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_model_face_name
+        !> An edge of a model.
+        function nurbs_model_edge(model, index, part, end_vertices, shape, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index
+            integer(c_int64_t), intent(inout), optional :: part, end_vertices(*)
+            integer(c_int32_t), intent(inout), optional :: shape
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_edge
+        !> Where faces use an edge: once at a free boundary, twice inside a shell.
+        function nurbs_model_edge_uses(model, index, cap, places, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index, cap
+            integer(c_int64_t), intent(inout), optional :: places(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_model_edge_uses
+        !> The point of a vertex, in the coordinates of its part.
+        function nurbs_model_vertex(model, index, point) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index
+            real(c_double), intent(inout) :: point(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_vertex
+        !> The name of a part.
+        function nurbs_model_part(model, index, buf, cap, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index, cap
+            character(kind=c_char), intent(inout), optional :: buf(*)
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_model_part
+        !> A use of a part: where it is placed.
+        function nurbs_model_use(model, index, parent, part, placement) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index
+            integer(c_int64_t), intent(inout), optional :: parent, part
+            real(c_double), intent(inout), optional :: placement(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_use
+        !> The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
+        !> notes on all that was not read.
+        function nurbs_model_splines(model, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_splines
     end interface
 end module nurbs_c

@@ -153,6 +153,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_CHECKSUM = 404
     ! bytes of a handle have a later version of the form
     integer(c_int32_t), parameter :: NURBS_ERROR_VERSION = 405
+    ! entities of a file contain each other (only in notes)
+    integer(c_int32_t), parameter :: NURBS_ERROR_CYCLE = 406
     integer(c_int32_t), parameter :: NURBS_ERROR_INTERNAL = 900  ! a defect of the library; please report it
 
     ! --- Flags by axis
@@ -338,6 +340,10 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_SHAPE_CYLINDER = 9  ! a piece of a circular cylinder
     integer(c_int32_t), parameter :: NURBS_SHAPE_CONE = 10  ! a piece of one half of a circular cone
     integer(c_int32_t), parameter :: NURBS_SHAPE_TORUS = 11  ! a torus, or a piece of one
+    ! a surface of revolution; of models only, as those that follow
+    integer(c_int32_t), parameter :: NURBS_SHAPE_REVOLUTION = 12
+    integer(c_int32_t), parameter :: NURBS_SHAPE_EXTRUSION = 13  ! a curve moved along a vector
+    integer(c_int32_t), parameter :: NURBS_SHAPE_OFFSET = 14  ! at a distance from another surface
 
     ! --- Status of a closest point
     ! proven to be the nearest, or farthest, point to the tolerance

@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: MIT
-!> The handles that splines, lists of splines, statistics and faces own: how they are replaced, copied and freed.
+!> The handles that splines, lists of splines, statistics, faces and models own: how they are replaced, copied and freed.
 module nurbs_handles
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
-        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_read_options, &
-        nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, &
+        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_model_clone, nurbs_model_destroy, &
+        nurbs_read_options, nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, &
         nurbs_statistics_to_bytes, nurbs_to_bytes
     use nurbs_support
     implicit none
@@ -15,7 +15,7 @@ module nurbs_handles
 
     !> As the library takes an array of handles.
     interface handles_of
-        module procedure handles_of_splines, handles_of_statistics
+        module procedure handles_of_splines, handles_of_statistics, handles_of_faces
     end interface handles_of
 
     !> The handle of a spline. An assignment makes another handle on the same data.
@@ -69,6 +69,16 @@ module nurbs_handles
             integer(c_int32_t) :: r
         end function writer_of_bytes
     end interface
+
+    !> The handle of a model. An assignment makes another handle on the same model.
+    type, public :: nurbs_model_handle
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: destroy => destroy_model, replace => replace_model
+        procedure, private :: copy_model
+        generic :: assignment(=) => copy_model
+        final :: finish_model
+    end type nurbs_model_handle
 
 contains
 
@@ -253,6 +263,43 @@ contains
         if (c_associated(other%handle)) call settle(nurbs_face_clone(other%handle, made))
         call this%replace(made)
     end subroutine copy_face
+
+    function handles_of_faces(faces) result(handles)
+        class(nurbs_face_handle), intent(in) :: faces(:)
+        type(c_ptr) :: handles(size(faces))
+        integer :: i
+        do i = 1, size(faces)
+            handles(i) = faces(i)%handle
+        end do
+    end function handles_of_faces
+
+    ! Models
+
+    subroutine destroy_model(this)
+        class(nurbs_model_handle), intent(inout) :: this
+        call replace_model(this, c_null_ptr)
+    end subroutine destroy_model
+
+    impure elemental subroutine finish_model(this)
+        type(nurbs_model_handle), intent(inout) :: this
+        call destroy_model(this)
+    end subroutine finish_model
+
+    subroutine replace_model(this, handle)
+        class(nurbs_model_handle), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call nurbs_model_destroy(this%handle)
+        this%handle = handle
+    end subroutine replace_model
+
+    impure elemental subroutine copy_model(this, other)
+        class(nurbs_model_handle), intent(inout) :: this
+        class(nurbs_model_handle), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_model_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy_model
 
     ! Lists
 

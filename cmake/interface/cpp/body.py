@@ -102,7 +102,7 @@ class Body:
             return [f"return detail::result_of<{words.owned(value)}>([&](auto *v) {{ return {self.plain_call()}; }});"]
         self.targets[value.name] = ["values.data()"] + ["0"] * value.strides
         if self.method.is_counted:
-            return [f"std::vector<{words.element(value)}> values;", *self.counted("values"), "return values;"]
+            return [f"std::vector<{words.element(value)}> values;", *self.counted(), "return values;"]
         return [f"std::vector<{words.element(value)}> values = {self.room(value)};",
                 f"detail::call({self.call()});", "return values;"]
 

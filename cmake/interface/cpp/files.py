@@ -20,12 +20,14 @@ CLASSES = {
     "Statistics": ("StatisticsHandle",
                    "What fits need to know of data: a handle that is copied in constant time and freed by its destructor."),
     "Face": ("FaceHandle", "A trimmed face: a handle that is copied in constant time and freed by its destructor."),
+    "Model": ("ModelHandle",
+              "Faces and the edges that they share: a handle that is copied in constant time and freed by its destructor."),
 }
 STANDARD = {"algorithm": r"std::copy_n", "array": r"std::array", "cstddef": r"std::byte|std::size_t",
             "cstdint": r"std::u?int", "limits": r"std::numeric_limits", "optional": r"std::optional",
             "span": r"std::span", "string": r"std::string|std::to_string", "utility": r"std::pair|std::move",
             "vector": r"std::vector"}
-OURS = {"list": r"\bList\b", "data": r"\bconst Data &", "placement": r"\bPlacement\b|\barc_\w+|\bfull_turn\b"}
+OURS = {"list": r"\bList\b|\bReadOptions\b", "face": r"\bFace\b", "data": r"\bconst Data &", "placement": r"\bPlacement\b|\barc_\w+|\bfull_turn\b"}
 
 
 def files(binding):

@@ -38,10 +38,12 @@ TYPES = {
     "fittings": Type("nurbs_statistics", "nurbs_statistics_handle",
                      "What fits need to know of data; an assignment makes another handle on the same sums."),
     "faces": Type("nurbs_face", "nurbs_face_handle", "A trimmed face; an assignment makes another handle on the same face."),
+    "models": Type("nurbs_model", "nurbs_model_handle",
+                   "Faces and the edges that they share, in parts; an assignment makes another handle on the same model."),
 }
 #: Where names of other modules come from.
 HOMES = {"nurbs_calls": r"nurbs_call\b",
-         "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|nurbs_face_handle|handles_of|as_many",
+         "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|nurbs_face_handle|nurbs_model_handle|handles_of|as_many",
          **{f"nurbs_{module}": rf"\b{kind.name}\b" for module, kind in TYPES.items()}}
 
 

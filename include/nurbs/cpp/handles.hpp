@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /// \file handles.hpp
-/// \brief What Spline, List, Statistics and Face are before anything is done with them: owners of a handle.
+/// \brief What Spline, List, Statistics, Face and Model are before anything is done with them: owners of a handle.
 #ifndef NURBS_CPP_HANDLES_HPP
 #define NURBS_CPP_HANDLES_HPP
 
@@ -136,7 +136,31 @@ private:
     nurbs_face *handle_ = nullptr;
 };
 
-// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics or a Face.
+/// The same of models.
+class ModelHandle {
+public:
+    ModelHandle() noexcept = default;
+    explicit ModelHandle(nurbs_model *owned) noexcept : handle_(owned) {}
+    ModelHandle(const ModelHandle &other) {
+        if (other.handle_ != nullptr) {
+            check_copy(nurbs_model_clone(other.handle_, &handle_));
+        }
+    }
+    ModelHandle(ModelHandle &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    ModelHandle &operator=(ModelHandle other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~ModelHandle() { nurbs_model_destroy(handle_); }
+
+    [[nodiscard]] const nurbs_model *get() const noexcept { return handle_; }
+    [[nodiscard]] nurbs_model *release() noexcept { return std::exchange(handle_, nullptr); }
+
+private:
+    nurbs_model *handle_ = nullptr;
+};
+
+// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics, a Face or a Model.
 template <class Owner, class F, class... Arguments>
 Owner made(F &&f, const Arguments &...arguments) {
     decltype(std::declval<Owner>().release()) handle = nullptr;

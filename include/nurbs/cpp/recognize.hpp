@@ -27,6 +27,9 @@ inline constexpr std::int32_t shape_sphere = NURBS_SHAPE_SPHERE;
 inline constexpr std::int32_t shape_cylinder = NURBS_SHAPE_CYLINDER;
 inline constexpr std::int32_t shape_cone = NURBS_SHAPE_CONE;
 inline constexpr std::int32_t shape_torus = NURBS_SHAPE_TORUS;
+inline constexpr std::int32_t shape_revolution = NURBS_SHAPE_REVOLUTION;
+inline constexpr std::int32_t shape_extrusion = NURBS_SHAPE_EXTRUSION;
+inline constexpr std::int32_t shape_offset = NURBS_SHAPE_OFFSET;
 
 /// A shape, its placement and sizes as nurbs_recognize() describes them, and a proven bound of the distance
 /// from it.

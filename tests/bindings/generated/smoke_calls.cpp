@@ -26,6 +26,43 @@ std::string file_path() {
     return written("smoke_calls_cpp.file", file);
 }
 
+const std::string solid = R"(ISO-10303-21;
+HEADER;
+FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));
+ENDSEC;
+DATA;
+#1=CARTESIAN_POINT('',(0.,0.,0.));
+#2=DIRECTION('',(0.,0.,1.));
+#3=DIRECTION('',(1.,0.,0.));
+#4=AXIS2_PLACEMENT_3D('',#1,#2,#3);
+#5=CARTESIAN_POINT('',(1.,0.,0.));
+#6=VERTEX_POINT('',#5);
+#7=CIRCLE('',#4,1.);
+#8=EDGE_CURVE('',#6,#6,#7,.T.);
+#9=PLANE('',#4);
+#10=SPHERICAL_SURFACE('',#4,1.);
+#11=ORIENTED_EDGE('',*,*,#8,.F.);
+#12=EDGE_LOOP('',(#11));
+#13=FACE_OUTER_BOUND('',#12,.T.);
+#14=ADVANCED_FACE('disk',(#13),#9,.F.);
+#15=ORIENTED_EDGE('',*,*,#8,.T.);
+#16=EDGE_LOOP('',(#15));
+#17=FACE_OUTER_BOUND('',#16,.T.);
+#18=ADVANCED_FACE('half ball',(#17),#10,.T.);
+#19=CLOSED_SHELL('',(#14,#18));
+#20=MANIFOLD_SOLID_BREP('',#19);
+#21=BLOCK('',#4,1.,1.,1.);
+#22=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
+#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)
+GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('',''));
+#24=SHAPE_REPRESENTATION('',(#20,#21),#23);
+ENDSEC;
+END-ISO-10303-21;
+)";
+std::string solid_path() {
+    return written("smoke_calls_cpp.solid", solid);
+}
+
 constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0, 192, 0, 0, 0, 0, 0, 0, 0, 114, 160, 102, 241, 94, 129, 142, 24, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
 constexpr unsigned char loop_bytes[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 1, 0, 0, 0, 96, 1, 0, 0, 0, 0, 0, 0, 97, 220, 175, 73, 171, 169, 167, 134, 1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 8, 64, 0, 0, 0, 0, 0, 0, 16, 64, 0, 0, 0, 0, 0, 0, 20, 64, 0, 0, 0, 0, 0, 0, 24, 64, 0, 0, 0, 0, 0, 0, 28, 64, 0, 0, 0, 0, 0, 0, 32, 64, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63};
@@ -45,6 +82,7 @@ struct Inputs {
     n::Statistics statistics = [&] { n::Data data; data.n = 5; data.axes = 1; data.dim = 1; static constexpr double data_params[] = {0.0, 0.25, 0.5, 0.75, 1.0}; data.params = data_params; static constexpr double data_values[] = {0.0, 1.0, 2.0, 1.0, 0.0}; data.values = data_values; return no_statistics.add(data); }();
     n::Spline outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.0, 0.75, 1.0, 0.5, 2.0, 0.25, 1.0}, {}, 0u);
     n::Face face = n::Face::create(surface, {1}, std::vector<n::Spline>{outline}, {}, {}, 0.001, 0u);
+    n::Model model = n::Model::create(std::vector<n::Face>{face, face}, 0.001);
 };
 
 void data(const Inputs &in) {
@@ -638,6 +676,52 @@ void data(const Inputs &in) {
         show("gap", found.gap);
     }
     {
+        begin("read_model");
+        const auto found = n::Model::read(std::as_bytes(std::span(solid)));
+        show("out", found);
+    }
+    {
+        begin("read_model in millimetres");
+        n::ReadOptions options;
+        options.unit = 0.001;
+        const auto found = n::Model::read(std::as_bytes(std::span(solid)), options);
+        show("out", found);
+    }
+    {
+        begin("read_model_file");
+        const auto found = n::Model::read_file(solid_path());
+        show("out", found);
+    }
+    {
+        begin("model_create");
+        const auto found = n::Model::create(std::vector<n::Face>{in.face, in.face}, 0.001);
+        show("out", found);
+    }
+    by_hand("model_clone");
+    by_hand("model_destroy");
+    {
+        begin("model_face");
+        const auto found = in.model.face(1);
+        show("out", found.face);
+        show("part", found.part);
+        show("shape", found.shape);
+        show("against", found.against);
+        show("colour", found.colour);
+    }
+    {
+        begin("model_edge");
+        const auto found = in.model.edge(1);
+        show("out", found.spline);
+        show("part", found.part);
+        show("end_vertices", found.vertices);
+        show("shape", found.shape);
+    }
+    {
+        begin("model_splines");
+        const auto found = in.model.splines();
+        show("out", found);
+    }
+    {
         begin("read_with");
         const auto found = n::List::read(std::as_bytes(std::span(file)), {}, watched());
         show("out", found);
@@ -793,6 +877,23 @@ void data(const Inputs &in) {
         show("lower", found.lower);
         show("upper", found.upper);
         show("gap", found.gap);
+    }
+    {
+        begin("read_model_with");
+        const auto found = n::Model::read(std::as_bytes(std::span(solid)), {}, watched());
+        show("out", found);
+    }
+    {
+        begin("read_model_with in millimetres");
+        n::ReadOptions options;
+        options.unit = 0.001;
+        const auto found = n::Model::read(std::as_bytes(std::span(solid)), options, watched());
+        show("out", found);
+    }
+    {
+        begin("read_model_file_with");
+        const auto found = n::Model::read_file(solid_path(), {}, watched());
+        show("out", found);
     }
 }
 
@@ -2507,6 +2608,42 @@ void scalar(const Inputs &in) {
         show("line", found.line);
         show("reason", found.reason);
         show("buf", found.text);
+    }
+    {
+        begin("model_counts");
+        const auto found = in.model.counts();
+        show("parts", found.parts);
+        show("uses", found.uses);
+        show("faces", found.faces);
+        show("edges", found.edges);
+        show("vertices", found.vertices);
+    }
+    {
+        begin("model_face_name");
+        const auto found = in.model.face_name(1);
+        show("buf", found);
+    }
+    {
+        begin("model_edge_uses");
+        const auto found = in.model.edge_uses(1);
+        show("places", found);
+    }
+    {
+        begin("model_vertex");
+        const auto found = in.model.vertex(0);
+        show("point", found);
+    }
+    {
+        begin("model_part");
+        const auto found = in.model.part(0);
+        show("buf", found);
+    }
+    {
+        begin("model_use");
+        const auto found = in.model.use(0);
+        show("parent", found.parent);
+        show("part", found.part);
+        show("placement", found.placement);
     }
     by_hand("read_options_init");
     by_hand("call_options_init");

@@ -21,6 +21,39 @@ program smoke_calls
         '110,0,0,0,1,1,1;                                                       3P      3'//new_line('a')//&
         '126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4'//new_line('a')//&
         'S      1G      2D      6P      4                                        T      1'//new_line('a')
+    character(len=*), parameter :: solid_text = &
+        'ISO-10303-21;'//new_line('a')//&
+        'HEADER;'//new_line('a')//&
+        'FILE_SCHEMA((''AUTOMOTIVE_DESIGN''));'//new_line('a')//&
+        'ENDSEC;'//new_line('a')//&
+        'DATA;'//new_line('a')//&
+        '#1=CARTESIAN_POINT('''',(0.,0.,0.));'//new_line('a')//&
+        '#2=DIRECTION('''',(0.,0.,1.));'//new_line('a')//&
+        '#3=DIRECTION('''',(1.,0.,0.));'//new_line('a')//&
+        '#4=AXIS2_PLACEMENT_3D('''',#1,#2,#3);'//new_line('a')//&
+        '#5=CARTESIAN_POINT('''',(1.,0.,0.));'//new_line('a')//&
+        '#6=VERTEX_POINT('''',#5);'//new_line('a')//&
+        '#7=CIRCLE('''',#4,1.);'//new_line('a')//&
+        '#8=EDGE_CURVE('''',#6,#6,#7,.T.);'//new_line('a')//&
+        '#9=PLANE('''',#4);'//new_line('a')//&
+        '#10=SPHERICAL_SURFACE('''',#4,1.);'//new_line('a')//&
+        '#11=ORIENTED_EDGE('''',*,*,#8,.F.);'//new_line('a')//&
+        '#12=EDGE_LOOP('''',(#11));'//new_line('a')//&
+        '#13=FACE_OUTER_BOUND('''',#12,.T.);'//new_line('a')//&
+        '#14=ADVANCED_FACE(''disk'',(#13),#9,.F.);'//new_line('a')//&
+        '#15=ORIENTED_EDGE('''',*,*,#8,.T.);'//new_line('a')//&
+        '#16=EDGE_LOOP('''',(#15));'//new_line('a')//&
+        '#17=FACE_OUTER_BOUND('''',#16,.T.);'//new_line('a')//&
+        '#18=ADVANCED_FACE(''half ball'',(#17),#10,.T.);'//new_line('a')//&
+        '#19=CLOSED_SHELL('''',(#14,#18));'//new_line('a')//&
+        '#20=MANIFOLD_SOLID_BREP('''',#19);'//new_line('a')//&
+        '#21=BLOCK('''',#4,1.,1.,1.);'//new_line('a')//&
+        '#22=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));'//new_line('a')//&
+        '#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)'//new_line('a')//&
+        'GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('''',''''));'//new_line('a')//&
+        '#24=SHAPE_REPRESENTATION('''',(#20,#21),#23);'//new_line('a')//&
+        'ENDSEC;'//new_line('a')//&
+        'END-ISO-10303-21;'//new_line('a')
     character(len=*), parameter :: no_data_text = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(3)//char(0)//char(0)//char(0)//&
@@ -184,10 +217,12 @@ program smoke_calls
     type(nurbs_statistics) :: statistics
     type(nurbs_spline) :: outline
     type(nurbs_face) :: face
+    type(nurbs_model) :: model
     type(nurbs_data) :: data_given
     real(c_double), target :: data_params(5, 1)
     real(c_double), target :: data_values(5, 1)
     type(nurbs_spline) :: curves_given(1)
+    type(nurbs_face) :: faces_given(2)
 
     call curve%create(degrees=[2], counts=[9], knots=[0.0d0, 0.0d0, 0.0d0, 0.25d0, 0.25d0, 0.5d0, 0.5d0, 0.75d0, &
         0.75d0, 1.0d0, 1.0d0, 1.0d0], points=reshape([1.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 1.0d0, -1.0d0, 1.0d0, -1.0d0, &
@@ -225,6 +260,9 @@ program smoke_calls
         points=reshape([0.25d0, 1.0d0, 0.75d0, 1.0d0, 0.5d0, 2.0d0, 0.25d0, 1.0d0], [4, 2], order=[2, 1]), flags=0)
     curves_given(1) = outline
     call face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
+    faces_given(1) = face
+    faces_given(2) = face
+    call model%create(faces=faces_given, metres=0.001d0)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -1084,6 +1122,73 @@ contains
             call show('upper', upper_found)
             call show('gap', gap_found)
         end block
+        call begin('read_model')
+        block
+            type(nurbs_model) :: found
+            call found%read(contents=solid_text)
+            call show('out', found)
+        end block
+        call begin('read_model in millimetres')
+        block
+            type(nurbs_read_options) :: options_given
+            type(nurbs_model) :: found
+            call default_read_options(options_given)
+            options_given%unit = 0.001d0
+            call found%read(contents=solid_text, options=options_given)
+            call show('out', found)
+        end block
+        call begin('read_model_file')
+        block
+            type(nurbs_model) :: found
+            call found%read_file(path=written('smoke_calls_fortran.solid', solid_text))
+            call show('out', found)
+        end block
+        call begin('model_create')
+        block
+            type(nurbs_face) :: faces_given(2)
+            type(nurbs_model) :: found
+            faces_given(1) = face
+            faces_given(2) = face
+            call found%create(faces=faces_given, metres=0.001d0)
+            call show('out', found)
+        end block
+        call by_hand('model_clone')
+        call by_hand('model_destroy')
+        call begin('model_face')
+        block
+            type(nurbs_face) :: out_found
+            integer(c_int64_t) :: part_found
+            integer(c_int32_t) :: shape_found
+            logical :: against_found
+            real(c_double), allocatable :: colour_found(:)
+            allocate (colour_found(3))
+            call model%face(index=2, out=out_found, part=part_found, shape=shape_found, against=against_found, &
+                colour=colour_found)
+            call show('out', out_found)
+            call show('part', part_found - 1)
+            call show('shape', shape_found)
+            call show('against', against_found)
+            call show('colour', colour_found)
+        end block
+        call begin('model_edge')
+        block
+            type(nurbs_spline) :: out_found
+            integer(c_int64_t) :: part_found
+            integer(c_int64_t), allocatable :: end_vertices_found(:)
+            integer(c_int32_t) :: shape_found
+            allocate (end_vertices_found(2))
+            call model%edge(index=2, out=out_found, part=part_found, end_vertices=end_vertices_found, shape=shape_found)
+            call show('out', out_found)
+            call show('part', part_found - 1)
+            call show('end_vertices', end_vertices_found - 1)
+            call show('shape', shape_found)
+        end block
+        call begin('model_splines')
+        block
+            type(nurbs_list) :: out_found
+            call model%splines(out=out_found)
+            call show('out', out_found)
+        end block
         call begin('read_with')
         block
             type(nurbs_call) :: watching
@@ -1336,6 +1441,30 @@ contains
             call show('lower', lower_found)
             call show('upper', upper_found)
             call show('gap', gap_found)
+        end block
+        call begin('read_model_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call found%read(contents=solid_text, call=watching)
+            call show('out', found)
+        end block
+        call begin('read_model_with in millimetres')
+        block
+            type(nurbs_read_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call default_read_options(options_given)
+            options_given%unit = 0.001d0
+            call found%read(contents=solid_text, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call begin('read_model_file_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call found%read_file(path=written('smoke_calls_fortran.solid', solid_text), call=watching)
+            call show('out', found)
         end block
     end subroutine calls_of_data
 
@@ -3904,6 +4033,59 @@ contains
             call show('line', line_found)
             call show('reason', reason_found)
             call show('buf', text_found)
+        end block
+        call begin('model_counts')
+        block
+            integer(c_int64_t) :: parts_found
+            integer(c_int64_t) :: uses_found
+            integer(c_int64_t) :: faces_found
+            integer(c_int64_t) :: edges_found
+            integer(c_int64_t) :: vertices_found
+            call model%counts(parts=parts_found, uses=uses_found, faces=faces_found, edges=edges_found, &
+                vertices=vertices_found)
+            call show('parts', parts_found)
+            call show('uses', uses_found)
+            call show('faces', faces_found)
+            call show('edges', edges_found)
+            call show('vertices', vertices_found)
+        end block
+        call begin('model_face_name')
+        block
+            character(len=:), allocatable :: text_found
+            call model%face_name(index=2, text=text_found)
+            call show('buf', text_found)
+        end block
+        call begin('model_edge_uses')
+        block
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            call model%edge_uses(index=2, places=places_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_vertex')
+        block
+            real(c_double), allocatable :: point_found(:)
+            allocate (point_found(3))
+            call model%vertex(index=1, point=point_found)
+            call show('point', point_found)
+        end block
+        call begin('model_part')
+        block
+            character(len=:), allocatable :: text_found
+            call model%part(index=1, text=text_found)
+            call show('buf', text_found)
+        end block
+        call begin('model_use')
+        block
+            integer(c_int64_t) :: parent_found
+            integer(c_int64_t) :: part_found
+            real(c_double), allocatable :: placement_found(:, :)
+            allocate (placement_found(3, 4))
+            call model%get_use(index=1, parent=parent_found, part=part_found, placement=placement_found)
+            call show('parent', parent_found - 1)
+            call show('part', part_found - 1)
+            call show('placement', flat(reshape(placement_found, [size(placement_found, 2), size(placement_found, 1)], &
+                order=[2, 1])))
         end block
         call by_hand('read_options_init')
         call by_hand('call_options_init')

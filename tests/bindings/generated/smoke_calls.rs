@@ -5,7 +5,7 @@
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{Call, Face, List, Spline, Statistics};
+use nurbs::{Call, Face, List, Model, Spline, Statistics};
 use smoke_support::{begin, by_hand, show, written};
 
 const FILE: &str = r#"a file of the test programs                                             S      1
@@ -22,6 +22,39 @@ const FILE: &str = r#"a file of the test programs                               
 110,0,0,0,1,1,1;                                                       3P      3
 126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4
 S      1G      2D      6P      4                                        T      1
+"#;
+
+const SOLID: &str = r#"ISO-10303-21;
+HEADER;
+FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));
+ENDSEC;
+DATA;
+#1=CARTESIAN_POINT('',(0.,0.,0.));
+#2=DIRECTION('',(0.,0.,1.));
+#3=DIRECTION('',(1.,0.,0.));
+#4=AXIS2_PLACEMENT_3D('',#1,#2,#3);
+#5=CARTESIAN_POINT('',(1.,0.,0.));
+#6=VERTEX_POINT('',#5);
+#7=CIRCLE('',#4,1.);
+#8=EDGE_CURVE('',#6,#6,#7,.T.);
+#9=PLANE('',#4);
+#10=SPHERICAL_SURFACE('',#4,1.);
+#11=ORIENTED_EDGE('',*,*,#8,.F.);
+#12=EDGE_LOOP('',(#11));
+#13=FACE_OUTER_BOUND('',#12,.T.);
+#14=ADVANCED_FACE('disk',(#13),#9,.F.);
+#15=ORIENTED_EDGE('',*,*,#8,.T.);
+#16=EDGE_LOOP('',(#15));
+#17=FACE_OUTER_BOUND('',#16,.T.);
+#18=ADVANCED_FACE('half ball',(#17),#10,.T.);
+#19=CLOSED_SHELL('',(#14,#18));
+#20=MANIFOLD_SOLID_BREP('',#19);
+#21=BLOCK('',#4,1.,1.,1.);
+#22=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
+#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('',''));
+#24=SHAPE_REPRESENTATION('',(#20,#21),#23);
+ENDSEC;
+END-ISO-10303-21;
 "#;
 
 const NO_DATA: &[u8] = &[
@@ -86,6 +119,7 @@ struct Given {
     statistics: Statistics,
     outline: Spline,
     face: Face,
+    model: Model,
 }
 
 fn given() -> nurbs::Result<Given> {
@@ -193,6 +227,7 @@ fn given() -> nurbs::Result<Given> {
         0,
     )?;
     let face = Face::create(&surface, &[1], &[Some(&outline)], &[], &[], 0.001, 0)?;
+    let model = Model::create(&[&face, &face], 0.001)?;
     Ok(Given {
         curve,
         r#loop,
@@ -206,6 +241,7 @@ fn given() -> nurbs::Result<Given> {
         statistics,
         outline,
         face,
+        model,
     })
 }
 
@@ -1095,6 +1131,53 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("upper", &found.upper);
         show("gap", &found.gap);
     }
+    begin("read_model");
+    {
+        let found = Model::read(SOLID.as_bytes(), None)?;
+        show("out", &found);
+    }
+    begin("read_model in millimetres");
+    {
+        let found = Model::read(
+            SOLID.as_bytes(),
+            Some(&nurbs::ReadOptions::new()?.unit(0.001)),
+        )?;
+        show("out", &found);
+    }
+    begin("read_model_file");
+    {
+        let found = Model::read_file(written("smoke_calls_rust.solid", SOLID), None)?;
+        show("out", &found);
+    }
+    begin("model_create");
+    {
+        let found = Model::create(&[&given.face, &given.face], 0.001)?;
+        show("out", &found);
+    }
+    by_hand("model_clone");
+    by_hand("model_destroy");
+    begin("model_face");
+    {
+        let found = given.model.face(1)?;
+        show("out", &found.face);
+        show("part", &found.part);
+        show("shape", &found.shape);
+        show("against", &found.against);
+        show("colour", &found.colour);
+    }
+    begin("model_edge");
+    {
+        let found = given.model.edge(1)?;
+        show("out", &found.spline);
+        show("part", &found.part);
+        show("end_vertices", &found.vertices);
+        show("shape", &found.shape);
+    }
+    begin("model_splines");
+    {
+        let found = given.model.splines()?;
+        show("out", &found);
+    }
     begin("read_with");
     {
         let found = List::read_with(FILE.as_bytes(), None, &mut Call::new().progress(|_| true))?;
@@ -1340,6 +1423,29 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("lower", &found.lower);
         show("upper", &found.upper);
         show("gap", &found.gap);
+    }
+    begin("read_model_with");
+    {
+        let found = Model::read_with(SOLID.as_bytes(), None, &mut Call::new().progress(|_| true))?;
+        show("out", &found);
+    }
+    begin("read_model_with in millimetres");
+    {
+        let found = Model::read_with(
+            SOLID.as_bytes(),
+            Some(&nurbs::ReadOptions::new()?.unit(0.001)),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("read_model_file_with");
+    {
+        let found = Model::read_file_with(
+            written("smoke_calls_rust.solid", SOLID),
+            None,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
     }
     Ok(())
 }
@@ -3454,6 +3560,42 @@ fn scalar(given: &Given) -> nurbs::Result<()> {
         show("line", &found.line);
         show("reason", &found.reason);
         show("buf", &found.text);
+    }
+    begin("model_counts");
+    {
+        let found = given.model.counts()?;
+        show("parts", &found.parts);
+        show("uses", &found.uses);
+        show("faces", &found.faces);
+        show("edges", &found.edges);
+        show("vertices", &found.vertices);
+    }
+    begin("model_face_name");
+    {
+        let found = given.model.face_name(1)?;
+        show("buf", &found);
+    }
+    begin("model_edge_uses");
+    {
+        let found = given.model.edge_uses(1)?;
+        show("places", &found);
+    }
+    begin("model_vertex");
+    {
+        let found = given.model.vertex(0)?;
+        show("point", &found);
+    }
+    begin("model_part");
+    {
+        let found = given.model.part(0)?;
+        show("buf", &found);
+    }
+    begin("model_use");
+    {
+        let found = given.model.part_use(0)?;
+        show("parent", &found.parent);
+        show("part", &found.part);
+        show("placement", &found.placement);
     }
     by_hand("read_options_init");
     by_hand("call_options_init");

@@ -25,13 +25,14 @@ void check_intact(const Inputs &in); // they hold what fresh ones hold
 std::vector<double> numbers_of(const nurbs *g);
 bool same_bits(std::span<const double> a, std::span<const double> b);
 
-// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, or none.
+// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, a model, or none.
 struct Output {
     Output();
     nurbs *out = check_poison(), *other = check_poison();
     nurbs_list *list = nullptr;
     nurbs_statistics *statistics = nullptr;
     nurbs_face *face = nullptr;
+    nurbs_model *model = nullptr;
     double values[1024];
     float singles[64];
     int64_t spans[64];
@@ -71,6 +72,9 @@ inline void destroy(nurbs_statistics *statistics) {
 }
 inline void destroy(nurbs_face *face) {
     nurbs_face_destroy(face);
+}
+inline void destroy(nurbs_model *model) {
+    nurbs_model_destroy(model);
 }
 
 // An input that is made for one call.
@@ -115,9 +119,11 @@ private:
     nurbs_status status_ = NURBS_OK;
 };
 
-// The file that nurbs_read_file() is called for; each program writes its own.
-extern const char *file_path;
-bool write_file(const char *path);
+// The files that nurbs_read_file() and nurbs_read_model_file() are called for; each program writes its own, by names that
+// begin alike.
+extern const char *file_path, *solid_path;
+bool write_files(const char *path);
+void remove_files();
 
 } // namespace calls
 

@@ -7,12 +7,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 namespace calls {
 
 namespace {
 
-// The splines of the inputs, those of the lists and of the faces behind the others, each to be destroyed.
+// The splines of the inputs, those of the lists, the faces and the models behind the others, each to be destroyed.
 std::vector<nurbs *> splines_of(const Inputs &in) {
     std::vector<nurbs *> all;
     for (const auto spline : splines) {
@@ -28,6 +29,9 @@ std::vector<nurbs *> splines_of(const Inputs &in) {
     for (const auto face : faces_made) {
         CHECK_OK(nurbs_face_surface(in.*face, &all.emplace_back(nullptr)));
         CHECK_OK(nurbs_face_curve(in.*face, 0, 0, &all.emplace_back(nullptr)));
+    }
+    for (const auto model : models) {
+        CHECK_OK(nurbs_model_edge(in.*model, 0, nullptr, nullptr, nullptr, &all.emplace_back(nullptr)));
     }
     return all;
 }
@@ -51,15 +55,28 @@ std::vector<double> all_numbers(const Inputs &in) {
     return all;
 }
 
+bool write(const char *path, const char *text) {
+    std::FILE *f = std::fopen(path, "wb");
+    const size_t size = std::strlen(text);
+    return f != nullptr && std::fwrite(text, 1, size, f) == size && std::fclose(f) == 0;
+}
+
 } // namespace
 
-const char *file_path = nullptr;
+const char *file_path = nullptr, *solid_path = nullptr;
 
-bool write_file(const char *path) {
-    file_path = path;
-    std::FILE *f = std::fopen(path, "wb");
-    const size_t size = std::strlen(texts::file);
-    return f != nullptr && std::fwrite(texts::file, 1, size, f) == size && std::fclose(f) == 0;
+bool write_files(const char *path) {
+    static std::string names[2];
+    names[0] = path;
+    names[1] = names[0] + ".step";
+    file_path = names[0].c_str();
+    solid_path = names[1].c_str();
+    return write(file_path, texts::file) && write(solid_path, texts::solid);
+}
+
+void remove_files() {
+    std::remove(file_path);
+    std::remove(solid_path);
 }
 
 void destroy(const Inputs &in) {
@@ -74,6 +91,9 @@ void destroy(const Inputs &in) {
     }
     for (const auto face : faces_made) {
         nurbs_face_destroy(in.*face);
+    }
+    for (const auto model : models) {
+        nurbs_model_destroy(in.*model);
     }
 }
 
@@ -120,6 +140,7 @@ void destroy(const Output &o) {
     nurbs_list_destroy(o.list);
     nurbs_statistics_destroy(o.statistics);
     nurbs_face_destroy(o.face);
+    nurbs_model_destroy(o.model);
 }
 
 void check_nothing_written(const Output &o) {
@@ -129,6 +150,7 @@ void check_nothing_written(const Output &o) {
     CHECK(o.list == nullptr);
     CHECK(o.statistics == nullptr);
     CHECK(o.face == nullptr);
+    CHECK(o.model == nullptr);
     CHECK_UNTOUCHED(o.values);
     CHECK_UNTOUCHED(o.singles);
     CHECK_UNTOUCHED(o.spans);

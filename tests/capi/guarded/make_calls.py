@@ -28,7 +28,7 @@ HEAD = f'''\
 
 
 def is_handle(entry):
-    return entry.base in ("nurbs", "nurbs_list", "nurbs_statistics", "nurbs_face") and entry.pointers == 1
+    return entry.base in ("nurbs", "nurbs_list", "nurbs_statistics", "nurbs_face", "nurbs_model") and entry.pointers == 1
 
 
 def moved(entry):

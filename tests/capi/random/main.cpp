@@ -212,13 +212,13 @@ int main(int argc, char **argv) {
     }
     void *memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     constexpr const char *file = "capi_random_calls.igs"; // which some calls read
-    if (memory == MAP_FAILED || !calls::write_file(file)) {
+    if (memory == MAP_FAILED || !calls::write_files(file)) {
         std::perror("capi_random_calls");
         return 2;
     }
     auto &shared = *static_cast<Shared *>(memory);
     const int64_t failures = run_chunks(shared, options);
     const int64_t silent = tell(shared, options.steps == 0 && shared.begun > 100000);
-    std::remove(file);
+    calls::remove_files();
     return failures + silent == 0 ? 0 : 1;
 }

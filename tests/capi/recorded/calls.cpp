@@ -20,7 +20,7 @@ void section_of(const char *kind, const calls::Call &call, const calls::Inputs &
 } // namespace
 
 void record_calls(const std::string &path) {
-    CHECK(calls::write_file(path.c_str()));
+    CHECK(calls::write_files(path.c_str()));
     const calls::Inputs in = calls::make_inputs();
     calls::for_each_allocating([&](const calls::Call &call) { section_of("call", call, in); });
     for (const calls::Call &call : calls::scalar_calls()) {
@@ -31,7 +31,7 @@ void record_calls(const std::string &path) {
         record.section("batches", evaluate_batches);
     }
     calls::destroy(in);
-    std::remove(path.c_str());
+    calls::remove_files();
 }
 
 } // namespace recorded

@@ -150,6 +150,30 @@ inline void discard(nurbs_face *face) {
     nurbs_face_destroy(face);
 }
 
+inline void add_handle(Output &output, const nurbs_model *model) {
+    if (model == nullptr) {
+        return;
+    }
+    int64_t counts[5] = {0, 0, 0, 0, 0};
+    (void)nurbs_model_counts(model, &counts[0], &counts[1], &counts[2], &counts[3], &counts[4]);
+    output.add(counts, 5);
+    for (int64_t i = 0; i < counts[2]; ++i) {
+        nurbs_face *face = nullptr;
+        (void)nurbs_model_face(model, i, nullptr, nullptr, nullptr, nullptr, &face);
+        add_handle(output, face);
+        nurbs_face_destroy(face);
+    }
+    for (int64_t i = 0; i < counts[3]; ++i) {
+        nurbs *edge = nullptr;
+        (void)nurbs_model_edge(model, i, nullptr, nullptr, nullptr, &edge);
+        add_handle(output, edge);
+        nurbs_destroy(edge);
+    }
+}
+inline void discard(nurbs_model *model) {
+    nurbs_model_destroy(model);
+}
+
 } // namespace recorded
 
 #endif

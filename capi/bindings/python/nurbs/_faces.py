@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Dict, Iterable, List, NamedTuple, NoReturn, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, NamedTuple, NoReturn, Optional, Tuple, Type, TypeVar, Union
 
 import numpy
 
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     Loop = Union[Spline, Iterable[Optional[Spline]]]
 
 __all__ = ["Face", "FaceDeviation", "FaceEdge"]
+
+_Face = TypeVar("_Face", bound="Face")
 
 
 class FaceEdge(NamedTuple):
@@ -127,7 +129,7 @@ class Face:
         return face
 
     @classmethod
-    def _made(cls, function: Any, *arguments: Any) -> Face:
+    def _made(cls: Type[_Face], function: Any, *arguments: Any) -> _Face:
         """The face that a function writes through its last argument."""
         face, handle = cls.__new__(cls), ctypes.c_void_p()
         try:
@@ -147,10 +149,10 @@ class Face:
         if lib is not None and handle:
             lib.nurbs_face_destroy(handle)
 
-    def copy(self) -> Face:
+    def copy(self: _Face) -> _Face:
         """Another handle on the same face, in constant time; copy.copy() and copy.deepcopy() do the same."""
         face = self._made(lib.nurbs_face_clone, self._handle)
-        face.__dict__["_gaps"] = self._gaps
+        face.__dict__.update((name, value) for name, value in self.__dict__.items() if name != "_handle")
         return face
 
     __copy__ = copy

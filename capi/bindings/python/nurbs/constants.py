@@ -91,6 +91,7 @@ NURBS_ERROR_SYNTAX = 402  # the file breaks the rules of its format
 NURBS_ERROR_UNSUPPORTED = 403  # an entity that this version does not read (only in notes)
 NURBS_ERROR_CHECKSUM = 404  # bytes of a handle are not those that were written
 NURBS_ERROR_VERSION = 405  # bytes of a handle have a later version of the form
+NURBS_ERROR_CYCLE = 406  # entities of a file contain each other (only in notes)
 NURBS_ERROR_INTERNAL = 900  # a defect of the library; please report it
 
 # --- Flags by axis
@@ -232,6 +233,9 @@ NURBS_SHAPE_SPHERE = 8  # a sphere, or a piece of one
 NURBS_SHAPE_CYLINDER = 9  # a piece of a circular cylinder
 NURBS_SHAPE_CONE = 10  # a piece of one half of a circular cone
 NURBS_SHAPE_TORUS = 11  # a torus, or a piece of one
+NURBS_SHAPE_REVOLUTION = 12  # a surface of revolution; of models only, as those that follow
+NURBS_SHAPE_EXTRUSION = 13  # a curve moved along a vector
+NURBS_SHAPE_OFFSET = 14  # at a distance from another surface
 
 # --- Status of a closest point
 NURBS_CLOSEST_CERTIFIED = 0x01  # proven to be the nearest, or farthest, point to the tolerance

@@ -53,3 +53,8 @@ impl Face {
         self.surface()?.dimension()
     }
 }
+
+/// The handles of faces.
+pub(crate) fn face_handles(faces: &[&Face]) -> Vec<*const sys::nurbs_face> {
+    faces.iter().map(|face| face.raw()).collect()
+}

@@ -32,6 +32,13 @@ pub struct nurbs_face {
     _private: [u8; 0],
 }
 
+/// What a file of faces holds: faces, edges and vertices, in parts that are placed; immutable, reference
+/// counted, opaque. \since 1.1 Never made or moved on this side.
+#[repr(C)]
+pub struct nurbs_model {
+    _private: [u8; 0],
+}
+
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
@@ -513,6 +520,8 @@ pub const NURBS_ERROR_UNSUPPORTED: nurbs_status = 403;
 pub const NURBS_ERROR_CHECKSUM: nurbs_status = 404;
 /// bytes of a handle have a later version of the form
 pub const NURBS_ERROR_VERSION: nurbs_status = 405;
+/// entities of a file contain each other (only in notes)
+pub const NURBS_ERROR_CYCLE: nurbs_status = 406;
 /// a defect of the library; please report it
 pub const NURBS_ERROR_INTERNAL: nurbs_status = 900;
 
@@ -737,6 +746,12 @@ pub const NURBS_SHAPE_CYLINDER: i32 = 9;
 pub const NURBS_SHAPE_CONE: i32 = 10;
 /// a torus, or a piece of one
 pub const NURBS_SHAPE_TORUS: i32 = 11;
+/// a surface of revolution; of models only, as those that follow
+pub const NURBS_SHAPE_REVOLUTION: i32 = 12;
+/// a curve moved along a vector
+pub const NURBS_SHAPE_EXTRUSION: i32 = 13;
+/// at a distance from another surface
+pub const NURBS_SHAPE_OFFSET: i32 = 14;
 
 // --- Status of a closest point
 /// proven to be the nearest, or farthest, point to the tolerance
@@ -4089,4 +4104,134 @@ extern "C" {
         major: *mut i32,
         minor: *mut i32,
     ) -> nurbs_status;
+    // --- Models
+    /// Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242).
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_read_model(
+        bytes: *const c_void,
+        size: i64,
+        options: *const nurbs_read_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_read_model() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_read_model_with(
+        bytes: *const c_void,
+        size: i64,
+        options: *const nurbs_read_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// Reads a file by its path; see nurbs_read_model().
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_read_model_file(
+        path: *const c_char,
+        options: *const nurbs_read_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_read_model_file() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_read_model_file_with(
+        path: *const c_char,
+        options: *const nurbs_read_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// A model of faces, with one part and one use of it.
+    pub fn nurbs_model_create(
+        count: i64,
+        faces: *const *const nurbs_face,
+        metres: f64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// Another handle on the same model, in constant time.
+    pub fn nurbs_model_clone(model: *const nurbs_model, out: *mut *mut nurbs_model) -> nurbs_status;
+    /// Frees a handle on a model.
+    ///
+    /// May be null: `model`.
+    pub fn nurbs_model_destroy(model: *mut nurbs_model);
+    /// How much a model holds.
+    ///
+    /// May be null: `parts`, `uses`, `faces`, `edges`, `vertices`.
+    pub fn nurbs_model_counts(
+        model: *const nurbs_model,
+        parts: *mut i64,
+        uses: *mut i64,
+        faces: *mut i64,
+        edges: *mut i64,
+        vertices: *mut i64,
+    ) -> nurbs_status;
+    /// A face of a model.
+    ///
+    /// May be null: `part`, `shape`, `against`, `colour`.
+    pub fn nurbs_model_face(
+        model: *const nurbs_model,
+        index: i64,
+        part: *mut i64,
+        shape: *mut i32,
+        against: *mut i32,
+        colour: *mut f64,
+        out: *mut *mut nurbs_face,
+    ) -> nurbs_status;
+    /// The name of a face, from the file; else "#" and the number of its entity, or its index in other
+    /// models.
+    ///
+    /// May be null: `buf`, `length`.
+    pub fn nurbs_model_face_name(
+        model: *const nurbs_model,
+        index: i64,
+        buf: *mut c_char,
+        cap: i64,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// An edge of a model.
+    ///
+    /// May be null: `part`, `end_vertices`, `shape`.
+    pub fn nurbs_model_edge(
+        model: *const nurbs_model,
+        index: i64,
+        part: *mut i64,
+        end_vertices: *mut i64,
+        shape: *mut i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Where faces use an edge: once at a free boundary, twice inside a shell.
+    ///
+    /// May be null: `places`, `count`.
+    pub fn nurbs_model_edge_uses(
+        model: *const nurbs_model,
+        index: i64,
+        cap: i64,
+        places: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The point of a vertex, in the coordinates of its part.
+    pub fn nurbs_model_vertex(model: *const nurbs_model, index: i64, point: *mut f64) -> nurbs_status;
+    /// The name of a part.
+    ///
+    /// May be null: `buf`, `length`.
+    pub fn nurbs_model_part(
+        model: *const nurbs_model,
+        index: i64,
+        buf: *mut c_char,
+        cap: i64,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// A use of a part: where it is placed.
+    ///
+    /// May be null: `parent`, `part`, `placement`.
+    pub fn nurbs_model_use(
+        model: *const nurbs_model,
+        index: i64,
+        parent: *mut i64,
+        part: *mut i64,
+        placement: *mut f64,
+    ) -> nurbs_status;
+    /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
+    /// notes on all that was not read.
+    pub fn nurbs_model_splines(model: *const nurbs_model, out: *mut *mut nurbs_list) -> nurbs_status;
 }

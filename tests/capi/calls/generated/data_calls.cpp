@@ -716,6 +716,51 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_face_box(in.face, 0.001, o.values, o.values + 3, o.values + 6);
      }},
+    {"read_model",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_read_model(texts::solid, 963, nullptr, &o.model);
+     }},
+    {"read_model in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         return nurbs_read_model(texts::solid, 963, &options, &o.model);
+     }},
+    {"read_model_file",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_read_model_file(solid_path, nullptr, &o.model);
+     }, true},
+    {"model_create",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs_face *const faces[] = {in.face, in.face};
+         return nurbs_model_create(2, faces, 0.001, &o.model);
+     }},
+    {"model_clone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_clone(in.model, &o.model);
+     }},
+    {"model_destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_another_model(in, make_another_model);
+         if (made_another_model.status() != NURBS_OK) {
+             return made_another_model.status();
+         }
+         nurbs_model_destroy(made_another_model.release());
+         return NURBS_OK;
+     }},
+    {"model_face",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_face(in.model, 1, o.spans, o.states, o.states + 1, o.values, &o.face);
+     }},
+    {"model_edge",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_edge(in.model, 1, o.spans, o.spans + 1, o.states, &o.out);
+     }},
+    {"model_splines",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_splines(in.model, &o.list);
+     }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -953,6 +998,27 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_box_with(in.face, 0.001, o.values, o.values + 3, o.values + 6, &call);
      }},
+    {"read_model_with",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_model_with(texts::solid, 963, nullptr, &call, &o.model);
+     }},
+    {"read_model_with in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_model_with(texts::solid, 963, &options, &call, &o.model);
+     }},
+    {"read_model_file_with",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_model_file_with(solid_path, nullptr, &call, &o.model);
+     }, true},
 };
 
 } // namespace

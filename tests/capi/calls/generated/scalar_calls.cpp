@@ -72,6 +72,30 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_list_note(in.list, 0, o.states, o.spans, o.states + 1, o.text, 128, o.spans + 1);
      }},
+    {"model_counts",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_counts(in.model, o.spans, o.spans + 1, o.spans + 2, o.spans + 3, o.spans + 4);
+     }},
+    {"model_face_name",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_face_name(in.model, 1, o.text, 16, o.spans);
+     }},
+    {"model_edge_uses",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_edge_uses(in.model, 1, 1, o.spans, o.spans + 3);
+     }},
+    {"model_vertex",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_vertex(in.model, 0, o.values);
+     }},
+    {"model_part",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_part(in.model, 0, o.text, 16, o.spans);
+     }},
+    {"model_use",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_use(in.model, 0, o.spans, o.spans + 1, o.values);
+     }},
     {"read_options_init",
      [](const Inputs &, Output &) -> nurbs_status {
          nurbs_read_options options;

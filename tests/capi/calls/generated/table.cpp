@@ -111,6 +111,11 @@ nurbs_status make_face(const Inputs &in, nurbs_face **out) {
     return nurbs_face_create(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001, 0, nullptr, out);
 }
 
+nurbs_status make_model(const Inputs &in, nurbs_model **out) {
+    const nurbs_face *const faces[] = {in.face, in.face};
+    return nurbs_model_create(2, faces, 0.001, out);
+}
+
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
     return nurbs_clone(in.curve, out);
 }
@@ -157,6 +162,10 @@ nurbs_status make_faces(const Inputs &in, nurbs_list **out) {
 
 nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out) {
     return nurbs_statistics_clone(in.statistics, out);
+}
+
+nurbs_status make_another_model(const Inputs &in, nurbs_model **out) {
+    return nurbs_model_clone(in.model, out);
 }
 
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out) {
@@ -219,6 +228,7 @@ Inputs make_inputs() {
     CHECK_OK(make_statistics(in, &in.statistics));
     CHECK_OK(make_outline(in, &in.outline));
     CHECK_OK(make_face(in, &in.face));
+    CHECK_OK(make_model(in, &in.model));
     return in;
 }
 

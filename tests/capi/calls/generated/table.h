@@ -16,6 +16,7 @@ struct Inputs {
     nurbs_list *list;
     nurbs_statistics *no_statistics, *statistics;
     nurbs_face *face;
+    nurbs_model *model;
 };
 
 inline constexpr nurbs *Inputs::*const splines[] = {&Inputs::curve, &Inputs::loop, &Inputs::surface,
@@ -24,6 +25,7 @@ inline constexpr nurbs_list *Inputs::*const lists[] = {&Inputs::list};
 inline constexpr nurbs_statistics *Inputs::*const all_statistics[] = {&Inputs::no_statistics,
     &Inputs::statistics};
 inline constexpr nurbs_face *Inputs::*const faces_made[] = {&Inputs::face};
+inline constexpr nurbs_model *Inputs::*const models[] = {&Inputs::model};
 
 namespace arrays {
 inline constexpr double new_knots[] = {0.3, 0.6};
@@ -49,6 +51,39 @@ inline constexpr char file[] =
     "110,0,0,0,1,1,1;                                                       3P      3\n"
     "126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4\n"
     "S      1G      2D      6P      4                                        T      1\n";
+inline constexpr char solid[] =
+    "ISO-10303-21;\n"
+    "HEADER;\n"
+    "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\n"
+    "ENDSEC;\n"
+    "DATA;\n"
+    "#1=CARTESIAN_POINT('',(0.,0.,0.));\n"
+    "#2=DIRECTION('',(0.,0.,1.));\n"
+    "#3=DIRECTION('',(1.,0.,0.));\n"
+    "#4=AXIS2_PLACEMENT_3D('',#1,#2,#3);\n"
+    "#5=CARTESIAN_POINT('',(1.,0.,0.));\n"
+    "#6=VERTEX_POINT('',#5);\n"
+    "#7=CIRCLE('',#4,1.);\n"
+    "#8=EDGE_CURVE('',#6,#6,#7,.T.);\n"
+    "#9=PLANE('',#4);\n"
+    "#10=SPHERICAL_SURFACE('',#4,1.);\n"
+    "#11=ORIENTED_EDGE('',*,*,#8,.F.);\n"
+    "#12=EDGE_LOOP('',(#11));\n"
+    "#13=FACE_OUTER_BOUND('',#12,.T.);\n"
+    "#14=ADVANCED_FACE('disk',(#13),#9,.F.);\n"
+    "#15=ORIENTED_EDGE('',*,*,#8,.T.);\n"
+    "#16=EDGE_LOOP('',(#15));\n"
+    "#17=FACE_OUTER_BOUND('',#16,.T.);\n"
+    "#18=ADVANCED_FACE('half ball',(#17),#10,.T.);\n"
+    "#19=CLOSED_SHELL('',(#14,#18));\n"
+    "#20=MANIFOLD_SOLID_BREP('',#19);\n"
+    "#21=BLOCK('',#4,1.,1.,1.);\n"
+    "#22=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
+    "#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)\n"
+    "GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('',''));\n"
+    "#24=SHAPE_REPRESENTATION('',(#20,#21),#23);\n"
+    "ENDSEC;\n"
+    "END-ISO-10303-21;\n";
 inline constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0,
     192, 0, 0, 0, 0, 0, 0, 0, 114, 160, 102, 241, 94, 129, 142, 24, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0,
@@ -104,6 +139,7 @@ nurbs_status make_no_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_outline(const Inputs &in, nurbs **out);
 nurbs_status make_face(const Inputs &in, nurbs_face **out);
+nurbs_status make_model(const Inputs &in, nurbs_model **out);
 nurbs_status make_copy(const Inputs &in, nurbs **out);
 nurbs_status make_half(const Inputs &in, nurbs **out);
 nurbs_status make_ramp(const Inputs &in, nurbs **out);
@@ -114,6 +150,7 @@ nurbs_status make_sphere(const Inputs &in, nurbs **out);
 nurbs_status make_edges(const Inputs &in, nurbs_list **out);
 nurbs_status make_faces(const Inputs &in, nurbs_list **out);
 nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
+nurbs_status make_another_model(const Inputs &in, nurbs_model **out);
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_south(const Inputs &in, nurbs **out);
 nurbs_status make_east(const Inputs &in, nurbs **out);

@@ -1,0 +1,219 @@
+! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+!> Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong.
+!> Conventions: see the module nurbs.
+module nurbs_models
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
+        nurbs_model_face, nurbs_model_face_name, nurbs_model_edge, nurbs_model_edge_uses, nurbs_model_vertex, &
+        nurbs_model_part, nurbs_model_use, nurbs_model_splines, nurbs_read_model_with, nurbs_read_model_file_with, &
+        nurbs_read_options
+    use nurbs_support
+    use nurbs_calls
+    use nurbs_handles
+    use nurbs_splines
+    use nurbs_lists
+    use nurbs_faces
+    implicit none
+    private
+
+    !> Faces and the edges that they share, in parts; an assignment makes another handle on the same model.
+    type, extends(nurbs_model_handle), public :: nurbs_model
+    contains
+        procedure :: read, read_file, create, counts, face, face_name, edge, edge_uses, vertex, part, get_use, splines
+    end type nurbs_model
+
+contains
+
+    !> Reads the faces, edges and vertices of a STEP file from memory.
+    subroutine read(this, contents, options, status, call)
+        class(nurbs_model), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        type(nurbs_read_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: size_c
+        type(c_ptr) :: made
+        size_c = len(contents, c_int64_t)
+        if (present(call)) then
+            code = nurbs_read_model_with(c_loc(contents), size_c, options, watched(call), made)
+        else
+            code = nurbs_read_model(c_loc(contents), size_c, options, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine read
+
+    !> Reads a STEP file by its path.
+    subroutine read_file(this, path, options, status, call)
+        class(nurbs_model), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in) :: path
+        type(nurbs_read_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_read_model_file_with(path//c_null_char, options, watched(call), made)
+        else
+            code = nurbs_read_model_file(path//c_null_char, options, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine read_file
+
+    !> A model of faces, with one part and one use of it. Faces with a common key share an edge.
+    subroutine create(this, faces, metres, status)
+        class(nurbs_model), intent(inout) :: this
+        type(nurbs_face), intent(in) :: faces(:)
+        real(c_double), intent(in), optional :: metres
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_model_create(size(faces, kind=c_int64_t), handles_of(faces), given(metres, 0d0), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create
+
+    !> How much it holds.
+    subroutine counts(this, parts, uses, faces, edges, vertices, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int64_t), intent(inout), optional :: parts, uses, faces, edges, vertices
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_model_counts(this%handle, parts, uses, faces, edges, vertices), status)
+    end subroutine counts
+
+    !> A face.
+    subroutine face(this, index, out, part, shape, against, colour, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        type(nurbs_face), intent(inout) :: out
+        integer(c_int64_t), intent(inout), optional :: part
+        integer(c_int32_t), intent(inout), optional :: shape
+        logical, intent(inout), optional :: against
+        real(c_double), intent(inout), optional :: colour(3)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, answer
+        type(c_ptr) :: made
+        answer = 0
+        code = nurbs_model_face(this%handle, index - 1_c_int64_t, part, shape, answer, colour, made)
+        if (present(against)) against = answer /= 0
+        if (code == NURBS_OK) then
+            if (present(part)) part = part + 1
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine face
+
+    !> The name of a face.
+    subroutine face_name(this, index, text, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        character(len=:), allocatable, intent(out) :: text
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: length
+        character(kind=c_char), allocatable :: buffer(:)
+        length = 0
+        code = nurbs_model_face_name(this%handle, index - 1_c_int64_t, cap=0_c_int64_t, length=length)
+        allocate (buffer(length + 1))
+        if (code == NURBS_OK) code = nurbs_model_face_name(this%handle, index - 1_c_int64_t, buffer, length + 1)
+        text = string(buffer(:length))
+        call settle(code, status)
+    end subroutine face_name
+
+    !> An edge.
+    subroutine edge(this, index, out, part, end_vertices, shape, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int64_t), intent(inout), optional :: part, end_vertices(2)
+        integer(c_int32_t), intent(inout), optional :: shape
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_model_edge(this%handle, index - 1_c_int64_t, part, end_vertices, shape, made)
+        if (code == NURBS_OK) then
+            if (present(part)) part = part + 1
+            if (present(end_vertices)) end_vertices = end_vertices + 1
+        end if
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine edge
+
+    !> Where faces use an edge: face, loop, and place in the loop; once at a free boundary, twice inside a shell.
+    subroutine edge_uses(this, index, places, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int64_t), allocatable, intent(inout) :: places(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int64_t), allocatable :: places_c(:, :)
+        n = 0
+        code = nurbs_model_edge_uses(this%handle, index - 1_c_int64_t, 0_c_int64_t, count=n)
+        allocate (places_c(3, n))
+        if (code == NURBS_OK) code = nurbs_model_edge_uses(this%handle, index - 1_c_int64_t, n, places_c)
+        if (code == NURBS_OK) places = transpose(places_c) + 1
+        call settle(code, status)
+    end subroutine edge_uses
+
+    !> The point of a vertex.
+    subroutine vertex(this, index, point, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        real(c_double), intent(inout) :: point(3)
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_model_vertex(this%handle, index - 1_c_int64_t, point), status)
+    end subroutine vertex
+
+    !> The name of a part.
+    subroutine part(this, index, text, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        character(len=:), allocatable, intent(out) :: text
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: length
+        character(kind=c_char), allocatable :: buffer(:)
+        length = 0
+        code = nurbs_model_part(this%handle, index - 1_c_int64_t, cap=0_c_int64_t, length=length)
+        allocate (buffer(length + 1))
+        if (code == NURBS_OK) code = nurbs_model_part(this%handle, index - 1_c_int64_t, buffer, length + 1)
+        text = string(buffer(:length))
+        call settle(code, status)
+    end subroutine part
+
+    !> A use of a part: where it is placed.
+    subroutine get_use(this, index, parent, part, placement, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int64_t), intent(inout), optional :: parent, part
+        real(c_double), intent(inout), optional :: placement(3, 4)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        real(c_double) :: placement_c(4, 3)
+        code = nurbs_model_use(this%handle, index - 1_c_int64_t, parent, part, placement_c)
+        if (code == NURBS_OK) then
+            if (present(parent)) parent = parent + 1
+            if (present(part)) part = part + 1
+            if (present(placement)) placement = transpose(placement_c)
+        end if
+        call settle(code, status)
+    end subroutine get_use
+
+    !> The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what was not
+    !> read.
+    subroutine splines(this, out, status)
+        class(nurbs_model), intent(in) :: this
+        type(nurbs_list), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_model_splines(this%handle, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine splines
+end module nurbs_models

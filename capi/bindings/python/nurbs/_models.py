@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: MIT
+"""Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Callable, Dict, Generic, Iterable, List, NamedTuple, NoReturn, Optional, Tuple
+from typing import TypeVar, Union, overload
+
+import numpy
+
+from ._calls import watched
+from ._faces import Face
+from ._files import Note, SplineList, _options
+from ._library import call, get, lib, text
+from ._spline import Spline
+
+if TYPE_CHECKING:
+    from ._arrays import Floats
+    from ._calls import Progress
+
+__all__ = ["EdgeUse", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelUse"]
+
+_Item = TypeVar("_Item")
+
+
+class ModelCounts(NamedTuple):
+    """How many parts, uses of parts, faces, edges and vertices a model has."""
+
+    parts: int
+    uses: int
+    faces: int
+    edges: int
+    vertices: int
+
+
+class EdgeUse(NamedTuple):
+    """A place where a face uses an edge: the face, the loop, and the place in the loop."""
+
+    face: int
+    loop: int
+    place: int
+
+
+class ModelEdge(NamedTuple):
+    """An edge of a model: its curve, the vertices where that begins and ends (-1 for none), the kind of the curve, a
+    NURBS_SHAPE_ constant (NURBS_SHAPE_NONE for a spline), the part that it belongs to, and where faces use it, once at a
+    free boundary, twice inside a shell."""
+
+    spline: Spline
+    vertices: Tuple[int, int]
+    shape: int
+    part: int
+    uses: Tuple[EdgeUse, ...]
+
+
+class ModelUse(NamedTuple):
+    """A use of a part: the part in which it is placed (-1 for the whole), the part, and the placement (3, 4): a point x
+    of the part is at M x + t, rows of (M | t)."""
+
+    parent: int
+    part: int
+    placement: Floats
+
+
+class ModelFace(Face):
+    """A face of a model: a Face, and what the model knows of it."""
+
+    def __init__(self, *_: object, **__: object) -> None:
+        raise TypeError("a ModelFace comes from a Model; a Face is made of a surface and loops")
+
+    def __repr__(self) -> str:
+        return f"<ModelFace {self.name!r} {super().__repr__().removeprefix('<Face ')}"
+
+    @property
+    def name(self) -> str:
+        """Its name in the file; else "#" and the number of its entity, or its index in other models."""
+        return str(self.__dict__["_name"])
+
+    @property
+    def shape(self) -> int:
+        """The kind of its surface: a NURBS_SHAPE_ constant, NURBS_SHAPE_NONE for a spline."""
+        return int(self.__dict__["_shape"])
+
+    @property
+    def against(self) -> bool:
+        """Whether the outer normal is against the normal S_u x S_v of the surface."""
+        return bool(self.__dict__["_against"])
+
+    @property
+    def colour(self) -> Optional[Tuple[float, float, float]]:
+        """Red, green and blue from 0 to 1; None where the file gives none."""
+        red, green, blue = self.__dict__["_colour"]
+        return None if red != red else (red, green, blue)
+
+    @property
+    def part(self) -> int:
+        """The part that it belongs to."""
+        return int(self.__dict__["_part"])
+
+
+class _Items(Sequence, Generic[_Item]):  # type: ignore[type-arg]
+    """So many things, each asked for when it is needed."""
+
+    def __init__(self, size: int, item: Callable[[int], _Item], what: str) -> None:
+        self._size, self._item, self._what = size, item, what
+
+    def __len__(self) -> int:
+        return self._size
+
+    @overload
+    def __getitem__(self, index: int) -> _Item: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> List[_Item]: ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[_Item, List[_Item]]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(self._size))]
+        position = index + self._size if index < 0 else index
+        if not 0 <= position < self._size:
+            raise IndexError(f"index {index} out of range of the {self._size} {self._what}")
+        return self._item(position)
+
+    def __repr__(self) -> str:
+        return f"<{self._size} {self._what} of a Model>"
+
+
+class Model:
+    """Faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong.
+
+        model = nurbs.Model.read_file("part.step")
+        for face in model.faces:
+            print(face.name, face.area(1e-6).value)
+
+    Faces, edges, parts and uses are sequences whose items are asked for one by one. Models never change, and many threads
+    may use them at once; copies are made in constant time.
+    """
+
+    _handle: Optional[int] = None
+
+    def __init__(self, faces: Iterable[Face] = (), metres: float = 0.0) -> None:
+        """Of faces, with one part and one use of it: faces with a common key share an edge. `metres` are those in a unit
+        of length, 0 leaves it open. Raises ArgumentError."""
+        if self._handle:
+            raise TypeError("a Model does not change: it cannot be initialised again")
+        made = self.create(faces, metres)
+        # The handle goes from one owner to the other.
+        self.__dict__["_handle"] = made.__dict__.pop("_handle")
+
+    @classmethod
+    def create(cls, faces: Iterable[Face], metres: float = 0.0) -> Model:
+        """The same as Model(faces, metres)."""
+        given = list(faces)
+        for face in given:
+            if not isinstance(face, Face):
+                raise TypeError(f"expected faces, not a {type(face).__name__}")
+        array = (ctypes.c_void_p * len(given))(*(face._handle for face in given))
+        return cls._made(lib.nurbs_model_create, len(given), array, metres)
+
+    @classmethod
+    def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
+             progress: Progress = None, work: Optional[int] = None) -> Model:
+        """The faces, edges and vertices of a STEP file in memory; unit is the wanted one in metres, 0 keeps the file's
+        own. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
+        given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
+        return cls._made(watched(lib.nurbs_read_model, progress, work), given, len(given), _options(unit, max_bytes))
+
+    @classmethod
+    def read_file(cls, path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
+                  progress: Progress = None, work: Optional[int] = None) -> Model:
+        """Those of a STEP file, as read() gives them. Raises FileError if it cannot be read."""
+        name = os.fsencode(path)
+        if b"\0" in name:
+            raise ValueError("a path with a zero in it")
+        return cls._made(watched(lib.nurbs_read_model_file, progress, work), name, _options(unit, max_bytes))
+
+    @classmethod
+    def _made(cls, function: Any, *arguments: Any) -> Model:
+        """The model that a function writes through its last argument."""
+        model, handle = cls.__new__(cls), ctypes.c_void_p()
+        try:
+            call(function, *arguments, ctypes.byref(handle))
+        finally:  # an interrupt may come after the call
+            model.__dict__["_handle"] = handle.value
+        return model
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Model does not change: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a Model does not change: {name} cannot be deleted")
+
+    def __del__(self) -> None:
+        handle = self.__dict__.get("_handle")
+        if lib is not None and handle:
+            lib.nurbs_model_destroy(handle)
+
+    def copy(self) -> Model:
+        """Another handle on the same model, in constant time; copy.copy() and copy.deepcopy() do the same."""
+        return self._made(lib.nurbs_model_clone, self._handle)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Model:
+        return self.copy()
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Model cannot be pickled; what its faces consist of can")
+
+    def __repr__(self) -> str:
+        counts = self.counts
+        return f"<Model of {counts.faces} faces, {counts.edges} edges and {counts.vertices} vertices>"
+
+    # --- What it holds ---
+
+    @property
+    def counts(self) -> ModelCounts:
+        """How many parts, uses of parts, faces, edges and vertices it has."""
+        numbers = [ctypes.c_int64() for _ in ModelCounts._fields]
+        call(lib.nurbs_model_counts, self._handle, *map(ctypes.byref, numbers))
+        return ModelCounts(*(number.value for number in numbers))
+
+    @property
+    def faces(self) -> Sequence[ModelFace]:
+        """Its faces."""
+        return _Items(self.counts.faces, self.face, "faces")
+
+    @property
+    def edges(self) -> Sequence[ModelEdge]:
+        """Its edges."""
+        return _Items(self.counts.edges, self.edge, "edges")
+
+    @property
+    def vertices(self) -> Floats:
+        """The points of its vertices (vertices, 3), each in the coordinates of its part."""
+        points = numpy.empty((self.counts.vertices, 3))
+        for index, point in enumerate(points):
+            call(lib.nurbs_model_vertex, self._handle, index, point.ctypes.data)
+        return points
+
+    @property
+    def parts(self) -> Sequence[str]:
+        """The names of its parts."""
+        return _Items(self.counts.parts, self.part, "parts")
+
+    @property
+    def uses(self) -> Sequence[ModelUse]:
+        """Where its parts are placed."""
+        return _Items(self.counts.uses, self.use, "uses")
+
+    @property
+    def splines(self) -> SplineList:
+        """The curves and surfaces of a file that no face or edge consists of."""
+        return SplineList._made(lib.nurbs_model_splines, self._handle)
+
+    @property
+    def notes(self) -> List[Note]:
+        """What of a file was not read, and why."""
+        return self.splines.notes
+
+    @property
+    def unit(self) -> float:
+        """Metres per unit of length; 0 if that is not known."""
+        return self.splines.unit
+
+    # --- One by one ---
+
+    def face(self, index: int) -> ModelFace:
+        """A face, with its name, part, shape and colour."""
+        part, shape, against = ctypes.c_int64(), ctypes.c_int32(), ctypes.c_int32()
+        colour = (ctypes.c_double * 3)()
+        face = ModelFace._made(lib.nurbs_model_face, self._handle, index, ctypes.byref(part), ctypes.byref(shape),
+                               ctypes.byref(against), colour)
+        face.__dict__.update(_name=self.face_name(index), _part=part.value, _shape=shape.value,
+                             _against=bool(against.value), _colour=tuple(colour))
+        return face
+
+    def face_name(self, index: int) -> str:
+        """The name of a face."""
+        return text(lib.nurbs_model_face_name, self._handle, index)
+
+    def edge(self, index: int) -> ModelEdge:
+        """An edge, with its vertices and uses."""
+        part, ends, shape = ctypes.c_int64(), (ctypes.c_int64 * 2)(), ctypes.c_int32()
+        spline = Spline._made(lib.nurbs_model_edge, self._handle, index, ctypes.byref(part), ends, ctypes.byref(shape))
+        return ModelEdge(spline, (ends[0], ends[1]), shape.value, part.value, self.edge_uses(index))
+
+    def edge_uses(self, index: int) -> Tuple[EdgeUse, ...]:
+        """Where faces use an edge."""
+        places = numpy.empty((get(ctypes.c_int64, lib.nurbs_model_edge_uses, self._handle, index, 0, None), 3),
+                             numpy.int64)
+        get(ctypes.c_int64, lib.nurbs_model_edge_uses, self._handle, index, len(places), places.ctypes.data)
+        return tuple(EdgeUse(*place) for place in places.tolist())
+
+    def vertex(self, index: int) -> Floats:
+        """The point of a vertex (3,), in the coordinates of its part."""
+        point: Floats = numpy.empty(3)
+        call(lib.nurbs_model_vertex, self._handle, index, point.ctypes.data)
+        return point
+
+    def part(self, index: int) -> str:
+        """The name of a part."""
+        return text(lib.nurbs_model_part, self._handle, index)
+
+    def use(self, index: int) -> ModelUse:
+        """A use of a part: where it is placed."""
+        parent, part, placement = ctypes.c_int64(), ctypes.c_int64(), numpy.empty((3, 4))
+        call(lib.nurbs_model_use, self._handle, index, ctypes.byref(parent), ctypes.byref(part), placement.ctypes.data)
+        return ModelUse(parent.value, part.value, placement)

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
+//! they belong.
+
+use crate::call::Call;
+use crate::error::{check, Result};
+use crate::face::{face_handles, Face};
+use crate::list::{options_pointer, path_text, written, List, ReadOptions};
+use crate::model::Model;
+use crate::spline::Spline;
+use crate::sys;
+use std::path::Path;
+use std::ptr::null_mut;
+
+/// How much a model holds.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct ModelCounts {
+    /// Number of parts.
+    pub parts: i64,
+    /// Number of uses of parts.
+    pub uses: i64,
+    /// Number of faces.
+    pub faces: i64,
+    /// Number of edges.
+    pub edges: i64,
+    /// Number of vertices.
+    pub vertices: i64,
+}
+
+/// A face of a model.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct ModelFace {
+    /// The face.
+    pub face: Face,
+    /// The part that it belongs to.
+    pub part: i64,
+    /// The kind of its surface: a shape, that of none for a spline.
+    pub shape: i32,
+    /// Whether the outer normal is against that of the surface.
+    pub against: bool,
+    /// Red, green and blue from 0 to 1, NaN where the file gives none.
+    pub colour: [f64; 3],
+}
+
+/// An edge of a model.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ModelEdge {
+    /// Its curve.
+    pub spline: Spline,
+    /// The part that it belongs to.
+    pub part: i64,
+    /// Where its curve begins and ends, -1 for none.
+    pub vertices: [i64; 2],
+    /// The kind of its curve: a shape, that of none for a spline.
+    pub shape: i32,
+}
+
+/// A use of a part.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ModelUse {
+    /// The part in which it is placed, -1 for the whole.
+    pub parent: i64,
+    /// The part that is placed.
+    pub part: i64,
+    /// A point x of the part is at M x + t, rows of (M | t).
+    pub placement: [[f64; 4]; 3],
+}
+
+/// Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
+/// they belong.
+impl Model {
+    /// Reads the faces, edges and vertices of a STEP file from memory.
+    pub fn read(bytes: &[u8], options: Option<&ReadOptions>) -> Result<Model> {
+        Model::made(|out| unsafe {
+            sys::nurbs_read_model(bytes.as_ptr().cast(), bytes.len() as i64, options_pointer(options), out)
+        })
+    }
+
+    /// The same as `read`; it can be watched and stopped.
+    pub fn read_with(bytes: &[u8], options: Option<&ReadOptions>, call: &mut Call) -> Result<Model> {
+        Model::made(|out| unsafe {
+            sys::nurbs_read_model_with(
+                bytes.as_ptr().cast(),
+                bytes.len() as i64,
+                options_pointer(options),
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// Reads a STEP file by its path.
+    pub fn read_file(path: impl AsRef<Path>, options: Option<&ReadOptions>) -> Result<Model> {
+        let path = path_text(path)?;
+        Model::made(|out| unsafe { sys::nurbs_read_model_file(path.as_ptr(), options_pointer(options), out) })
+    }
+
+    /// The same as `read_file`; it can be watched and stopped.
+    pub fn read_file_with(
+        path: impl AsRef<Path>,
+        options: Option<&ReadOptions>,
+        call: &mut Call,
+    ) -> Result<Model> {
+        let path = path_text(path)?;
+        Model::made(|out| unsafe {
+            sys::nurbs_read_model_file_with(path.as_ptr(), options_pointer(options), call.options(), out)
+        })
+    }
+
+    /// A model of faces, with one part and one use of it. Faces with a common key share an edge.
+    pub fn create(faces: &[&Face], metres: f64) -> Result<Model> {
+        let faces = face_handles(faces);
+        Model::made(|out| unsafe { sys::nurbs_model_create(faces.len() as i64, faces.as_ptr(), metres, out) })
+    }
+
+    /// How much it holds.
+    pub fn counts(&self) -> Result<ModelCounts> {
+        let mut parts = 0;
+        let mut uses = 0;
+        let mut faces = 0;
+        let mut edges = 0;
+        let mut vertices = 0;
+        check(unsafe {
+            sys::nurbs_model_counts(self.raw(), &mut parts, &mut uses, &mut faces, &mut edges, &mut vertices)
+        })?;
+        Ok(ModelCounts { parts, uses, faces, edges, vertices })
+    }
+
+    /// A face.
+    pub fn face(&self, index: usize) -> Result<ModelFace> {
+        let mut part = 0;
+        let mut shape = 0;
+        let mut against = 0;
+        let mut colour = [0.0; 3];
+        let face = Face::made(|out| unsafe {
+            sys::nurbs_model_face(
+                self.raw(),
+                index as i64,
+                &mut part,
+                &mut shape,
+                &mut against,
+                colour.as_mut_ptr(),
+                out,
+            )
+        })?;
+        Ok(ModelFace { face, part, shape, against: against != 0, colour })
+    }
+
+    /// The name of a face.
+    pub fn face_name(&self, index: usize) -> Result<String> {
+        written(|buf, cap, length| unsafe {
+            sys::nurbs_model_face_name(self.raw(), index as i64, buf, cap, length)
+        })
+    }
+
+    /// An edge.
+    pub fn edge(&self, index: usize) -> Result<ModelEdge> {
+        let mut part = 0;
+        let mut vertices = [0; 2];
+        let mut shape = 0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_model_edge(self.raw(), index as i64, &mut part, vertices.as_mut_ptr(), &mut shape, out)
+        })?;
+        Ok(ModelEdge { spline, part, vertices, shape })
+    }
+
+    /// Where faces use an edge: face, loop, and place in the loop; once at a free boundary, twice inside a
+    /// shell.
+    pub fn edge_uses(&self, index: usize) -> Result<Vec<[i64; 3]>> {
+        let fill = |cap, places, count| unsafe {
+            sys::nurbs_model_edge_uses(self.raw(), index as i64, cap, places, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut places = vec![[0; 3]; n];
+        check(fill(count, places.as_mut_ptr().cast(), &mut count))?;
+        Ok(places)
+    }
+
+    /// The point of a vertex.
+    pub fn vertex(&self, index: usize) -> Result<[f64; 3]> {
+        let mut point = [0.0; 3];
+        check(unsafe { sys::nurbs_model_vertex(self.raw(), index as i64, point.as_mut_ptr()) })?;
+        Ok(point)
+    }
+
+    /// The name of a part.
+    pub fn part(&self, index: usize) -> Result<String> {
+        written(|buf, cap, length| unsafe {
+            sys::nurbs_model_part(self.raw(), index as i64, buf, cap, length)
+        })
+    }
+
+    /// A use of a part: where it is placed.
+    pub fn part_use(&self, index: usize) -> Result<ModelUse> {
+        let mut parent = 0;
+        let mut part = 0;
+        let mut placement = [[0.0; 4]; 3];
+        check(unsafe {
+            sys::nurbs_model_use(
+                self.raw(),
+                index as i64,
+                &mut parent,
+                &mut part,
+                placement.as_mut_ptr().cast(),
+            )
+        })?;
+        Ok(ModelUse { parent, part, placement })
+    }
+
+    /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on
+    /// what was not read.
+    pub fn splines(&self) -> Result<List> {
+        List::made(|out| unsafe { sys::nurbs_model_splines(self.raw(), out) })
+    }
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
+/// \file model.hpp
+/// \brief Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong.
+#ifndef NURBS_CPP_MODEL_HPP
+#define NURBS_CPP_MODEL_HPP
+
+#include <nurbs/cpp/face.hpp>
+#include <nurbs/cpp/list.hpp>
+#include <nurbs/cpp/spline.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
+
+/// How much a model holds.
+struct ModelCounts {
+    std::int64_t parts;    ///< Number of parts.
+    std::int64_t uses;     ///< Number of uses of parts.
+    std::int64_t faces;    ///< Number of faces.
+    std::int64_t edges;    ///< Number of edges.
+    std::int64_t vertices; ///< Number of vertices.
+};
+
+/// A face of a model.
+struct ModelFace {
+    Face face;                    ///< The face.
+    std::int64_t part;            ///< The part that it belongs to.
+    std::int32_t shape;           ///< The kind of its surface: a shape, that of none for a spline.
+    bool against;                 ///< Whether the outer normal is against that of the surface.
+    std::array<double, 3> colour; ///< Red, green and blue from 0 to 1, NaN where the file gives none.
+};
+
+/// An edge of a model.
+struct ModelEdge {
+    Spline spline;                        ///< Its curve.
+    std::int64_t part;                    ///< The part that it belongs to.
+    std::array<std::int64_t, 2> vertices; ///< Where its curve begins and ends, -1 for none.
+    std::int32_t shape;                   ///< The kind of its curve: a shape, that of none for a spline.
+};
+
+/// A use of a part.
+struct ModelUse {
+    std::int64_t parent;                            ///< The part in which it is placed, -1 for the whole.
+    std::int64_t part;                              ///< The part that is placed.
+    std::array<std::array<double, 4>, 3> placement; ///< A point x of the part is at M x + t, rows of (M | t).
+};
+
+/// Faces and the edges that they share: a handle that is copied in constant time and freed by its destructor.
+class Model : public detail::ModelHandle {
+public:
+    using ModelHandle::ModelHandle;
+
+    // Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong
+
+    /// Reads the faces, edges and vertices of a STEP file from memory.
+    [[nodiscard]] static Returned<Model> read(std::span<const std::byte> bytes,
+                                              const ReadOptions &options = {}) {
+        return detail::made<Model>(nurbs_read_model, bytes.data(), detail::length(bytes), &options);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> read(std::span<const std::byte> bytes, const ReadOptions &options,
+                                              const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_read_model_with, bytes.data(), detail::length(bytes), &options,
+                                   watch.get());
+    }
+    /// Reads a STEP file by its path.
+    [[nodiscard]] static Returned<Model> read_file(const std::string &path, const ReadOptions &options = {}) {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        return detail::made<Model>(nurbs_read_model_file, path.c_str(), &options);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> read_file(const std::string &path, const ReadOptions &options,
+                                                   const CallOptions &call) {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_read_model_file_with, path.c_str(), &options, watch.get());
+    }
+    /// A model of faces, with one part and one use of it. Faces with a common key share an edge.
+    [[nodiscard]] static Returned<Model> create(std::span<const Face> faces, double metres = 0) {
+        return detail::made<Model>(nurbs_model_create, detail::length(faces),
+                                   detail::handle_list(faces).data(), metres);
+    }
+    /// How much it holds.
+    [[nodiscard]] Returned<ModelCounts> counts() const {
+        ModelCounts found{};
+        detail::call(nurbs_model_counts, get(), &found.parts, &found.uses, &found.faces, &found.edges,
+                     &found.vertices);
+        return found;
+    }
+    /// A face.
+    [[nodiscard]] Returned<ModelFace> face(std::int64_t index) const {
+        ModelFace made{};
+        std::int32_t against = 0;
+        made.face = detail::made<Face>(nurbs_model_face, get(), index, &made.part, &made.shape, &against,
+                                       made.colour.data());
+        made.against = against != 0;
+        return made;
+    }
+    /// The name of a face.
+    [[nodiscard]] Returned<std::string> face_name(std::int64_t index) const {
+        return detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
+            return nurbs_model_face_name(get(), index, buf, cap, length);
+        });
+    }
+    /// An edge.
+    [[nodiscard]] Returned<ModelEdge> edge(std::int64_t index) const {
+        ModelEdge made{};
+        made.spline = detail::made<Spline>(nurbs_model_edge, get(), index, &made.part, made.vertices.data(),
+                                           &made.shape);
+        return made;
+    }
+    /// Where faces use an edge: face, loop, and place in the loop; once at a free boundary, twice inside a shell.
+    [[nodiscard]] Returned<std::vector<std::int64_t>> edge_uses(std::int64_t index) const {
+        std::vector<std::int64_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_edge_uses, get(), index, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int64_t>(count, 3);
+        ask(count);
+        return values;
+    }
+    /// The point of a vertex.
+    [[nodiscard]] Returned<std::array<double, 3>> vertex(std::int64_t index) const {
+        return detail::result_of<std::array<double, 3>>(
+            [&](auto *v) { return nurbs_model_vertex(get(), index, v->data()); });
+    }
+    /// The name of a part.
+    [[nodiscard]] Returned<std::string> part(std::int64_t index) const {
+        return detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
+            return nurbs_model_part(get(), index, buf, cap, length);
+        });
+    }
+    /// A use of a part: where it is placed.
+    [[nodiscard]] Returned<ModelUse> use(std::int64_t index) const {
+        ModelUse found{};
+        detail::call(nurbs_model_use, get(), index, &found.parent, &found.part,
+                     detail::flat(found.placement));
+        return found;
+    }
+    /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what
+    /// was not read.
+    [[nodiscard]] Returned<List> splines() const { return detail::made<List>(nurbs_model_splines, get()); }
+};
+
+} // namespace NURBS_CPP_POLICY
+} // namespace libnurbs
+
+#endif // NURBS_CPP_MODEL_HPP

@@ -1,0 +1,295 @@
+// Models: any bytes go through nurbs_read_model(), and make faces of planes and of surfaces that close up, whose edges share
+// keys as they should and as they should not. Whatever model comes out is complete: its numbers name what it holds.
+#include "fuzz/harness.h"
+
+#include <memory>
+#include <string>
+
+using fuzz::Input;
+
+namespace {
+
+struct Deleter {
+    void operator()(nurbs_face *face) const { nurbs_face_destroy(face); }
+    void operator()(nurbs_model *model) const { nurbs_model_destroy(model); }
+    void operator()(nurbs_list *list) const { nurbs_list_destroy(list); }
+};
+using Face = std::unique_ptr<nurbs_face, Deleter>;
+using Model = std::unique_ptr<nurbs_model, Deleter>;
+using List = std::unique_ptr<nurbs_list, Deleter>;
+
+Model made(nurbs_status status, nurbs_model *const &out, int line) {
+    if (fuzz::succeeded(status, line) != (out != nullptr)) {
+        fuzz::violated("status and model disagree", line);
+    }
+    return Model(out);
+}
+#define MODEL_MADE(call, out) made(call, out, __LINE__)
+
+// What takes long ends.
+nurbs_call_options limited(int64_t work) {
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = work;
+    return call;
+}
+
+constexpr double full_turn = 6.283185307179586;
+
+// --- What a model holds.
+
+struct Counts {
+    int64_t parts = -1, uses = -1, faces = -1, edges = -1, vertices = -1;
+};
+
+Counts counts_of(const nurbs_model *model) {
+    Counts n;
+    FUZZ_REQUIRE(nurbs_model_counts(model, &n.parts, &n.uses, &n.faces, &n.edges, &n.vertices) == NURBS_OK);
+    FUZZ_REQUIRE(n.parts >= 0 && n.uses >= 0 && n.faces >= 0 && n.edges >= 0 && n.vertices >= 0);
+    return n;
+}
+
+bool among(int64_t index, int64_t count) {
+    return 0 <= index && index < count;
+}
+
+Face face_of(const nurbs_model *model, const Counts &n, int64_t index) {
+    int64_t part = -1;
+    int32_t shape = -1, against = -1;
+    double colour[3] = {0, 0, 0};
+    nurbs_face *face = nullptr;
+    FUZZ_REQUIRE(nurbs_model_face(model, index, &part, &shape, &against, colour, &face) == NURBS_OK);
+    FUZZ_REQUIRE(among(part, n.parts) && (against == 0 || against == 1));
+    FUZZ_REQUIRE(NURBS_SHAPE_NONE <= shape && shape <= NURBS_SHAPE_OFFSET);
+    for (const double part_of_light : colour) {
+        FUZZ_REQUIRE(!(part_of_light < 0) && !(part_of_light > 1));
+    }
+    return Face(face);
+}
+
+std::vector<int64_t> loops_of(const nurbs_face *face) {
+    int64_t count = -1;
+    FUZZ_REQUIRE(nurbs_face_loops(face, 0, nullptr, &count) == NURBS_OK && count >= 0);
+    std::vector<int64_t> sizes(static_cast<size_t>(count));
+    FUZZ_REQUIRE(nurbs_face_loops(face, count, sizes.data(), nullptr) == NURBS_OK);
+    return sizes;
+}
+
+// The number of coedges of all faces.
+int64_t use_faces(const nurbs_model *model, const Counts &n) {
+    int64_t coedges = 0;
+    for (int64_t i = 0; i < n.faces; ++i) {
+        const Face face = face_of(model, n, i);
+        for (const int64_t size : loops_of(face.get())) {
+            coedges += size;
+        }
+        char name[8];
+        int64_t length = -1;
+        FUZZ_REQUIRE(nurbs_model_face_name(model, i, name, sizeof name, &length) == NURBS_OK && length > 0);
+        const nurbs_call_options call = limited(300'000);
+        double area = 0;
+        FUZZ_OK(nurbs_face_area_with(face.get(), 1e-3, &area, nullptr, &call));
+    }
+    return coedges;
+}
+
+void use_edge(const nurbs_model *model, const Counts &n, int64_t index) {
+    int64_t part = -1, ends[2] = {-2, -2};
+    int32_t shape = -1, axes = 0;
+    nurbs *g = nullptr;
+    const fuzz::Handle edge(FUZZ_MADE(nurbs_model_edge(model, index, &part, ends, &shape, &g), g));
+    FUZZ_REQUIRE(edge && nurbs_axes(edge.get(), &axes) == NURBS_OK && axes == 1);
+    FUZZ_REQUIRE(among(part, n.parts) && among(ends[0] + 1, n.vertices + 1) &&
+                 among(ends[1] + 1, n.vertices + 1));
+    FUZZ_REQUIRE(NURBS_SHAPE_NONE <= shape && shape <= NURBS_SHAPE_HYPERBOLA);
+}
+
+// Every place is that of a coedge: the number of them.
+int64_t use_places(const nurbs_model *model, const Counts &n, int64_t edge) {
+    int64_t count = -1;
+    FUZZ_REQUIRE(nurbs_model_edge_uses(model, edge, 0, nullptr, &count) == NURBS_OK && count >= 0);
+    std::vector<int64_t> places(static_cast<size_t>(3 * count));
+    FUZZ_REQUIRE(nurbs_model_edge_uses(model, edge, count, places.data(), nullptr) == NURBS_OK);
+    for (size_t i = 0; i < places.size(); i += 3) {
+        FUZZ_REQUIRE(among(places[i], n.faces));
+        const std::vector<int64_t> sizes = loops_of(face_of(model, n, places[i]).get());
+        FUZZ_REQUIRE(among(places[i + 1], std::ssize(sizes)));
+        FUZZ_REQUIRE(among(places[i + 2], sizes[static_cast<size_t>(places[i + 1])]));
+    }
+    return count;
+}
+
+void use_parts(const nurbs_model *model, const Counts &n) {
+    char name[8];
+    for (int64_t i = 0; i < n.parts; ++i) {
+        FUZZ_REQUIRE(nurbs_model_part(model, i, name, sizeof name, nullptr) == NURBS_OK);
+    }
+    for (int64_t i = 0; i < n.uses; ++i) {
+        int64_t parent = -2, part = -2;
+        double placement[12];
+        FUZZ_REQUIRE(nurbs_model_use(model, i, &parent, &part, placement) == NURBS_OK);
+        FUZZ_REQUIRE(among(parent + 1, n.parts + 1) && among(part, n.parts));
+    }
+}
+
+void use(const nurbs_model *model, bool all_edges) {
+    const Counts n = counts_of(model);
+    const int64_t coedges = use_faces(model, n);
+    int64_t places = 0;
+    for (int64_t i = 0; i < n.edges; ++i) {
+        use_edge(model, n, i);
+        places += use_places(model, n, i);
+    }
+    FUZZ_REQUIRE(all_edges ? places == coedges : places <= coedges);
+    for (int64_t i = 0; i < n.vertices; ++i) {
+        double point[3];
+        FUZZ_REQUIRE(nurbs_model_vertex(model, i, point) == NURBS_OK);
+    }
+    use_parts(model, n);
+    nurbs_list *list = nullptr;
+    FUZZ_REQUIRE(nurbs_model_splines(model, &list) == NURBS_OK && list != nullptr);
+    const List owner(list);
+    double metres = -1;
+    FUZZ_REQUIRE(nurbs_list_unit(list, &metres) == NURBS_OK && metres >= 0);
+}
+
+// What is not there is refused.
+void beyond(Input &in, const nurbs_model *model) {
+    const int64_t index = in.coin() ? in.bad_size() : 1'000'000;
+    double values[12];
+    nurbs *edge = fuzz::poison();
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_model_vertex(model, index, values)));
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_model_use(model, index, nullptr, nullptr, values)));
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_model_edge(model, index, nullptr, nullptr, nullptr, &edge)) &&
+                 edge == nullptr);
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_model_edge_uses(model, index, 0, nullptr, nullptr)));
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_model_face_name(model, index, nullptr, 0, nullptr)));
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_model_part(model, index, nullptr, 0, nullptr)));
+}
+
+// --- Models of files.
+
+void read_any(const uint8_t *data, size_t size, double unit) {
+    nurbs_read_options options;
+    FUZZ_REQUIRE(nurbs_read_options_init(&options, sizeof options) == NURBS_OK);
+    options.unit = unit;
+    const nurbs_call_options call = limited(3'000'000);
+    nurbs_model *out = reinterpret_cast<nurbs_model *>(fuzz::poison());
+    const Model model =
+        MODEL_MADE(nurbs_read_model_with(data, static_cast<int64_t>(size), &options, &call, &out), out);
+    if (model) {
+        use(model.get(), false);
+    }
+}
+
+void read_without_options(const uint8_t *data, size_t size) {
+    nurbs_model *out = nullptr;
+    const std::string path = "/nonexistent/" + std::string(data, data + std::min<size_t>(size, 300));
+    FUZZ_REQUIRE(nurbs_read_model_file(path.c_str(), nullptr, &out) == NURBS_ERROR_FILE && out == nullptr);
+    FUZZ_REQUIRE(nurbs_read_model_file_with(path.c_str(), nullptr, nullptr, &out) == NURBS_ERROR_FILE);
+    if (size < 64) { // too short for geometry
+        const Model model =
+            MODEL_MADE(nurbs_read_model(data, static_cast<int64_t>(size), nullptr, &out), out);
+    }
+}
+
+// --- Models of faces.
+
+nurbs *any_surface(Input &in, bool &flat) {
+    nurbs *g = nullptr;
+    static constexpr double origin[] = {0, 0, 0}, u[] = {1, 0, 0}, v[] = {0, 1, 0}, w[] = {0, 0, 1};
+    const int kind = in.below(8);
+    flat = kind < 5;
+    switch (kind) {
+    case 5:
+        FUZZ_REQUIRE(nurbs_surface_sphere(nullptr, nullptr, nullptr, 1, in.below(2), &g) == NURBS_OK);
+        return g;
+    case 6:
+        FUZZ_REQUIRE(nurbs_surface_cylinder(nullptr, nullptr, nullptr, 1, 2, 0, full_turn, 0, &g) ==
+                     NURBS_OK);
+        return g;
+    case 7:
+        return fuzz::create(fuzz::any_spline(in));
+    default:
+        FUZZ_REQUIRE(nurbs_surface_plane(3, origin, kind < 3 ? u : v, kind < 3 ? v : w, &g) == NURBS_OK);
+        return g;
+    }
+}
+
+nurbs *segment(double u0, double v0, double u1, double v1) {
+    static constexpr int32_t degree = 1;
+    static constexpr int64_t count = 2;
+    const double knots[] = {0, 0, 1, 1}, points[] = {u0, v0, u1, v1};
+    nurbs *g = nullptr;
+    FUZZ_REQUIRE(nurbs_create(1, &degree, &count, knots, 4, 2, points, 0, 0, nullptr, 0, 0, &g) == NURBS_OK);
+    return g;
+}
+
+// A square whose sides have any keys, or all that a surface has.
+Face any_face(Input &in) {
+    bool flat = false;
+    const fuzz::Handle surface(any_surface(in, flat));
+    if (!surface) {
+        return nullptr;
+    }
+    nurbs_face *face = nullptr;
+    const nurbs_call_options call = limited(300'000);
+    if (!flat) {
+        FUZZ_OK(nurbs_face_create_with(surface.get(), 0, nullptr, nullptr, nullptr, nullptr, 1e-9, 0, nullptr,
+                                       &call, &face));
+        return Face(face);
+    }
+    const double low = in.below(4) / 8.0, high = 1 - in.below(4) / 8.0;
+    const fuzz::Handle sides[] = {
+        fuzz::Handle(segment(low, low, high, low)), fuzz::Handle(segment(high, low, high, high)),
+        fuzz::Handle(segment(high, high, low, high)), fuzz::Handle(segment(low, high, low, low))};
+    const nurbs *curves[4];
+    int64_t keys[4];
+    for (size_t i = 0; i < 4; ++i) {
+        curves[i] = sides[i].get();
+        keys[i] = in.rarely() ? -in.bad_size() / 2 : in.below(9) - 4;
+    }
+    const int64_t four = 4;
+    FUZZ_OK(nurbs_face_create_with(surface.get(), 1, &four, curves, nullptr, keys, 1e-9, 0, nullptr, &call,
+                                   &face));
+    return Face(face);
+}
+
+void of_faces(Input &in) {
+    std::vector<Face> faces;
+    std::vector<const nurbs_face *> given;
+    for (int i = in.below(7); i > 0; --i) {
+        if (Face face = any_face(in)) {
+            given.push_back(face.get());
+            faces.push_back(std::move(face));
+        }
+    }
+    if (in.rarely()) {
+        given.push_back(nullptr);
+    }
+    const int64_t count = in.rarely() && given.empty() ? in.bad_size() : std::ssize(given);
+    const double metres = in.rarely() ? in.anything() : in.below(3);
+    nurbs_model *out = reinterpret_cast<nurbs_model *>(fuzz::poison()), *clone = nullptr;
+    Model model = MODEL_MADE(nurbs_model_create(count, given.data(), metres, &out), out);
+    if (!model) {
+        return;
+    }
+    FUZZ_REQUIRE(nurbs_model_clone(model.get(), &clone) == NURBS_OK);
+    model.reset();
+    faces.clear();
+    const Model kept(clone);
+    FUZZ_REQUIRE(counts_of(clone).faces == count);
+    use(clone, true);
+    beyond(in, clone);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    read_any(data, size, 0);
+    read_any(data, size, 0.001);
+    read_without_options(data, size);
+    Input in(data, size);
+    of_faces(in);
+    return 0;
+}
