@@ -53,10 +53,12 @@ class Writer:
         return f'r.{INTEGERS[entry.base]}("{entry.name}", {calls.number(value)})'
 
     def numbers(self, entry, value, fixed):
-        if entry.name in fixed or not value.values or entry.base not in ("double", "int64_t", "int32_t"):
+        if not value.values or entry.base not in ("double", "int64_t", "int32_t"):
             return calls.argument(self.model, entry, value, "o.")
         usual = ", ".join(map(calls.number, value.values))
         self.declare(f"static constexpr {entry.base} usual_{entry.name}[] = {{{usual}}};")
+        if entry.name in fixed:
+            return f"usual_{entry.name}"
         return f'r.array("{entry.name}", std::span<const {entry.base}>(usual_{entry.name}))'
 
     def handle(self, entry, value):
