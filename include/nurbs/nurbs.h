@@ -6160,7 +6160,7 @@ NURBS_API nurbs_status nurbs_face_classify_with(const nurbs_face *face, int64_t 
  * \param[in] relative_tolerance >= 0; 0 asks for the best that double precision and a limit of work give.
  * \param[out] area the area.
  * \param[out] error or NULL: estimate of the error.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED naming the error reached,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED naming the error reached, _ORIENTATION if loops cross or coincide,
  *   _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_area(const nurbs_face *face, double relative_tolerance, double *area,

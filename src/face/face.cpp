@@ -15,7 +15,7 @@ namespace nrb::face {
 
 namespace {
 
-// A curve that runs over more copies of the domain than this is a mistake.
+// Curves that run over more copies of the domain than this, all together, are a mistake.
 constexpr double most_copies = 65536;
 
 void check_curve(const Spline &curve, size_t loop, size_t index) {
@@ -26,14 +26,14 @@ void check_curve(const Spline &curve, size_t loop, size_t index) {
     }
 }
 
-// How far curves may leave the domain along an axis: by as much as moves points by the tolerance, at the speed with which the
-// surface arrives at its end.
+// How far curves may leave the domain along an axis: by as much as moves points by the tolerance, if they move evenly over the
+// size of the surface; along a closed one over copies of the domain, of which there may be so many.
 class Borders {
 public:
     Borders(const Spline &surface, const Covering &covering, double tolerance)
         : surface_(surface), covering_(covering), tolerance_(tolerance) {}
 
-    void check(const PlacedCurve &placed, size_t loop, size_t index) const {
+    void check(const PlacedCurve &placed, size_t loop, size_t index) {
         if (polygon_inside(*placed.curve)) {
             return;
         }
@@ -42,8 +42,9 @@ public:
             const auto at = static_cast<size_t>(k);
             const Interval domain = covering_.domain(k);
             const double over = std::max(domain.lower - box.lower[at], box.upper[at] - domain.upper);
-            if (covering_.closed(k) ? !(over <= most_copies * covering_.period(k))
-                                    : over > 0 && !(over <= allowed(k))) {
+            if (covering_.closed(k)
+                    ? !in_few_copies(placed.curve->axis(0).count(), over / covering_.period(k))
+                    : over > 0 && !(over <= allowed(k))) {
                 fail(Status::outside_domain,
                      "curve %zu of loop %zu runs from %s to %s on axis %d, outside of the domain [%s, %s]",
                      index, loop, Number(box.lower[at]).text, Number(box.upper[at]).text, k,
@@ -53,6 +54,11 @@ public:
     }
 
 private:
+    // Each span of a curve may pass all of the copies.
+    bool in_few_copies(int64_t spans, double copies) noexcept {
+        copies_ += copies > 1 ? static_cast<double>(spans) * copies : 0;
+        return copies_ <= most_copies;
+    }
     [[nodiscard]] bool polygon_inside(const Spline &curve) const noexcept {
         bool inside = true;
         for (int64_t i = 0; i < curve.point_count() && inside; ++i) {
@@ -74,6 +80,7 @@ private:
     const Spline &surface_;
     const Covering &covering_;
     double tolerance_;
+    double copies_ = 0;
 };
 
 // The distance in space of two places of the plane.
@@ -129,32 +136,34 @@ void Face::make_curves(double precision, bool prove) {
     }
 }
 
+// Gaps are told of all loops, whichever is the first to be too large.
 TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
     TrimPieces plane;
-    const Borders borders(*surface_, covering_, tolerance_);
-    if (gaps != nullptr) {
-        gaps->assign(loops_.size(), 0);
-    }
+    Borders borders(*surface_, covering_, tolerance_);
+    std::vector<double> found;
     for (size_t i = 0; i < loops_.size(); ++i) {
         for (size_t j = 0; j < loops_[i].size(); ++j) {
             check_curve(*loops_[i][j].curve, i, j);
         }
-        const std::vector<PlacedCurve> curves = placed(*surface_, covering_, loops_[i], tolerance_);
-        for (size_t j = 0; j < curves.size(); ++j) {
-            borders.check(curves[j], i, j);
+        const PlacedLoop loop = placed(*surface_, covering_, loops_[i], tolerance_);
+        for (size_t j = 0; j < loop.curves.size(); ++j) {
+            borders.check(loop.curves[j], i, j);
         }
         double largest = 0;
-        for (const Joint &joint : append_monotone(curves, static_cast<int32_t>(i), covering_, plane)) {
+        for (const Joint &joint : append_monotone(loop.curves, static_cast<int32_t>(i), loop.turn, plane)) {
             largest = std::max(largest, gap_between(*surface_, covering_, joint.from, joint.to));
             joints_.push_back(joint);
         }
-        if (gaps != nullptr) {
-            (*gaps)[i] = largest;
-        }
-        if (!keep && !(largest <= tolerance_)) {
-            fail(Status::gap, "loop %zu has a gap of %s, larger than the tolerance %s", i,
-                 Number(largest).text, Number(tolerance_).text);
-        }
+        found.push_back(largest);
+    }
+    if (gaps != nullptr) {
+        *gaps = found;
+    }
+    const auto open =
+        std::find_if(found.begin(), found.end(), [this](double gap) { return !(gap <= tolerance_); });
+    if (!keep && open != found.end()) {
+        fail(Status::gap, "loop %td has a gap of %s, larger than the tolerance %s", open - found.begin(),
+             Number(*open).text, Number(tolerance_).text);
     }
     return plane;
 }

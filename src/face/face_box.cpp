@@ -41,10 +41,10 @@ struct FaceCell {
     bool examined = false; // whether sides on which nothing inside is extreme were taken out
 };
 
-// The breaks of an axis, and at which of them tangents may jump.
+// The breaks of an axis, and at which of them tangents, or points, may jump.
 struct CellAxis {
     std::vector<double> breaks;
-    std::vector<char> crease;
+    std::vector<char> crease, jump;
 
     CellAxis(const KnotVector &axis, bool closed) {
         const Interval domain = axis.domain();
@@ -53,8 +53,17 @@ struct CellAxis {
                 const bool end = group.knot == domain.lower || group.knot == domain.upper;
                 breaks.push_back(group.knot);
                 crease.push_back(end ? closed : group.multiplicity >= axis.degree());
+                jump.push_back(!end && group.multiplicity > axis.degree());
             }
         }
+    }
+    [[nodiscard]] bool jumps_at(double at) const {
+        const auto found = std::lower_bound(breaks.begin(), breaks.end(), at);
+        return found != breaks.end() && *found == at &&
+               jump[static_cast<size_t>(found - breaks.begin())] != 0;
+    }
+    [[nodiscard]] bool touches_jump(Interval part) const {
+        return jumps_at(part.lower) || jumps_at(part.upper);
     }
     // The span on the other side of a crease at a parameter, above or below it; across a seam at the other end of the axis.
     [[nodiscard]] std::optional<Interval> span_beyond_crease(double at, bool above) const {
@@ -108,18 +117,40 @@ private:
         for (const EndPart &part : open_ends(face_)) {
             add_segment(part.from, part.to);
         }
+        if (!boundary_proven_) {
+            reach_boundary();
+        }
     }
     void add_segment(const Point2 &from, const Point2 &to) {
         add_curve(build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1}));
     }
+    // Curves that cannot be composed are bounded by the cells that they cut.
     void add_curve(const SplinePtr &curve) {
-        const MadeCurve edge =
-            edge_over(face_.surface(), face_.covering(), curve, std::max(tolerance_ / 4, face_.tolerance()));
-        const bounds::Box box = bounds::bounding_box(*edge.curve, whole_domain(*edge.curve), tolerance_ / 4);
+        const SplinePtr edge = composed_edge(face_.surface(), face_.covering(), curve);
+        if (edge == nullptr) {
+            boundary_proven_ = false;
+            return;
+        }
+        const bounds::Box box = bounds::bounding_box(*edge, whole_domain(*edge), tolerance_ / 4);
         const Sides sides = sides_of(box);
         for (size_t side = 0; side < 2 * dim_; ++side) {
-            boundary_[side] = std::max(boundary_[side], sides[side] + edge.distance);
-            reach(side, sides[side] - box.gap - edge.distance);
+            boundary_[side] = std::max(boundary_[side], sides[side]);
+            reach(side, sides[side] - box.gap);
+        }
+    }
+    // Ends and middles of all pieces.
+    void reach_boundary() {
+        const TrimPieces &pieces = face_.trims().pieces();
+        for (const TrimPiece &piece : pieces.all()) {
+            for (const Point2 &x : {piece.start, pieces.point(piece, 0.5)}) {
+                reach_point(point_at(surface_, face_.covering().in_domain(x)));
+            }
+        }
+    }
+    void reach_point(const std::vector<double> &point) {
+        for (size_t c = 0; c < dim_; ++c) {
+            reach(2 * c, point[c]);
+            reach(2 * c + 1, -point[c]);
         }
     }
 
@@ -135,22 +166,22 @@ private:
         const Point2 lower{cell.part[0].lower, cell.part[1].lower},
             upper{cell.part[0].upper, cell.part[1].upper};
         const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
-        const TrimMap &trims = face_.trims();
-        const bool cut = trims.any_in(
-            lower, upper, [&](const TrimPiece &piece) { return trims.pieces().meets(piece, lower, upper); });
+        const bool cut = is_cut(cell.part);
         const bool inside = face_.trims().side(middle) >= 0;
         if (!inside && !cut) {
             return;
         }
         if (inside) {
-            const std::vector<double> point = point_at(surface_, middle);
-            for (size_t c = 0; c < dim_; ++c) {
-                reach(2 * c, point[c]);
-                reach(2 * c + 1, -point[c]);
-            }
+            reach_point(point_at(surface_, middle));
         }
         cell.sides = sides_of(bounds::bounding_box(surface_, cell.part, infinity));
         push(std::move(cell));
+    }
+    [[nodiscard]] bool is_cut(const Part &part) const {
+        const TrimMap &trims = face_.trims();
+        const Point2 lower{part[0].lower, part[1].lower}, upper{part[0].upper, part[1].upper};
+        return trims.any_in(
+            lower, upper, [&](const TrimPiece &piece) { return trims.pieces().meets(piece, lower, upper); });
     }
     void push(FaceCell cell) {
         bool matters = false;
@@ -213,8 +244,14 @@ private:
     }
     // A point inside the face at which a coordinate is extreme has no derivative of it along either axis, unless tangents jump
     // there; extreme points on the boundary are known. Across a crease a coordinate runs on where its derivatives have one sign.
+    // Along a jump, points of either side end, so that cells beside one keep all sides; and where the reach of the boundary is not
+    // proven, cells that it cuts do.
     void examine(FaceCell &cell) const {
         cell.examined = true;
+        if (axes_[0].touches_jump(cell.part[0]) || axes_[1].touches_jump(cell.part[1]) ||
+            (!boundary_proven_ && is_cut(cell.part))) {
+            return;
+        }
         const std::array inside = derivatives(cell.part);
         std::array<std::vector<RoundedPolynomial>, 2> beyond;
         for (size_t k = 0; k < 2; ++k) {
@@ -289,6 +326,7 @@ private:
     double tolerance_;
     std::array<CellAxis, 2> axes_;
     Sides reached_, boundary_;
+    bool boundary_proven_ = true; // whether boundary_ holds for all of it
     std::vector<FaceCell> cells_;
     std::vector<SideQueue> farthest_; // of each side, cells that are not alive among them
 };

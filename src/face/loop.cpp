@@ -6,19 +6,23 @@
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::face {
 
 namespace {
 
-Point2 end_of(const Spline &curve, bool upper) {
-    const Interval domain = curve.axis(0).domain();
-    const double t = upper ? domain.upper : domain.lower;
+Point2 point_of(const Spline &curve, double t, bool left) {
     eval::AxisRules rules{};
-    rules[0].left = upper;
+    rules[0].left = left;
     Point2 x;
     eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 2, 2, 1});
     return x;
+}
+
+Point2 end_of(const Spline &curve, bool upper) {
+    const Interval domain = curve.axis(0).domain();
+    return point_of(curve, upper ? domain.upper : domain.lower, upper);
 }
 
 // Where a loop that came to a pole at `from` leaves it. Along the upper end of axis 1 the inside is to the left of those who run
@@ -48,26 +52,60 @@ SplinePtr segment(const Point2 &a, const Point2 &b) {
     return build::polyline(2, {a[0], a[1], b[0], b[1]}, {0, 1});
 }
 
+// Where curves of a loop begin and end, and the poles at which they do; both ends of a curve that lies in a pole are at none, since
+// it leads along the pole itself.
+struct CurveEnds {
+    Point2 start, end;
+    Covering::Pole first, last;
+};
+
+CurveEnds ends_of(const Spline &surface, const Covering &covering, const Spline &curve, double tolerance) {
+    CurveEnds ends{end_of(curve, false), end_of(curve, true), {}, {}};
+    if (covering.has_poles()) {
+        const Interval domain = curve.axis(0).domain();
+        const Covering::Pole middle = pole_at(
+            surface, covering, point_of(curve, domain.lower / 2 + domain.upper / 2, false), tolerance);
+        if (middle.axis < 0) {
+            ends.first = pole_at(surface, covering, ends.start, tolerance);
+            ends.last = pole_at(surface, covering, ends.end, tolerance);
+        }
+    }
+    return ends;
+}
+
+// Where a curve begins behind one that ended at `last`: in the nearest copy, or around the pole at which both do.
+Point2 next_begin(const Covering &covering, const Point2 &last, Covering::Pole before, const Point2 &start,
+                  Covering::Pole behind) {
+    const Point2 begin = covering.nearest_copy(start, last);
+    const bool pole = before.axis >= 0 && before.axis == behind.axis && before.end == behind.end;
+    return pole ? around_pole(covering, before, last, begin) : begin;
+}
+
 } // namespace
 
-std::vector<PlacedCurve> placed(const Spline &surface, const Covering &covering, const Loop &loop,
-                                double tolerance) {
-    std::vector<PlacedCurve> result;
-    Point2 last{};
+PlacedLoop placed(const Spline &surface, const Covering &covering, const Loop &loop, double tolerance) {
+    PlacedLoop result;
+    Point2 last{}, start{};
+    Covering::Pole before, first;
     for (const Coedge &coedge : loop) {
-        const Point2 start = end_of(*coedge.curve, false), end = end_of(*coedge.curve, true);
-        Point2 begin = start;
-        if (!result.empty()) {
-            begin = covering.nearest_copy(start, last);
-            const Covering::Pole pole = pole_at(surface, covering, last, tolerance);
-            const Covering::Pole same = pole_at(surface, covering, begin, tolerance);
-            if (pole.axis >= 0 && pole.axis == same.axis && pole.end == same.end) {
-                begin = around_pole(covering, pole, last, begin);
-            }
+        const CurveEnds ends = ends_of(surface, covering, *coedge.curve, tolerance);
+        Point2 begin = ends.start;
+        if (result.curves.empty()) {
+            start = begin;
+            first = ends.first;
+        } else {
+            begin = next_begin(covering, last, before, ends.start, ends.first);
         }
-        const Point2 shift{begin[0] - start[0], begin[1] - start[1]};
-        result.push_back({coedge.curve, shift});
-        last = {end[0] + shift[0], end[1] + shift[1]};
+        const Point2 shift{begin[0] - ends.start[0], begin[1] - ends.start[1]};
+        result.curves.push_back({coedge.curve, shift});
+        last = {ends.end[0] + shift[0], ends.end[1] + shift[1]};
+        before = ends.last;
+    }
+    const Point2 back = next_begin(covering, last, before, start, first);
+    for (size_t k = 0; k < 2; ++k) {
+        const double period = covering.period(static_cast<int>(k));
+        result.turn[k] =
+            covering.closed(static_cast<int>(k)) ? std::round((back[k] - start[k]) / period) * period : 0;
     }
     return result;
 }
@@ -100,8 +138,13 @@ Loop turned(const Loop &loop) {
     Loop result;
     for (auto coedge = loop.rbegin(); coedge != loop.rend(); ++coedge) {
         result.push_back(*coedge);
-        result.back().curve = refine::reverse(*coedge->curve, 0, false);
-        result.back().against = !coedge->against;
+        Coedge &made = result.back();
+        made.curve = refine::reverse(*coedge->curve, 0, false);
+        if (made.key != 0) {
+            made.against = !made.against;
+        } else if (made.edge != nullptr) { // nothing else could tell that it runs against the loop
+            made.edge = refine::reverse(*made.edge, 0, false);
+        }
     }
     return result;
 }

@@ -27,11 +27,15 @@ struct Coedge {
 };
 using Loop = std::vector<Coedge>;
 
+struct PlacedLoop {
+    std::vector<PlacedCurve> curves;
+    Point2 turn{0, 0}; // by which it comes back to its start: periods of closed axes
+};
+
 // The curves of a loop one after the other in the plane that covers the domain, each in the copy in which it begins nearest to
 // where the one before it ends. At a pole the way leads around it, the inside to the left; where a loop comes back on the
 // meridian that it came on, once around.
-std::vector<PlacedCurve> placed(const Spline &surface, const Covering &covering, const Loop &loop,
-                                double tolerance);
+PlacedLoop placed(const Spline &surface, const Covering &covering, const Loop &loop, double tolerance);
 
 // The boundary of the whole domain: one loop, or two around a closed axis, or none where everything is closed. Poles have no
 // curves.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numeric/exact_products.h"
 
+#include <array>
 #include <cmath>
 
 namespace nrb::inline numeric {
@@ -59,6 +60,64 @@ int compare_products(double a, double b, double c, double d) noexcept {
 double difference_of_products(double a, double b, double c, double d) noexcept {
     const double product = c * d;
     return std::fma(a, b, -product) + std::fma(-c, d, product);
+}
+
+namespace {
+
+// A sum of numbers without rounding: components of rising magnitude, none of which has a bit in common with another one.
+class Expansion {
+public:
+    void add(double x) noexcept {
+        for (int i = 0; i < size_; ++i) {
+            double &component = components_[static_cast<size_t>(i)];
+            const double sum = x + component, part = sum - x; // Knuth's two-sum
+            component = (x - (sum - part)) + (component - part);
+            x = sum;
+        }
+        components_[static_cast<size_t>(size_++)] = x;
+    }
+    void add_product(double a, double b) noexcept {
+        const double high = a * b;
+        add(std::fma(a, b, -high));
+        add(high);
+    }
+    [[nodiscard]] int sign_of_sum() const noexcept {
+        for (int i = size_; i-- > 0;) {
+            if (components_[static_cast<size_t>(i)] != 0) {
+                return sign(components_[static_cast<size_t>(i)]);
+            }
+        }
+        return 0;
+    }
+
+private:
+    std::array<double, 12> components_{};
+    int size_ = 0;
+};
+
+} // namespace
+
+int side_of_line(const double *a, const double *b, const double *c) noexcept {
+    const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
+    constexpr double unit = 0x1p-53;
+    const double value = left - right, bound = (3 + 16 * unit) * unit * (std::fabs(left) + std::fabs(right));
+    if (std::fabs(value) > bound && bound > 0x1p-960) {
+        return sign(value);
+    }
+    double largest = 0;
+    for (const double *const x : {a, b, c}) {
+        largest = std::fmax(largest, std::fmax(std::fabs(x[0]), std::fabs(x[1])));
+    }
+    const double scale =
+        largest > 0 ? std::ldexp(1.0, -std::ilogb(largest) / 2) : 1; // its square might overflow
+    const auto at = [scale](const double *x, int k) { return x[k] * scale * scale; };
+    Expansion sum;
+    const double *const points[] = {a, b, c, a};
+    for (int i = 0; i < 3; ++i) {
+        sum.add_product(at(points[i], 0), at(points[i + 1], 1));
+        sum.add_product(-at(points[i], 1), at(points[i + 1], 0));
+    }
+    return sum.sign_of_sum();
 }
 
 } // namespace nrb::inline numeric

@@ -12,4 +12,9 @@ int compare_products(double a, double b, double c, double d) noexcept;
 // Math. Comp. 82 (2013)).
 double difference_of_products(double a, double b, double c, double d) noexcept;
 
+// The sign of (b - a) x (c - a) of places of the plane: 1 if c lies to the left of the way from a to b, without rounding barring
+// underflow (J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput.
+// Geom. 18 (1997)). Precondition: all are finite, and products do not overflow.
+int side_of_line(const double *a, const double *b, const double *c) noexcept;
+
 } // namespace nrb::inline numeric

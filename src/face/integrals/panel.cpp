@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "face/integrals/panel.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 
 namespace nrb::face {
@@ -102,6 +104,7 @@ private:
                 ++end;
             }
             if (values_[i] != 0) {
+                check_value(values_[i]);
                 out_.push_back({nullptr,
                                 {places_[i], places_[end]},
                                 {v_breaks_[row], v_breaks_[row + 1]},
@@ -109,6 +112,12 @@ private:
                                 static_cast<double>(values_[i])});
             }
             i = end;
+        }
+    }
+    static void check_value(int value) {
+        if (value != 1) {
+            fail(Status::orientation,
+                 "the loops go around some places %d times, expected 0 or 1: they cross or coincide", value);
         }
     }
     void pass(const ColumnPart &part) {

@@ -15,8 +15,8 @@ namespace nrb::face {
 namespace {
 
 constexpr size_t most_places = 4096;
-// Where errors are looked at between two places.
-constexpr std::array<double, 3> between{0.25, 0.5, 0.75};
+// How often errors are looked at between two places: beside the middle at both sides, and twice for each piece that is passed.
+constexpr int64_t least_looks = 3, most_looks = 4096;
 
 struct Place {
     double t;
@@ -117,20 +117,29 @@ private:
                                 {{fit::End::not_a_knot, fit::End::not_a_knot}});
     }
 
+    [[nodiscard]] int64_t looks(const Place &a, const Place &b) const {
+        const int64_t pieces = model_.pieces_between(a.t, a.x.data(), b.t, b.x.data());
+        return std::clamp(2 * pieces + 1, least_looks, most_looks);
+    }
     // Middles of the intervals between places in which the error is too large.
     [[nodiscard]] std::vector<double> too_far(FittedCurve &candidate) const {
         std::vector<double> params, more;
+        std::vector<int64_t> counts;
         for (size_t i = 0; i + 1 < places_.size(); ++i) {
-            for (const double share : between) {
-                params.push_back(places_[i].t + share * (places_[i + 1].t - places_[i].t));
+            const Place &a = places_[i], &b = places_[i + 1];
+            counts.push_back(looks(a, b));
+            for (int64_t j = 1; j <= counts.back(); ++j) {
+                params.push_back(a.t + (b.t - a.t) *
+                                           (static_cast<double>(j) / static_cast<double>(counts.back() + 1)));
             }
         }
         std::vector<double> errors(params.size());
         model_.errors(*candidate.spline, params, errors.data());
-        for (size_t i = 0; i + 1 < places_.size(); ++i) {
-            const auto first = errors.begin() + static_cast<std::ptrdiff_t>(i * between.size());
-            const double largest = *std::max_element(first, first + between.size());
-            candidate.error = std::max(candidate.error, largest);
+        candidate.error = *std::max_element(errors.begin(), errors.end());
+        auto first = errors.begin();
+        for (size_t i = 0; i < counts.size(); ++i) {
+            const double largest = *std::max_element(first, first + counts[i]);
+            first += counts[i];
             if (!(largest <= tolerance_) || (places_.size() == 3 && candidate.error > tolerance_)) {
                 more.push_back(places_[i].t / 2 + places_[i + 1].t / 2);
             }

@@ -18,6 +18,10 @@ public:
     virtual void place(double t, const double *near, double *out) const = 0;
     // The largest of the errors that count of a candidate at these parameters; each to its place in `errors`.
     virtual void errors(const Spline &candidate, std::span<const double> params, double *errors) const = 0;
+    // How many pieces of its own the model passes between two places, at these parameters: errors are looked at in each.
+    [[nodiscard]] virtual int64_t pieces_between(double, const double *, double, const double *) const {
+        return 1;
+    }
     // Whether a place leaves its coordinate `free` open, which then follows its neighbours.
     [[nodiscard]] virtual int open_coordinate(const double *) const { return -1; }
 };

@@ -13,6 +13,7 @@
 #include "refine/parts/cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nrb::face {
@@ -43,6 +44,27 @@ void distances(const std::vector<double> &a, const std::vector<double> &b, int d
     for (size_t i = 0; i < a.size(); i += static_cast<size_t>(dim)) {
         *out++ = distance(a.data() + i, b.data() + i, dim);
     }
+}
+
+// Spans of a surface between two places of the plane, at least 1.
+int64_t spans_between(const Spline &surface, const Covering &covering, const double *a, const double *b) {
+    int64_t spans = 1;
+    for (const int k : {0, 1}) {
+        const KnotVector &axis = surface.axis(k);
+        const double low = std::min(a[k], b[k]), high = std::max(a[k], b[k]);
+        const std::span<const double> knots = axis.knots();
+        if (covering.closed(k) && high - low >= covering.period(k)) {
+            spans += axis.count();
+            continue;
+        }
+        const Interval domain = axis.domain();
+        const auto passed = [&](double from, double to) {
+            return std::upper_bound(knots.begin(), knots.end(), to) -
+                   std::lower_bound(knots.begin(), knots.end(), from);
+        };
+        spans += low >= domain.lower && high <= domain.upper ? passed(low, high) : axis.count();
+    }
+    return spans;
 }
 
 // The nearest places to those of an edge.
@@ -79,6 +101,9 @@ public:
         // Twice the distance of the edge from the surface is taken out: it may be more between the places.
         std::transform(errors, errors + params.size(), errors,
                        [this](double error) { return std::max(error - 2 * off_, 0.0); });
+    }
+    [[nodiscard]] int64_t pieces_between(double, const double *a, double, const double *b) const override {
+        return spans_between(surface_, covering_, a, b);
     }
     [[nodiscard]] int open_coordinate(const double *x) const override {
         return open_at(point_at(surface_, covering_.in_domain({x[0], x[1]})).data());
@@ -127,6 +152,11 @@ public:
                   dim(), errors);
     }
 
+    [[nodiscard]] int64_t pieces_between(double t, const double *, double u, const double *) const override {
+        const std::vector<double> places = points_at(curve_, std::array{t, u});
+        return spans_between(surface_, covering_, places.data(), places.data() + 2);
+    }
+
 private:
     const Spline &surface_;
     const Covering &covering_;
@@ -143,12 +173,6 @@ bool inside(const Covering &covering, const Spline &curve) noexcept {
         }
     }
     return true;
-}
-
-SplinePtr composed(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
-    const int degrees = surface->axis(0).degree() + surface->axis(1).degree();
-    const bool possible = degrees * curve->axis(0).degree() <= max_degree && inside(covering, *curve);
-    return possible ? refine::compose(surface, curve) : nullptr;
 }
 
 std::vector<double> breaks_of(const Spline &curve) {
@@ -173,6 +197,12 @@ std::array<double, 2> same_places(const Spline &surface, const Covering &coverin
 
 } // namespace
 
+SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
+    const int degrees = surface->axis(0).degree() + surface->axis(1).degree();
+    const bool possible = degrees * curve->axis(0).degree() <= max_degree && inside(covering, *curve);
+    return possible ? refine::compose(surface, curve) : nullptr;
+}
+
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
                       const UnderRule &rule) {
     if (const auto chart = PlaneChart::of(*surface)) {
@@ -181,7 +211,7 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
     const Projection model(*surface, covering, *edge, rule);
     const FittedCurve fitted =
         fit_curve(model, breaks_of(*edge), same_places(*surface, covering, rule.precision), rule.precision);
-    if (const SplinePtr over = rule.prove ? composed(surface, covering, fitted.spline) : nullptr) {
+    if (const SplinePtr over = rule.prove ? composed_edge(surface, covering, fitted.spline) : nullptr) {
         const pieces::Enclosure found = bounds::deviation(*over, *edge);
         return {fitted.spline, found.upper, std::isfinite(found.upper)};
     }
@@ -190,7 +220,7 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
 
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                     double tolerance) {
-    if (SplinePtr exact = composed(surface, covering, curve)) {
+    if (SplinePtr exact = composed_edge(surface, covering, curve)) {
         return {std::move(exact), 0, true};
     }
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);

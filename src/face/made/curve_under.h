@@ -31,6 +31,9 @@ struct UnderRule {
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
                       const UnderRule &rule);
 
+// The surface composed with a curve in its domain; null where the degree would be above max_degree, or the curve leaves the domain.
+SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve);
+
 // The curve in space that a curve in the plane is mapped to: composed exactly where its degree is at most max_degree and it stays
 // in the domain, else through as many places as the tolerance takes.
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,

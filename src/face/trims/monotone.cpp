@@ -85,10 +85,9 @@ public:
             }
         }
     }
-    // A loop around a closed axis ends in a copy of the place where it began.
-    std::vector<Joint> close(const Covering &covering) {
+    std::vector<Joint> close(const Point2 &turn) {
         if (first_) {
-            join(covering.nearest_copy(*first_, *last_));
+            join({(*first_)[0] + turn[0], (*first_)[1] + turn[1]});
         }
         return std::move(joints_);
     }
@@ -162,13 +161,13 @@ private:
 
 } // namespace
 
-std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t number,
-                                   const Covering &covering, TrimPieces &out) {
+std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t number, const Point2 &turn,
+                                   TrimPieces &out) {
     LoopPieces pieces(number, out);
     for (const PlacedCurve &placed : loop) {
         pieces.add(placed);
     }
-    return pieces.close(covering);
+    return pieces.close(turn);
 }
 
 } // namespace nrb::face

@@ -23,9 +23,9 @@ struct Joint {
 // Appends the pieces of the curves of a loop one after the other, with a segment wherever one does not begin bit for bit where
 // the one before it ends. A piece is cut at the zeros of the derivatives of its coordinates, unless its coefficients rise or
 // fall, which proves that it has none (variation diminution holds for positive weights too). Returns where
-// segments were put in. Precondition: positive weights.
+// segments were put in. The loop comes back to its start moved by `turn`.
 // Cost: linear in the number of spans.
-std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t number,
-                                   const Covering &covering, TrimPieces &out);
+std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t number, const Point2 &turn,
+                                   TrimPieces &out);
 
 } // namespace nrb::face

@@ -24,12 +24,6 @@ void set_box(TrimPiece &piece) noexcept {
     }
 }
 
-// The sign of (b - a) x (x - a) for x in the box of the segment from a to b: but for the rounding of
-// the four differences exact.
-int side_of_line(const Point2 &a, const Point2 &b, const Point2 &x) noexcept {
-    return compare_products(b[0] - a[0], x[1] - a[1], b[1] - a[1], x[0] - a[0]);
-}
-
 // A part of a piece that still holds the column of a place.
 class ColumnSearch {
 public:
@@ -155,7 +149,7 @@ int TrimPieces::side(const TrimPiece &piece, const Point2 &x) const noexcept {
         return 0;
     }
     if (piece.degree == 1 && !piece.weighted) {
-        const int left = side_of_line(piece.start, piece.end, x);
+        const int left = side_of_line(piece.start.data(), piece.end.data(), x.data());
         return piece.start[0] < piece.end[0] ? -left : left;
     }
     return ColumnSearch(*this, piece, x).side();

@@ -14,8 +14,6 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-constexpr int deepest_style = 10;
-
 struct NamedColour {
     std::string_view name;
     Colour colour;
@@ -66,33 +64,43 @@ private:
         attributes.open("styles");
         while (attributes.more("styles")) {
             const int64_t style = attributes.reference("styles");
-            colour = colour ? colour : colour_below(style, deepest_style);
+            colour = colour ? colour : colour_below(style);
         }
         const int64_t item = attributes.reference("item");
         if (colour) {
             styled_.push_back({*colour, faces_below(item)});
         }
     }
-    // Through what presents surfaces; curves have colours of their own.
-    std::optional<Colour> colour_below(int64_t number, int depth) {
-        const int64_t place = instances_.find(number);
-        if (place < 0 || depth == 0) {
-            return std::nullopt;
+    // Through what presents surfaces, in the order of the file; curves have colours of their own.
+    std::optional<Colour> colour_below(int64_t style) {
+        std::vector<int64_t> waiting{style};
+        std::set<int64_t> seen;
+        while (!waiting.empty()) {
+            const int64_t number = waiting.back();
+            waiting.pop_back();
+            const int64_t place = instances_.find(number);
+            if (place < 0 || !seen.insert(number).second) {
+                continue;
+            }
+            entities_.spend(1); // many items may share many styles
+            const Instance &instance = instances_[place];
+            if (instance.kind() == Kind::colour) {
+                return colour_of(instance);
+            }
+            if (presents_surfaces(instance)) {
+                const auto first = std::ssize(waiting);
+                for_each_reference(instances_.text(), instance,
+                                   [&](int64_t next) { waiting.push_back(next); });
+                std::reverse(waiting.begin() + first, waiting.end());
+            }
+            count_work(16);
         }
-        const Instance &instance = instances_[place];
-        if (instance.kind() == Kind::colour) {
-            return colour_of(instance);
-        }
+        return std::nullopt;
+    }
+    [[nodiscard]] bool presents_surfaces(const Instance &instance) const {
         const std::string_view keyword = instances_.keyword(instance);
-        if (instance.kind() != Kind::other || keyword.find("CURVE_STYLE") != std::string_view::npos ||
-            keyword.find("POINT_STYLE") != std::string_view::npos) {
-            return std::nullopt;
-        }
-        std::optional<Colour> found;
-        for_each_reference(instances_.text(), instance,
-                           [&](int64_t next) { found = found ? found : colour_below(next, depth - 1); });
-        count_work(16);
-        return found;
+        return instance.kind() == Kind::other && keyword.find("CURVE_STYLE") == std::string_view::npos &&
+               keyword.find("POINT_STYLE") == std::string_view::npos;
     }
     std::optional<Colour> colour_of(const Instance &instance) const {
         Attributes attributes(instances_, instance);

@@ -54,7 +54,7 @@ public:
 
 private:
     static constexpr int deepest = 24;
-    static constexpr int64_t most_for_a_byte = 4; // doubles
+    static constexpr int64_t most_for_a_byte = 6; // doubles
     static constexpr int64_t most_at_least = 1 << 16;
 
     const Instances &instances_;

@@ -19,6 +19,8 @@ namespace {
 
 // Of curves that are made, as a part of the size of the surface: files state uncertainties that are much larger.
 constexpr double share_of_precision = 0x1p-22;
+// What files may state but not hold: coordinates are written with fewer digits.
+constexpr double share_of_rounding = 0x1p-36;
 
 double size_of(const Spline &surface) {
     double size = 0;
@@ -94,10 +96,11 @@ public:
         for (Bound &bound : bounds_) {
             source.parts.loops.push_back(std::move(bound.loop));
         }
-        source.parts.tolerance = tolerance_;
         source.parts.as_oriented = true;
+        const double size = size_of(*source.parts.surface);
+        source.parts.tolerance = std::max(tolerance_, share_of_rounding * size);
         source.parts.precision =
-            std::min(tolerance_ / 2, share_of_precision * size_of(*source.parts.surface));
+            std::max(std::min(tolerance_ / 2, share_of_precision * size), share_of_rounding * size);
         source.parts.prove = false;
         return source;
     }
@@ -161,7 +164,7 @@ private:
         std::vector<Point> corners;
         attributes.open("polygon");
         while (attributes.more("polygon")) {
-            entities_.spend(12);
+            entities_.spend(Entities::size_of_a_shape);
             corners.push_back(read_point(entities_, attributes.reference("polygon"), attributes, "polygon",
                                          geometry_.units().length));
         }

@@ -24,6 +24,8 @@ using step::Units;
 // Where a file states no uncertainty, and how often larger ones are tried.
 constexpr double usual_tolerance = 1e-7;
 constexpr int most_tolerances = 5;
+// Doubles that a piece of a loop takes in the maps of its face.
+constexpr int64_t size_of_a_piece = 64;
 
 class ModelReader : public step::Source {
 public:
@@ -93,6 +95,7 @@ private:
         const Instance &instance = instances_[place];
         const Units units = units_of(place);
         double tolerance = units.tolerance > 0 ? units.tolerance : usual_tolerance;
+        entities_.spend(step::Entities::size_of_a_shape);
         for (int attempt = 0;; ++attempt, tolerance *= 10) {
             try {
                 add_face(place, units, tolerance);
@@ -124,7 +127,19 @@ private:
             made.colour = colour->second;
         }
         made.face = face_of(std::move(source.parts));
+        spend(*made.face);
         model_.faces.push_back(std::move(made));
+    }
+    // What the face took beyond its surface, whatever its loops share with others.
+    void spend(const face::Face &made) {
+        for (const face::Loop &loop : made.loops()) {
+            for (const face::Coedge &coedge : loop) {
+                entities_.spend(step::Entities::size_of_a_shape + 3 * coedge.curve->point_count());
+            }
+        }
+        for (const face::TrimPiece &piece : made.trims().pieces().all()) {
+            entities_.spend(size_of_a_piece + 3 * piece.degree);
+        }
     }
     // Loops as the file has them, or turned where that makes no sense.
     static face::FacePtr face_of(face::FaceParts parts) {

@@ -115,9 +115,11 @@ void Source::note_item(const Instance &owner, int64_t number) {
         return note_unread(owner, ("#" + std::to_string(number) + " is not in the file").c_str());
     }
     const Instance &item = instances_[place];
-    const bool context = is_context(instances_, item);
-    if (item.kind() == Kind::other && !context && !part_[static_cast<size_t>(place)]) {
-        part_[static_cast<size_t>(place)] = true; // one note is enough
+    if (item.kind() == Kind::other && !part_[static_cast<size_t>(place)]) {
+        part_[static_cast<size_t>(place)] = true; // one look is enough
+        if (is_context(instances_, item)) {
+            return;
+        }
         note_unread(item, "does not become a spline in this version");
     }
 }
