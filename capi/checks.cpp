@@ -28,12 +28,6 @@ const Spline &surface_of(const ::nurbs *g) {
     return spline;
 }
 
-void check_axes(int32_t axes) {
-    if (axes < 1 || axes > max_axes) {
-        fail(Status::axes, "axes = %d, expected 1 to %d", axes, max_axes);
-    }
-}
-
 void check_axis(const Spline &spline, int32_t axis) {
     if (axis < 0 || axis >= spline.axes()) {
         fail(Status::axis, "axis = %d, expected 0 to %d", axis, spline.axes() - 1);

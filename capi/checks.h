@@ -34,7 +34,6 @@ inline const Spline &spline_of(const ::nurbs *g) {
 const Spline &curve_of(const ::nurbs *g);
 const Spline &surface_of(const ::nurbs *g);
 
-void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
 // Throws NURBS_ERROR_FACTOR unless it is finite.

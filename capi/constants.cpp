@@ -96,6 +96,7 @@ static_assert(static_cast<int>(Status::syntax) == NURBS_ERROR_SYNTAX);
 static_assert(static_cast<int>(Status::unsupported) == NURBS_ERROR_UNSUPPORTED);
 static_assert(static_cast<int>(Status::checksum) == NURBS_ERROR_CHECKSUM);
 static_assert(static_cast<int>(Status::version) == NURBS_ERROR_VERSION);
+static_assert(static_cast<int>(Status::cycle) == NURBS_ERROR_CYCLE);
 static_assert(static_cast<int>(Status::internal) == NURBS_ERROR_INTERNAL);
 
 static_assert(static_cast<int>(closest::closest_certified) == NURBS_CLOSEST_CERTIFIED);

@@ -43,7 +43,7 @@ void tell(const fit::Fitted &fit, int64_t data_count, int dim, double largest, i
     report->residual = fit.residual;
     report->largest = largest;
     report->largest_index = index;
-    report->bits = fit.reached ? 0 : NURBS_FIT_TARGET_MISSED;
+    report->bits = (fit.reached ? 0 : NURBS_FIT_TARGET_MISSED) | (fit.settled ? 0 : NURBS_FIT_NOT_CONVERGED);
     report->rounds = 1;
     report->outliers = 0;
 }

@@ -66,6 +66,16 @@ nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_count, doubl
     });
 }
 
+nurbs_status nurbs_short_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots, int64_t *count) {
+    return guard([&] {
+        const KnotVector &own = axis_of(g, axis);
+        if (own.degree() < 1) {
+            fail(Status::degree, "axis %d has degree 0, expected at least 1 for a short knot vector", axis);
+        }
+        give_knots(own.knots().subspan(1, own.knots().size() - 2), cap, knots, count);
+    });
+}
+
 nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots,
                                   int32_t *multiplicities, int64_t *count) {
     return guard([&] {

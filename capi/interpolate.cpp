@@ -40,34 +40,39 @@ std::vector<int64_t> checked_counts(int32_t axes, const int64_t *counts) {
     return {counts, counts + axes};
 }
 
-// All of the points, packed; there may be NaN at those that may_be_unknown(index).
+// There may be NaN at points that may_be_unknown(index).
 template <class Unknown>
-std::vector<double> finite_points(const char *name, const Points &points, int64_t count,
-                                  Unknown &&may_be_unknown) {
-    check_dimension(points.dim);
-    std::vector<double> values =
-        packed(input(name, points.data, count, points.dim, points.stride, points.component_stride));
+void check_finite(const char *name, std::span<const double> values, int dim, Unknown &&may_be_unknown) {
     if (all_finite(values)) {
-        return values;
+        return;
     }
     for (size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]) &&
-            !(std::isnan(values[i]) && may_be_unknown(static_cast<int64_t>(i) / points.dim))) {
+            !(std::isnan(values[i]) && may_be_unknown(static_cast<int64_t>(i) / dim))) {
             fail(Status::point_not_finite, "%s[%zu][%zu] = %s is not finite", name,
-                 i / static_cast<size_t>(points.dim), i % static_cast<size_t>(points.dim),
-                 Number(values[i]).text);
+                 i / static_cast<size_t>(dim), i % static_cast<size_t>(dim), Number(values[i]).text);
         }
     }
-    return values;
+}
+
+void check_finite(const char *name, std::span<const double> values, int dim) {
+    check_finite(name, values, dim, [](int64_t) { return false; });
+}
+
+ConstRecords records(const char *name, const Points &points, int64_t count) {
+    check_dimension(points.dim);
+    return input(name, points.data, count, points.dim, points.stride, points.component_stride);
 }
 
 std::vector<double> finite_points(const char *name, const Points &points, int64_t count) {
-    return finite_points(name, points, count, [](int64_t) { return false; });
+    std::vector<double> values = packed(records(name, points, count));
+    check_finite(name, values, points.dim);
+    return values;
 }
 
-// A grid without its points, of which there are `total`.
-fit::PointGrid checked_axes_of_grid(std::vector<int64_t> counts, int dim, uint32_t flags, int64_t &total) {
-    fit::PointGrid grid{std::move(counts), dim, {}};
+// The shape of a grid of `total` points.
+fit::GridShape checked_shape(std::vector<int64_t> counts, int dim, uint32_t flags, int64_t &total) {
+    fit::GridShape grid{std::move(counts), dim};
     total = 1;
     for (size_t k = 0; k < grid.counts.size(); ++k) {
         total = checked_product(total, grid.counts[k], "points");
@@ -79,24 +84,24 @@ fit::PointGrid checked_axes_of_grid(std::vector<int64_t> counts, int dim, uint32
 
 fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, uint32_t flags) {
     int64_t total = 1;
-    fit::PointGrid grid = checked_axes_of_grid(std::move(counts), points.dim, flags, total);
-    grid.points = finite_points("points", points, total);
-    return grid;
+    fit::GridShape shape = checked_shape(std::move(counts), points.dim, flags, total);
+    return {std::move(shape), finite_points("points", points, total)};
 }
 
 // Of layers, whose mixed derivatives may be NaN.
 fit::PointGrid checked_grid_of_layers(std::vector<int64_t> counts, const Points &values,
                                       const std::vector<fit::AxisLayers> &layers, uint32_t flags) {
     int64_t total = 1;
-    fit::PointGrid grid = checked_axes_of_grid(std::move(counts), values.dim, flags, total);
-    grid.points = finite_points("values", values, total, [&](int64_t point) {
-        std::vector<int64_t> place(grid.counts.size());
-        for (size_t k = place.size(); k-- > 0; point /= grid.counts[k]) {
-            place[k] = point % grid.counts[k];
+    fit::GridShape shape = checked_shape(std::move(counts), values.dim, flags, total);
+    std::vector<double> points = packed(records("values", values, total));
+    check_finite("values", points, values.dim, [&](int64_t point) {
+        std::vector<int64_t> place(shape.counts.size());
+        for (size_t k = place.size(); k-- > 0; point /= shape.counts[k]) {
+            place[k] = point % shape.counts[k];
         }
         return fit::is_mixed(layers, place);
     });
-    return grid;
+    return {std::move(shape), std::move(points)};
 }
 
 // The sum of the counts, each of which is a factor of the number of points, so that it does not overflow.
@@ -143,7 +148,7 @@ void check_rule(int32_t rule, double exponent) {
 }
 
 // The full knot vectors of all axes, over which an axis has as many distinct layers as data.
-Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::PointGrid &grid, const double *knots,
+Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::GridShape &grid, const double *knots,
                           int64_t knot_count) {
     std::vector<int64_t> sizes(degrees.size());
     int64_t total = 0;
@@ -165,12 +170,11 @@ Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::PointGrid 
     return axes;
 }
 
-// The condition at i; one of a direction is of order 1.
-fit::Condition condition_at(int64_t i, int degree, const double *params, const int32_t *orders) {
+// The order of a condition; that of a direction is 1.
+int32_t checked_order(int64_t i, int degree, double param, int32_t order) {
     const long long at = i;
-    const int32_t order = orders == nullptr ? 0 : orders[i];
-    if (!std::isfinite(params[i])) {
-        fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(params[i]).text);
+    if (!std::isfinite(param)) {
+        fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(param).text);
     }
     constexpr int highest = 15; // above 20 rounding decides which lengths have the least energy
     if (order == NURBS_ORDER_DIRECTION && (degree < 2 || degree > highest)) {
@@ -181,20 +185,19 @@ fit::Condition condition_at(int64_t i, int degree, const double *params, const i
         fail(Status::order, "orders[%lld] = %d, expected 0 to %d, the degree, or NURBS_ORDER_DIRECTION", at,
              order, degree);
     }
-    return {params[i], order == NURBS_ORDER_DIRECTION ? 1 : order};
+    return order == NURBS_ORDER_DIRECTION ? 1 : order;
 }
 
-// Parameters that do not decrease, with orders that rise where they are equal.
-void check_next(const fit::Condition &before, const fit::Condition &next, int64_t i) {
-    const long long at = i;
-    if (next.param < before.param) {
-        fail(Status::knots_decreasing, "params[%lld] = %s, expected at least params[%lld] = %s", at,
-             Number(next.param).text, at - 1, Number(before.param).text);
+// Parameters that do not decrease, with orders that rise where they are equal, at i and before it.
+void check_next(const fit::CurveConditions &given, size_t i) {
+    const double before = given.params[i - 1], next = given.params[i];
+    if (next < before) {
+        fail(Status::knots_decreasing, "params[%zu] = %s, expected at least params[%zu] = %s", i,
+             Number(next).text, i - 1, Number(before).text);
     }
-    if (next.param == before.param && next.order <= before.order) {
-        fail(Status::order,
-             "orders[%lld] = %d, expected more than orders[%lld] = %d at the same parameter %s", at,
-             next.order, at - 1, before.order, Number(next.param).text);
+    if (next == before && given.orders[i] <= given.orders[i - 1]) {
+        fail(Status::order, "orders[%zu] = %d, expected more than orders[%zu] = %d at the same parameter %s",
+             i, given.orders[i], i - 1, given.orders[i - 1], Number(next).text);
     }
 }
 
@@ -211,12 +214,13 @@ fit::CurveConditions checked_conditions(int degree, int64_t n, const double *par
     require(targets.data, "targets");
     check_degree(degree, -1);
     check_at_least(n, 1, "n");
-    fit::CurveConditions given{{}, {}, targets.dim, finite_points("targets", targets, n)};
-    given.conditions.reserve(static_cast<size_t>(n));
+    fit::CurveConditions given{
+        {params, params + n}, {}, {}, targets.dim, finite_points("targets", targets, n)};
+    given.orders.reserve(static_cast<size_t>(n));
     for (int64_t i = 0; i < n; ++i) {
-        given.conditions.push_back(condition_at(i, degree, params, orders));
+        given.orders.push_back(checked_order(i, degree, params[i], orders == nullptr ? 0 : orders[i]));
         if (i > 0) {
-            check_next(given.conditions[static_cast<size_t>(i) - 1], given.conditions.back(), i);
+            check_next(given, static_cast<size_t>(i));
         }
         if (orders != nullptr && orders[i] == NURBS_ORDER_DIRECTION) {
             given.directions.push_back(i);
@@ -230,7 +234,7 @@ KnotVectorPtr knots_for(int degree, std::span<const double> params, const double
                         uint32_t flags) {
     const bool periodic = decode_periodic(flags, 1, 0);
     if (knots != nullptr && knot_count != 0) {
-        fit::PointGrid grid{{std::ssize(params)}, 1, {}};
+        fit::GridShape grid{{std::ssize(params)}, 1};
         grid.periodic[0] = periodic;
         return checked_axes({degree}, grid, knots, knot_count)[0];
     }
@@ -250,15 +254,18 @@ nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim,
                                int64_t point_stride, int64_t point_component_stride, int32_t rule,
                                double exponent, uint32_t flags, double *params) {
     return guard([&] {
-        const fit::PointGrid grid = checked_grid(checked_counts(axes, counts),
-                                                 {dim, points, point_stride, point_component_stride}, flags);
+        int64_t total = 1;
+        const fit::GridShape grid = checked_shape(checked_counts(axes, counts), dim, flags, total);
+        const ConstRecords given =
+            records("points", {dim, points, point_stride, point_component_stride}, total);
+        std::vector<double> room;
+        const std::span<const double> values = packed(given, room);
+        check_finite("points", values, dim);
         check_rule(rule, exponent);
         require(params, "params");
-        const int64_t n = sum_of(grid.counts), total = std::ssize(grid.points) / dim;
-        check_overlap("params", output("params", params, n, 1, 1, 1), "points",
-                      input("points", points, total, dim, point_stride, point_component_stride));
+        check_overlap("params", output("params", params, sum_of(grid.counts), 1, 1, 1), "points", given);
         const std::vector<double> made =
-            fit::parametrize(grid, static_cast<fit::ParameterRule>(rule), exponent);
+            fit::parametrize(grid, values, static_cast<fit::ParameterRule>(rule), exponent);
         std::copy(made.begin(), made.end(), params);
     });
 }

@@ -129,7 +129,52 @@ void check_index(int64_t index, int64_t size) {
     }
 }
 
+const char *checked_name(const char *const *names, int64_t index) {
+    if (names[index] == nullptr) {
+        fail(Status::null, "names[%lld] is NULL", static_cast<long long>(index));
+    }
+    return names[index];
+}
+
 } // namespace
+
+namespace nrb::capi {
+
+const model::Model &contents_of(const nurbs_list *list, model::Model &room) {
+    if (const auto *const model = std::get_if<model::Model>(&checked(list).contents)) {
+        return *model;
+    }
+    std::visit(
+        [&](const auto &contents) {
+            for (int64_t i = 0; i < size_of(contents); ++i) {
+                room.splines.push_back({name_at(contents, i), spline_at(contents, i)});
+            }
+        },
+        list->contents);
+    return room;
+}
+
+} // namespace nrb::capi
+
+nurbs_status nurbs_list_create(int64_t count, const nurbs *const *splines, const char *const *names,
+                               double metres, nurbs_list **out) {
+    return guard([&] {
+        require_out(out);
+        check_length(count, "count");
+        std::vector<SplinePtr> given;
+        if (count > 0) {
+            given = splines_of(count, splines, "splines");
+        }
+        model::Model made{{}, {}, metres};
+        for (SplinePtr &spline : given) {
+            const int64_t index = size_of(made);
+            std::string name = names == nullptr ? std::to_string(index) : checked_name(names, index);
+            made.splines.push_back({std::move(name), std::move(spline)});
+        }
+        model::check_metres(metres);
+        *out = new nurbs_list{std::move(made)};
+    });
+}
 
 nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count) {
     return guard([&] {

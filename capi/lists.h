@@ -21,5 +21,7 @@ std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, co
 void check_buffer(const char *buf, int64_t cap);
 // As much of a text as fits, and its length.
 void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length) noexcept;
+// All of a list, which is made in `room` where it is not kept so.
+const model::Model &contents_of(const nurbs_list *list, model::Model &room);
 
 } // namespace nrb::capi

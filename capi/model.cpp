@@ -14,8 +14,6 @@
 #include "io/formats.h"
 #include "model/from_faces.h"
 
-#include <cmath>
-
 using namespace nrb;
 using namespace nrb::capi;
 
@@ -121,9 +119,7 @@ nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const *faces, d
         if (count > 0) {
             require(faces, "faces");
         }
-        if (!(std::isfinite(metres) && metres >= 0)) {
-            fail(Status::factor, "metres = %s, expected a finite value >= 0", Number(metres).text);
-        }
+        model::check_metres(metres);
         std::vector<face::FacePtr> given;
         for (int64_t i = 0; i < count; ++i) {
             if (faces[i] == nullptr) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace nrb::capi {
 
@@ -38,6 +39,14 @@ inline int64_t checked_cap(int64_t cap, int64_t needed) {
              static_cast<long long>(needed));
     }
     return cap == 0 ? 0 : needed;
+}
+
+// As many knots as the caller has room for, or their number.
+inline void give_knots(std::span<const double> own, int64_t cap, double *knots, int64_t *count) {
+    const int64_t filled = checked_cap(cap, std::ssize(own));
+    check_apart({memory("knots", knots, filled), memory("count", count, 1)}, {});
+    put_all(knots, own.first(static_cast<size_t>(filled)));
+    put(count, std::ssize(own));
 }
 
 // An output as the caller describes it: records of `width` values.

@@ -15,11 +15,19 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k) {
     return (flags & NURBS_ON_AXIS(k, NURBS_PERIODIC)) != 0;
 }
 
+namespace {
+
+bool one_after_the_other(const ConstRecords &view) noexcept {
+    return view.component_stride == 1 && (view.stride == view.width || view.count == 1);
+}
+
+} // namespace
+
 std::vector<double> packed(ConstRecords view) {
     const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));
     std::vector<double> values;
     values.reserve(size + Spline::padding); // so that a spline need not move them
-    if (view.component_stride == 1 && (view.stride == view.width || view.count == 1)) {
+    if (one_after_the_other(view)) {
         values.assign(view.data, view.data + size);
         return values;
     }
@@ -33,12 +41,11 @@ std::vector<double> packed(ConstRecords view) {
     return values;
 }
 
-void check_dimension(int32_t dim) {
-    constexpr int32_t largest =
-        std::numeric_limits<int32_t>::max() - 1; // a homogeneous record has one more value
-    if (dim < 1 || dim > largest) {
-        fail(Status::dimension, "dim = %d, expected 1 to %d", dim, largest);
+std::span<const double> packed(ConstRecords view, std::vector<double> &room) {
+    if (one_after_the_other(view)) {
+        return {view.data, static_cast<size_t>(checked_product(view.count, view.width, "points"))};
     }
+    return room = packed(view);
 }
 
 AxesData::AxesData(int32_t axes, const int32_t *degrees, const int64_t *counts, uint32_t flags)

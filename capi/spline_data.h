@@ -59,8 +59,8 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k);
 
 // The records one after the other, with memory after them for the padding of a spline.
 std::vector<double> packed(ConstRecords view);
-// 1 <= dim, and a homogeneous record still has a width; otherwise NURBS_ERROR_DIMENSION.
-void check_dimension(int32_t dim);
+// The same to be read: those of the caller, or in `room` where they are not one after the other.
+std::span<const double> packed(ConstRecords view, std::vector<double> &room);
 
 struct PointsData {
     int32_t dim;

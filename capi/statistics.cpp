@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Statistics of data.
+#include "bytes.h"
 #include "fit_arguments.h"
 #include "guard.h"
-#include "outputs.h"
 #include "spline_data.h"
 #include "structs.h"
 #include "watched.h"
@@ -13,7 +13,6 @@
 #include "io/binary/statistics_bytes.h"
 
 #include <cmath>
-#include <cstring>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -218,24 +217,14 @@ nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statistics, int64
                                        int64_t *length) {
     return guard([&] {
         const fit::Statistics &own = *statistics_of(statistics);
-        const auto needed = static_cast<int64_t>(io::size_in_bytes(own));
-        if (checked_cap(cap, needed) > 0 && bytes != nullptr) {
-            check_apart({{"bytes", bytes, cap}, memory("length", length, 1)}, {});
-            const std::vector<unsigned char> made = io::to_bytes(own);
-            std::memcpy(bytes, made.data(), made.size());
-        }
-        put(length, needed);
+        give_bytes(io::size_in_bytes(own), cap, bytes, length,
+                   [&](std::span<unsigned char> out) { io::write_bytes(own, out); });
     });
 }
 
 nurbs_status nurbs_statistics_from_bytes(const void *bytes, int64_t size, nurbs_statistics **out) {
     return guard([&] {
         require_out(out);
-        check_length(size, "size");
-        if (size > 0) {
-            require(bytes, "bytes");
-        }
-        give(io::statistics_from({static_cast<const unsigned char *>(bytes), static_cast<size_t>(size)}),
-             out);
+        give(io::statistics_from(checked_bytes(bytes, size)), out);
     });
 }

@@ -71,7 +71,8 @@ def constants(manual):
 
 def attributes(manual, parameter):
     """Type and attributes of a dummy argument."""
-    handle = parameter.base in manual.handles or parameter.base == "void"
+    texts = parameter.base == "char" and parameter.pointers == 2
+    handle = texts or parameter.base in manual.handles or parameter.base == "void"
     if handle and parameter.pointers < 2:
         return "type(c_ptr), value"
     if parameter.pointers == 0:

@@ -50,7 +50,7 @@ class Maker:
                 return "splines" if base == "nurbs" else "handles"
             return KINDS[base]
         if base == "char":
-            return "text" if parameter.direction == "out" else "path"
+            return "texts" if pointers == 2 else "text" if parameter.direction == "out" else "path"
         if base in {struct.name for struct in self.manual.structs}:
             return "options"
         if base == "void":
@@ -87,7 +87,7 @@ class Maker:
             raise MethodError(f"shape.{name}: there is no parameter {name}")
         for value in self.values.values():
             shape = shapes.get(value.name, value.parameter.shape)
-            if value.kind in ("array", "splines", "handles", "bytes") and shape:
+            if value.kind in ("array", "splines", "handles", "texts", "bytes") and shape:
                 value.extents = reader.shape(shape)
         self.definitions = {name: reader.term(text) for name, text in where.items() if name in numbers}
 

@@ -28,7 +28,7 @@ class Value:
     kind   "spline", "list", "statistics", "face", "model": a handle; "splines", "handles": an array of those of splines, of
            others;
            "number"; "array" of numbers, also with strides; "stride", "component_stride": of the array `of`; "text":
-           characters; "path": a zero-terminated text; "bytes"; "options": a struct; "count": how much there is for the
+           characters; "path": a zero-terminated text; "texts": an array of those; "bytes"; "options": a struct; "count": how much there is for the
            parameter cap, "cap" itself
     """
 
@@ -146,7 +146,7 @@ class Method:
         """Pointers that this method passes as NULL."""
         own = {self.receiver, *self.given}
         return [value for value in self.values.values()
-                if not value.is_output and value.kind in ("array", "splines", "handles", "options", "path", "bytes", *HANDLES)
+                if not value.is_output and value.kind in ("array", "splines", "handles", "options", "path", "texts", "bytes", *HANDLES)
                 and value.name not in own]
 
     def sources(self, name):

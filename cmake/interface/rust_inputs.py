@@ -31,6 +31,9 @@ class Inputs:
             self.compute(value)
         for name in self.order():
             self.check(self.values[name])
+        for name in self.reach:
+            if self.values[name].kind == "texts":
+                self.texts(self.values[name])
 
     def taken_by(self, argument):
         if isinstance(argument.pattern, By):
@@ -119,6 +122,10 @@ class Inputs:
         if value.kind == "handles":
             return f"{KINDS[value.base]}_handles"
         return "some_handles" if types.may_miss(self.method, value) else "handles"
+
+    def texts(self, value):
+        n = self.terms.product(value.extents)
+        self.statements.append(f'let {value.name} = Texts::new({self.reach[value.name]}, {n}, "{value.name}")?;')
 
     def may_lack(self, value, argument):
         """Whether it is an Option."""
@@ -311,7 +318,7 @@ class Inputs:
             return [f"{self.handle(name)}.raw()"]
         if value.kind == "options":
             return [self.struct(value)]
-        if value.kind == "path":
+        if value.kind in ("path", "texts"):
             return [f"{name}.as_ptr()"]
         if value.kind == "bytes":
             return [f"{self.reach[name]}.as_ptr().cast()"]

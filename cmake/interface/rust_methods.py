@@ -19,7 +19,7 @@ CRATE = {
     "call": ["Call"],
     "data": ["cloud_options_pointer", "fit_options_pointer", "CloudOptions", "CloudReport", "Data", "FitOptions", "FitReport"],
     "error": ["check", "value", "Result"],
-    "list": ["options_pointer", "path_text", "written", "List", "ReadOptions"],
+    "list": ["options_pointer", "path_text", "written", "List", "ReadOptions", "Texts"],
     "moments": ["moments_of"],
     "placement": ["dimension_of", "pointer", "require_length", "Placement", "Turn"],
     "sizes": ["axes_of", "basis_width", "bezier_count", "bezier_points", "homogeneous", "knot_count", "matrix_size",

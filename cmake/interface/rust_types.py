@@ -128,6 +128,8 @@ def taken_type(method, argument, value, binding):
         return f"&[&{model.HANDLES[KINDS[value.base]]}]"
     if value.kind == "path":
         return "impl AsRef<Path>"
+    if value.kind == "texts":
+        return "&[&str]"
     if value.kind == "bytes":
         return "&[u8]"
     if value.kind == "options":

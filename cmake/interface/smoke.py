@@ -96,7 +96,7 @@ def suits(method, values):
     for name, value in method.values.items():
         given = values.get(name, Null())
         absent = isinstance(given, (Null, Slot, NewHandle))
-        if value.is_output or value.kind not in ("array", "splines", "handles", "path", "bytes", "options", *HANDLES):
+        if value.is_output or value.kind not in ("array", "splines", "handles", "path", "texts", "bytes", "options", *HANDLES):
             continue
         if not absent and name not in own or absent and name in own and not value.nullable:
             return False

@@ -177,7 +177,7 @@
  * reads them, and generates declarations for other languages and manual pages from them.
  *
  * - **Types.** Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char
- *   buffers, bytes (`const void *`) and opaque handles, structs of these, and one callback (nurbs_progress),
+ *   buffers, arrays of texts, bytes (`const void *`) and opaque handles, structs of these, and one callback (nurbs_progress),
  *   nothing else; nurbs_status is an int32_t. Arrays of float are results in single precision; their strides
  *   count floats. Structs are passed by pointers, and have the layout of C. The texts of their fields begin
  *   as those of parameters do, with a shape and `or NULL`. Constants are ints, except that those that end
@@ -371,6 +371,7 @@ enum {
     NURBS_ERROR_UNSUPPORTED = 403, /**< an entity that this version does not read (only in notes) */
     NURBS_ERROR_CHECKSUM = 404,    /**< bytes of a handle are not those that were written */
     NURBS_ERROR_VERSION = 405,     /**< bytes of a handle have a later version of the form */
+    NURBS_ERROR_CYCLE = 406,       /**< entities of a file contain each other (only in notes) */
     /* internal */
     NURBS_ERROR_INTERNAL = 900 /**< a defect of the library; please report it */
 };
@@ -496,12 +497,13 @@ enum {
 /** \name What nurbs_fit_report tells besides
  * @{ */
 #define NURBS_FIT_TARGET_MISSED 0x01 /**< no smoothing leaves as little as the target asks for */
-#define NURBS_FIT_NOT_CONVERGED 0x02 /**< the rounds of a robust fit still changed it at their end */
+#define NURBS_FIT_NOT_CONVERGED 0x02 /**< rounds of a robust fit, or of a shape, still changed it */
 /** @} */
 
 /** \name What nurbs_cloud_report tells besides
  * @{ */
-#define NURBS_CLOUD_NOT_CONVERGED 0x01 /**< the rounds ended while the sum still fell */
+#define NURBS_CLOUD_NOT_CONVERGED                                                                            \
+    0x01 /**< the rounds, or the limit of work, ended while the sum still fell */
 /** @} */
 
 /** \name Rules for tangents, for nurbs_tangents()
@@ -577,13 +579,16 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * (tables and trees, built at the first call that needs them, which takes as long as that takes) is not
  * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at
  * the end of its budget, with what is proven so far: in a batch the points that are left get what is found
- * without a search. Any other function returns NURBS_ERROR_WORK and writes nothing.
+ * without a search. Fits to a tolerance, approximations and fits of clouds search with half of it, and answer
+ * with the best that they met if the rest is enough to finish that. Any other function returns NURBS_ERROR_WORK
+ * and writes nothing.
  *
  * **Without a limit of the caller's** the functions that go on until something holds (distances of two
- * splines, features of curves, the fold test, constraints, bends, free-form deformations) have one of their
- * own: some 800000000 multiply-adds, about a second, and 20000 or 200000 for each control point. They answer
- * there as at a limit of the caller's, with NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK. A larger
- * `work`, or a budget, takes its place.
+ * splines, features of curves, the fold test, constraints, bends, free-form deformations, fits to a tolerance
+ * and of clouds, approximations) have one of their own: some 10^9 multiply-adds, about a second, and 20000 to
+ * 1500000 for each control point or datum. They answer there as at a limit of the caller's, with
+ * NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK; fits always have an answer. A larger `work`, or a
+ * budget, takes its place.
  * @{ */
 
 /** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends
@@ -698,6 +703,37 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
                                                    const double *points, int64_t point_stride,
                                                    int64_t point_component_stride, const double *weights,
                                                    int64_t weight_stride, uint32_t flags, nurbs **out);
+
+/** \brief A spline whose periodic axes are given without what they repeat: each control point once, and the
+ * knots of one period. On an axis with flag NURBS_PERIODIC counts[k] = m >= 1 is the number of control
+ * points that differ, and the knots are m + 1 values u_0 <= ... <= u_m, u_0 < u_m, where u_m is u_0 a period
+ * T = u_m - u_0 later; the domain is [u_0, u_m]. With u_(i + j m) = u_i + j T and P_(i + j m) = P_i for all
+ * integers j,
+ *
+ *     C(t) = sum over all i of P_i N_i(t), where N_i is the B-spline of degree p on u_(i-p), ..., u_(i+1).
+ *
+ * What is stored is the full form of nurbs_create(), which nurbs_knots_periodic() describes: m + p control
+ * points, the last p of which repeat the first, and m + 2 p + 1 knots, with u_0 = t_p. m may be less than p:
+ * points then repeat several times. A knot occurs at most p + 1 times in a period, where copies of u_0 and
+ * of u_m count as those of one knot, u_m itself left out. Other axes are as for nurbs_create();
+ * nurbs_unwrapped_knots() and nurbs_unwrapped_points() give all of it back, bit for bit.
+ * \param[in] axes,degrees,dim,point_stride,point_component_stride,weight_stride,flags as for nurbs_create().
+ * \param[in] counts [axes] number of control points along each axis, m on periodic ones.
+ * \param[in] knots [knot_count] the knots of all axes, one after the other.
+ * \param[in] knot_count total number of knots: the sum of counts[k] + 1 for periodic axes, counts[k] +
+ *   degrees[k] + 1 for others.
+ * \param[in] points [N][dim] Cartesian control points, last axis fastest; N = counts[0] * ... *
+ *   counts[axes-1].
+ * \param[in] weights [N] or NULL for a polynomial spline.
+ * \param[out] out the new handle.
+ * \return as for nurbs_create(), without _END_MULTIPLICITY, _PERIODIC_KNOTS, _PERIODIC_POINTS on periodic
+ *   axes; _NOT_REPRESENTABLE also if knots beside the period overflow, or too many become equal by rounding.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_create_periodic(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                                             const double *knots, int64_t knot_count, int32_t dim,
+                                             const double *points, int64_t point_stride,
+                                             int64_t point_component_stride, const double *weights,
+                                             int64_t weight_stride, uint32_t flags, nurbs **out);
 
 /** \brief A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, N in
  * all, no knots.
@@ -895,6 +931,18 @@ NURBS_API nurbs_status nurbs_is_homogeneous(const nurbs *g, int32_t *homogeneous
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_count, double *knots);
 
+/** \brief The knots of an axis without the first and the last one, as nurbs_create_short() takes them and
+ * openNURBS, Rhino and Maya keep them. The form with multiplicities is that of nurbs_distinct_knots().
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, of degree >= 1.
+ * \param[in] cap length of knots; 0 asks for the number only.
+ * \param[out] knots [cap] or NULL: receives the knots.
+ * \param[out] count or NULL: their number, count + degree - 1 of the axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _DEGREE, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_short_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots,
+                                         int64_t *count);
+
 /** \brief The distinct knots of an axis and how often each occurs; those outside the domain are included.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
@@ -963,6 +1011,40 @@ NURBS_API nurbs_status nurbs_weights(const nurbs *g, int64_t count, double *weig
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_homogeneous_points(const nurbs *g, int64_t count, double *points,
                                                 int64_t point_stride, int64_t point_component_stride);
+
+/** \brief Number of control points along an axis, each counted once: count - degree on a periodic axis, count
+ * on any other.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[out] count the number.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_unwrapped_count(const nurbs *g, int32_t axis, int64_t *count);
+
+/** \brief The knots of an axis as nurbs_create_periodic() takes them: those from the start to the end of the
+ * domain of a periodic axis, knots[degree] to knots[count], and all knots of any other.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] cap length of knots; 0 asks for the number only.
+ * \param[out] knots [cap] or NULL: receives the knots.
+ * \param[out] count or NULL: their number, nurbs_unwrapped_count() + 1 on a periodic axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_unwrapped_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots,
+                                             int64_t *count);
+
+/** \brief Control points and weights, each once, as nurbs_create_periodic() takes them: along periodic axes
+ * without the last `degree` ones, which repeat others. Points of a homogeneous spline are divided by their
+ * weights.
+ * \param[in] g a spline.
+ * \param[in] cap length of the two arrays; 0 asks for the number only.
+ * \param[out] points [cap][dim] or NULL: receives the Cartesian points, last axis fastest.
+ * \param[out] weights [cap] or NULL: receives the weights, all 1 for a polynomial spline.
+ * \param[out] count or NULL: number of points, the product of nurbs_unwrapped_count() of all axes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_unwrapped_points(const nurbs *g, int64_t cap, double *points, double *weights,
+                                              int64_t *count);
 
 /** \brief Local hull size: the largest |coordinate| among the active control points of positive weight at
  * each parameter, the `hull` of the accuracy contract. With signed weights it is (max|w_i P_i| + |C(t)|
@@ -2840,7 +2922,8 @@ NURBS_API nurbs_status nurbs_fit_criteria_with(const nurbs_statistics *statistic
  * first fit over even ones says that they are needed, and as often at one place as a kink or a jump of the data
  * asks for; as many as the tolerance needs are found with some of the data, and checked with all. With several
  * axes each has as many as it needs beside the others. Where data leave control points open, the fit with the
- * smallest penalty is taken.
+ * smallest penalty is taken. Where the limit of work ends the search, a tolerance may be met with more control
+ * points than it needs, or missed.
  * \param[in] data the data.
  * \param[in] degrees [axes] degrees.
  * \param[in] domain [axes][2] or NULL: start and end of each axis; NULL for the range of the parameters.
@@ -2886,7 +2969,8 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
  * are fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The
  * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count has room for
  * them, periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees
- * raised, where nothing simpler is found.
+ * raised, where nothing simpler is found. Where the limit of work ends the search, a tolerance may be met with
+ * more control points than it needs, or missed.
  * \param[in] g a spline.
  * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
  * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of these degrees
@@ -3026,7 +3110,7 @@ typedef struct nurbs_cloud_report {
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \param[in] options or NULL: how to go on.
  * \param[in,out] report or NULL: where answers go; its bits have NURBS_CLOUD_NOT_CONVERGED if steps were still
- *   lowering the sum by more than the tolerance when the rounds ended.
+ *   lowering the sum by more than the tolerance when the rounds, or the limit of work, ended.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _STRIDE, _OVERFLOW, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE,
  *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of axes,
@@ -5889,16 +5973,14 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * \code
  * nurbs *circle = NULL;
  * nurbs_face *face = NULL;
- * const nurbs *curves[1];
- * const int64_t size = 1; // one loop of one closed curve
- * const double center[] = {0.5, 0.5};
+ * const double center[] = {0.5, 0.5}; // in the domain of the surface
+ * const int64_t size = 1;             // one loop of one closed curve
  * double gap = 0, area = 0, error = 0;
  * nurbs_curve_circle(2, center, NULL, NULL, 0.25, NURBS_ARC_QUARTERS, &circle);
- * curves[0] = circle;
- * nurbs_face_create(surface, 1, &size, curves, NULL, NULL, 1e-6, 0, &gap, &face);
+ * nurbs_face_create(surface, 1, &size, (const nurbs *const *)&circle, NULL, NULL, 1e-6, 0, &gap, &face);
  * nurbs_face_area(face, 1e-9, &area, &error);
- * nurbs_destroy(circle);
  * nurbs_face_destroy(face);
+ * nurbs_destroy(circle);
  * \endcode
  * A face is the part of a surface that loops of curves in its domain bound. The curves of a loop follow one
  * another, each beginning where the one before it ends, and the first where the last one ends. Inside is what
@@ -5932,10 +6014,10 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  *   nor are poles, from the lower left corner on.
  * \param[in] sizes [loops] number of curves of each loop, at least 1.
  * \param[in] curves [size] or NULL for none, size being the sum of the sizes: curves of dimension 2 in the
- *   domain of the surface, with positive weights, in the direction of their loops, loop by loop. One
- *   that is NULL is made under its edge.
- * \param[in] edges [size] or NULL for none: curves of the dimension of the surface. One that is NULL is made
- *   over its curve.
+ *   domain of the surface, with positive weights, in the direction of their loops, loop by loop; NULL for a
+ *   curve that is missing, where there is an edge.
+ * \param[in] edges [size] or NULL for none: curves of the dimension of the surface; NULL for an edge that is
+ *   missing, where there is a curve.
  * \param[in] keys [size] or NULL for zeros: numbers of edges, the same in all faces that share an edge,
  *   negative if the edge runs against the direction of the loop. 0: an edge without number, which runs with
  *   the loop.
@@ -6174,7 +6256,9 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * delimiters, unit and model scale are respected. Curves used in the parameter plane of a surface have
  * dimension 2, everything else dimension 3; parameter-plane curves are not scaled to `unit`. An entity
  * whose weights are all equal becomes a polynomial spline, whatever its flags say; an axis becomes
- * periodic if the entity says so and its knots and points wrap. Every other entity that did not go into a
+ * periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a clamped axis
+ * with equal first and last layers becomes a wrapped one, with the same knots and points in its domain, and
+ * the seam as a knot of multiplicity `degree`. Every other entity that did not go into a
  * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
@@ -6222,6 +6306,17 @@ NURBS_API nurbs_status nurbs_read_file(const char *path, const nurbs_read_option
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_read_file_with(const char *path, const nurbs_read_options *options,
                                             const nurbs_call_options *call, nurbs_list **out);
+
+/** \brief A list of given splines.
+ * \param[in] count number of splines, >= 0.
+ * \param[in] splines [count] handles, which the list does not take.
+ * \param[in] names [count] or NULL for "0", "1", ...: their names, zero-terminated, in any encoding.
+ * \param[in] metres metres per unit of length, 0 if that is not known.
+ * \param[out] out the new list.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW; _FACTOR if metres is negative or not finite.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_create(int64_t count, const nurbs *const *splines, const char *const *names,
+                                         double metres, nurbs_list **out);
 
 /** \brief Number of splines in a list.
  * \param[in] list a list.
@@ -6279,7 +6374,7 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
 /** \brief Unit of length of the splines in a list.
  * \param[in] list a list.
  * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known, and
- *   in lists that are not from files.
+ *   in lists that are neither from files nor from nurbs_list_create().
  *   An IGES file without any unit is in inches, as IGES has it; of a STEP file without one, 0.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.0 */
@@ -6289,6 +6384,129 @@ NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);
  * \param[in] list or NULL, which does nothing: a list.
  * \since 1.0 */
 NURBS_API void nurbs_list_destroy(nurbs_list *list);
+/** @} */
+
+/** \defgroup bytes Handles as bytes
+ * \code
+ * int64_t length = 0;
+ * unsigned char bytes[1024]; // cap = 0 asks how many are needed
+ * nurbs *again = NULL;
+ * nurbs_to_bytes(surface, sizeof bytes, bytes, &length);
+ * nurbs_from_bytes(bytes, length, &again); // the same spline, bit for bit, on any machine
+ * nurbs_destroy(again);
+ * \endcode
+ * Splines, lists and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared. The same
+ * values have the same bytes on every machine, so that a hash of the bytes is one of the contents. They are
+ * read with one copy, and checked as creation checks its arguments. Any change of up to 64 bits in a row is
+ * found, and any truncation. The page "The form of bytes" of the manual has the layout with examples: NumPy's
+ * view of control points in place, and a spline that is cut out of a list.
+ *
+ * **The form.** All numbers have their lowest byte first; doubles are those of IEEE 754. Each part begins at
+ * a multiple of 64 bytes, with zeros before it, so that programs that know the layout can look at numbers in
+ * place.
+ *
+ *     byte  bytes
+ *     0     8      89 4e 55 52 0d 0a 1a 0a (hexadecimal), which show what text mode does to files
+ *     8     2, 2   version of the form: major, minor
+ *     12    4      kind: one of the NURBS_BYTES_ constants
+ *     16    8      number of all bytes
+ *     24    8      CRC-64 of bytes 0-23 and all from 32 on: that of ECMA-182, bits reflected, as xz has it
+ *     32    8 * 4  integers of the kind, 0 where there are none
+ *     64           the body
+ *
+ * **A spline.** Integers: axes, dim, form (0 polynomial, 1 points and weights, 2 homogeneous points).
+ *
+ *     64    16     for each axis: number of control points C (8), degree p (4), 1 if periodic, else 0 (4)
+ *     112   8      where the points begin
+ *     120   8      where the weights begin, 0 if there are none
+ *     128          the knots of all axes, C + p + 1 doubles for each
+ *                  the points, [N][dim] doubles, or [N][dim + 1] homogeneous ones, last axis fastest
+ *                  the weights, [N] doubles
+ *
+ * **A list.**
+ *
+ *     64    4 * 8  numbers of places n, of splines that differ m, of notes k, and of bytes of text
+ *     96    8      metres per unit, a double, 0 if not known
+ *     128          n integers: which of the m splines is at each place
+ *                  3 k integers: type, line and reason of each note
+ *                  n + k integers: where each text ends, counted from the beginning of the texts
+ *                  the texts: the names, then the words of the notes
+ *                  m integers: where each spline begins, counted from the beginning of the list
+ *                  the splines, each with a header of its own, so that it can be cut out and read alone
+ *
+ * Integers of lists have 8 bytes. **Statistics.** Integers: axes, dim, and the exponents of two of the
+ * scales of values and of weights.
+ *
+ *     64           numbers of cells with data c, and of sums of a cell s (8 each)
+ *                  for each axis: its degree (8), the number of its breaks (8)
+ *                  the breaks of all axes, doubles
+ *                  c integers: the cells, rising; c integers: how many data are in each
+ *                  c s sums of 24 bytes, integers in two's complement
+ *
+ * **Versions.** A library reads all minor versions of its major version and of those before; later minor
+ * versions only add what stands behind all parts that are known. @{ */
+
+/** \name Kinds of handles
+ * Results of nurbs_bytes_kind(). \since 1.1
+ * @{ */
+/** \brief a spline: nurbs_from_bytes() */
+#define NURBS_BYTES_SPLINE 1
+/** \brief a list: nurbs_list_from_bytes() */
+#define NURBS_BYTES_LIST 2
+/** \brief statistics: nurbs_statistics_from_bytes() */
+#define NURBS_BYTES_STATISTICS 3
+/** @} */
+
+/** \brief A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
+ * each part to a multiple of 64.
+ * \param[in] g a spline.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_to_bytes(const nurbs *g, int64_t cap, void *bytes, int64_t *length);
+
+/** \brief The spline of the bytes of nurbs_to_bytes(): the same stored values, bit for bit, and the same
+ * periodic axes.
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new handle.
+ * \return as for nurbs_create(), and NURBS_ERROR_FORMAT for bytes that are no handle, or one of another kind,
+ *   _TRUNCATED, _VERSION, _CHECKSUM, _SYNTAX.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_from_bytes(const void *bytes, int64_t size, nurbs **out);
+
+/** \brief A list as bytes, with names, notes and unit. Splines whose bytes are the same are stored once.
+ * \param[in] list a list.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return as for nurbs_to_bytes(); for a list of parts that are made when they are taken also what
+ *   nurbs_list_get() returns of them.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_to_bytes(const nurbs_list *list, int64_t cap, void *bytes, int64_t *length);
+
+/** \brief The list of the bytes of nurbs_list_to_bytes().
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new list.
+ * \return as for nurbs_from_bytes(), and NURBS_ERROR_FACTOR for a unit that is negative or not finite.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nurbs_list **out);
+
+/** \brief Of which kind bytes are, and in which version of the form, from their first 64. Nothing else is
+ * looked at: the bytes may be of a later version, or damaged.
+ * \param[in] bytes [size] the bytes, or the first ones.
+ * \param[in] size number of bytes, >= 64.
+ * \param[out] kind or NULL: one of the NURBS_BYTES_ constants, or another number for a kind of a later
+ *   library.
+ * \param[out] major or NULL: major version of the form.
+ * \param[out] minor or NULL: minor version.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _FORMAT, _TRUNCATED, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t *kind, int32_t *major,
+                                        int32_t *minor);
 /** @} */
 
 /** \defgroup model Models

@@ -92,6 +92,7 @@ enum class Status : int32_t {
     unsupported = 403,
     checksum = 404,
     version = 405,
+    cycle = 406,
     // internal
     internal = 900,
 };

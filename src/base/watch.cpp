@@ -204,6 +204,25 @@ UsualLimit::~UsualLimit() {
     }
 }
 
+HalfOfWork::HalfOfWork() noexcept : watch_(Watch::current()) {
+    if (watch_ != nullptr) {
+        watch_->settle();
+        ended_ = watch_->ended_;
+        limit_ = watch_->limit_;
+        watch_->limit_ -= std::max<int64_t>(0, limit_ - watch_->counted_) / 2;
+        watch_->grant();
+    }
+}
+
+HalfOfWork::~HalfOfWork() {
+    if (watch_ != nullptr) {
+        watch_->settle();
+        watch_->limit_ = limit_;
+        watch_->ended_ = ended_;
+        watch_->grant();
+    }
+}
+
 NotCounted::NotCounted() noexcept : watch_(Watch::current()) {
     if (watch_ != nullptr) {
         watch_->settle();
@@ -217,6 +236,12 @@ NotCounted::~NotCounted() {
         watch_->settle();
         --watch_->uncounted_;
         watch_->grant();
+    }
+}
+
+NeededWork::NeededWork() noexcept {
+    if (const Watch *watch = Watch::current(); watch != nullptr && watch->usual_) {
+        free_.emplace();
     }
 }
 

@@ -7,6 +7,8 @@
 // of its own. Where nobody watches, counting costs a read of the slot.
 #pragma once
 
+#include "base/error.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -44,13 +46,17 @@ public:
 
     // Whether the limit of work is reached.
     [[nodiscard]] bool ended() const noexcept { return ended_; }
+    // From here on the limit ends nothing: for those who answer with what they have.
+    void pass_limit() noexcept { ended_ = true; }
 
 private:
     friend class Steps;
     friend class Phase;
     friend class SearchSteps;
     friend class LimitedSearch;
+    friend class HalfOfWork;
     friend class NotCounted;
+    friend class NeededWork;
     friend class UsualLimit;
     friend void require_work();
     using Clock = std::chrono::steady_clock;
@@ -207,6 +213,39 @@ private:
     int64_t limit_ = 0;        // before
 };
 
+// While this exists, half of the work that is left is all there is: what was found by then is finished with the rest.
+class HalfOfWork {
+public:
+    HalfOfWork() noexcept;
+    ~HalfOfWork();
+    HalfOfWork(const HalfOfWork &) = delete;
+    HalfOfWork &operator=(const HalfOfWork &) = delete;
+
+private:
+    Watch *watch_;
+    int64_t limit_ = 0; // before
+    bool ended_ = false;
+};
+
+// Whether an attempt, half of which is worth nothing, came to its end before the limit of work. If not, the limit ends
+// nothing from then on.
+template <class Attempt>
+[[nodiscard]] bool attempted(Attempt &&attempt) {
+    if (work_ended()) {
+        return false;
+    }
+    try {
+        attempt();
+    } catch (const CallEnded &end) {
+        if (end.why.status() == Status::cancelled) {
+            throw;
+        }
+        Watch::current()->pass_limit();
+        return false;
+    }
+    return true;
+}
+
 // About a second, and more for splines of many control points, which take so much each where all goes well.
 constexpr int64_t usual_work(int64_t points, int64_t for_a_point = 20000) noexcept {
     return 800000000 + for_a_point * points;
@@ -223,6 +262,15 @@ public:
 
 private:
     Watch *watch_;
+};
+
+// The same for a usual limit alone: for what no answer can do without, however long it takes.
+class NeededWork {
+public:
+    NeededWork() noexcept;
+
+private:
+    std::optional<NotCounted> free_;
 };
 
 } // namespace nrb::inline base

@@ -35,6 +35,15 @@ void basis_values(const double *knots, int degree, int64_t span, double t, doubl
     }
 }
 
+// That knot is an argument of the polar form from the start.
+void basis_values_at_knot(const double *knots, int degree, int64_t span, double *values) noexcept {
+    values[degree] = 0;
+    values[0] = 1;
+    for (int d = 1; d < degree; ++d) {
+        append_argument(knots + span, knots + span + 1, d, knots[span], values);
+    }
+}
+
 void basis_derivs(const double *knots, int degree, int64_t span, double t, int order,
                   double *values) noexcept {
     const int width = degree + 1;

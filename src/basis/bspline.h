@@ -64,6 +64,9 @@ void raise_degree(const double *knots, int d, int64_t span, double t, double *va
 // Preconditions: knots[s] < knots[s + 1], p <= s, and s + p is a valid index. Cost: p (p + 1) / 2 divisions.
 void basis_values(const double *knots, int degree, int64_t span, double t, double *values) noexcept;
 
+// The same bits at the first knot of the span, where the last function vanishes. Cost: p (p - 1) / 2 divisions.
+void basis_values_at_knot(const double *knots, int degree, int64_t span, double *values) noexcept;
+
 // values[k * (p + 1) + j] = derivative k of N_(s-p+j) at t, k = 0, ..., order; row 0 has the bits of
 // basis_values(). Derivative k starts from the functions of degree p - k, which are accurate, and applies the
 // difference formula k times (Piegl & Tiller 2.7), so that its error is relative to the sum of the magnitudes

@@ -24,27 +24,6 @@ struct AxisText {
     char text[24];
 };
 
-void check_finite_and_sorted(std::span<const double> knots, int axis, int64_t offset) {
-    for (size_t i = 0; i < knots.size(); ++i) {
-        const long long index = static_cast<long long>(i) + offset;
-        if (!std::isfinite(knots[i])) {
-            fail(Status::knot_not_finite, "knots[%lld] = %s%s is not finite", index, Number(knots[i]).text,
-                 AxisText(axis).text);
-        }
-        if (i > 0 && knots[i] < knots[i - 1]) {
-            fail(Status::knots_decreasing, "knots[%lld] = %s%s is smaller than knots[%lld] = %s", index,
-                 Number(knots[i]).text, AxisText(axis).text, index - 1, Number(knots[i - 1]).text);
-        }
-    }
-    if (!std::isfinite(knots.back() - knots.front())) {
-        fail(Status::knot_not_finite,
-             "knots%s: the range from knots[%lld] = %s to knots[%lld] = %s overflows", AxisText(axis).text,
-             static_cast<long long>(offset), Number(knots.front()).text,
-             static_cast<long long>(offset) + static_cast<long long>(knots.size()) - 1,
-             Number(knots.back()).text);
-    }
-}
-
 void check_multiplicities(int degree, std::span<const double> knots, int axis, int64_t offset) {
     const auto limit = static_cast<size_t>(degree) + 1;
     for (size_t i = 0; i + limit < knots.size(); ++i) {
@@ -139,6 +118,27 @@ void check_knot_total(int64_t knot_count, int degree, int64_t count) {
         fail(Status::size, "knot_count = %lld, expected count + degree + 1 = %llu",
              static_cast<long long>(knot_count),
              static_cast<unsigned long long>(count) + static_cast<unsigned long long>(degree) + 1);
+    }
+}
+
+void check_finite_and_sorted(std::span<const double> knots, int axis, int64_t offset) {
+    for (size_t i = 0; i < knots.size(); ++i) {
+        const long long index = static_cast<long long>(i) + offset;
+        if (!std::isfinite(knots[i])) {
+            fail(Status::knot_not_finite, "knots[%lld] = %s%s is not finite", index, Number(knots[i]).text,
+                 AxisText(axis).text);
+        }
+        if (i > 0 && knots[i] < knots[i - 1]) {
+            fail(Status::knots_decreasing, "knots[%lld] = %s%s is smaller than knots[%lld] = %s", index,
+                 Number(knots[i]).text, AxisText(axis).text, index - 1, Number(knots[i - 1]).text);
+        }
+    }
+    if (!std::isfinite(knots.back() - knots.front())) {
+        fail(Status::knot_not_finite,
+             "knots%s: the range from knots[%lld] = %s to knots[%lld] = %s overflows", AxisText(axis).text,
+             static_cast<long long>(offset), Number(knots.front()).text,
+             static_cast<long long>(offset) + static_cast<long long>(knots.size()) - 1,
+             Number(knots.back()).text);
     }
 }
 

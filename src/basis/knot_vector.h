@@ -77,6 +77,7 @@ void check_degree(int degree, int axis);
 void check_count(int degree, int64_t count, int axis);
 // knot_count == count + degree + 1, else Status::size. Precondition: degree and count have been checked.
 void check_knot_total(int64_t knot_count, int degree, int64_t count);
+void check_finite_and_sorted(std::span<const double> knots, int axis, int64_t offset);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
 // The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots()
 // accepts the vector.

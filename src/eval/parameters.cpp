@@ -105,10 +105,7 @@ void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRe
     check_column(params, 0, rule, axis.domain(), first_index, "params[%lld]");
 }
 
-double place(double t, const AxisRule &rule, Interval domain) noexcept {
-    if (inside(t, domain) && rule.outside != Outside::wrap) {
-        return t;
-    }
+double place_outside(double t, const AxisRule &rule, Interval domain) noexcept {
     if (std::isnan(t)) {
         return nan_value;
     }

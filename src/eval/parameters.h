@@ -43,6 +43,11 @@ inline constexpr double most_periods = 0x1p50;
 
 // The parameter to evaluate at for a parameter t that was checked, or NaN if the rule gives NaN. A wrapped
 // parameter is in [lower, upper), from the left in (lower, upper].
-double place(double t, const AxisRule &rule, Interval domain) noexcept;
+double place_outside(double t, const AxisRule &rule, Interval domain) noexcept; // or at an end that wraps
+inline double place(double t, const AxisRule &rule, Interval domain) noexcept {
+    return t >= domain.lower && t <= domain.upper && rule.outside != Outside::wrap
+               ? t
+               : place_outside(t, rule, domain);
+}
 
 } // namespace nrb::eval

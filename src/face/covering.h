@@ -31,6 +31,7 @@ public:
     [[nodiscard]] Point2 in_domain(Point2 x) const noexcept;
     // The copy of a place nearest to another one.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
+    [[nodiscard]] bool has_poles() const noexcept { return !poles_.empty(); }
     // The pole within a distance of a point of space [dim], as axis and end; axis -1: none.
     struct Pole {
         int axis = -1;

@@ -56,13 +56,16 @@ struct CellAxis {
             }
         }
     }
-    [[nodiscard]] bool touches_crease(Interval part) const {
-        for (size_t i = 0; i < breaks.size(); ++i) {
-            if (crease[i] != 0 && (part.lower == breaks[i] || part.upper == breaks[i])) {
-                return true;
-            }
+    // The span on the other side of a crease at a parameter, above or below it; across a seam at the other end of the axis.
+    [[nodiscard]] std::optional<Interval> span_beyond_crease(double at, bool above) const {
+        const size_t i =
+            static_cast<size_t>(std::lower_bound(breaks.begin(), breaks.end(), at) - breaks.begin());
+        if (i == breaks.size() || breaks[i] != at || crease[i] == 0) {
+            return std::nullopt;
         }
-        return false;
+        const size_t last = breaks.size() - 1;
+        const size_t from = above ? (i == last ? 0 : i) : (i == 0 ? last : i) - 1;
+        return Interval{breaks[from], breaks[from + 1]};
     }
 };
 
@@ -132,7 +135,9 @@ private:
         const Point2 lower{cell.part[0].lower, cell.part[1].lower},
             upper{cell.part[0].upper, cell.part[1].upper};
         const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
-        const bool cut = face_.trims().any_in(lower, upper, [](const TrimPiece &) { return true; });
+        const TrimMap &trims = face_.trims();
+        const bool cut = trims.any_in(
+            lower, upper, [&](const TrimPiece &piece) { return trims.pieces().meets(piece, lower, upper); });
         const bool inside = face_.trims().side(middle) >= 0;
         if (!inside && !cut) {
             return;
@@ -207,22 +212,46 @@ private:
         return true;
     }
     // A point inside the face at which a coordinate is extreme has no derivative of it along either axis, unless tangents jump
-    // there; extreme points on the boundary are known.
+    // there; extreme points on the boundary are known. Across a crease a coordinate runs on where its derivatives have one sign.
     void examine(FaceCell &cell) const {
         cell.examined = true;
-        const pieces::HomogeneousPiece piece = pieces::PieceMaker(surface_, cell.part).piece(0);
-        const std::array numerators{pieces::tangent_numerator(piece, 0), pieces::tangent_numerator(piece, 1)};
-        for (size_t c = 0; c < dim_; ++c) {
-            std::array<bool, 2> runs{};
-            for (size_t k = 0; k < 2; ++k) {
-                runs[k] = certain_sign(component(numerators[k], static_cast<int>(c))) != 0;
+        const std::array inside = derivatives(cell.part);
+        std::array<std::vector<RoundedPolynomial>, 2> beyond;
+        for (size_t k = 0; k < 2; ++k) {
+            for (const Part &strip : strips_beyond_creases(cell.part, k)) {
+                beyond[k].push_back(derivatives(strip)[k]);
             }
-            const bool first = runs[0] && (runs[1] || !axes_[0].touches_crease(cell.part[0])),
-                       second = runs[1] && (runs[0] || !axes_[1].touches_crease(cell.part[1]));
-            if (first || second) {
+        }
+        for (size_t c = 0; c < dim_; ++c) {
+            const auto runs_on = [&](size_t k) {
+                const int sign = sign_of(inside[k], c);
+                return sign != 0 && std::all_of(beyond[k].begin(), beyond[k].end(),
+                                                [&](const auto &other) { return sign_of(other, c) == sign; });
+            };
+            if (runs_on(0) || runs_on(1)) {
                 cell.sides[2 * c] = cell.sides[2 * c + 1] = -infinity;
             }
         }
+    }
+    [[nodiscard]] std::array<RoundedPolynomial, 2> derivatives(const Part &part) const {
+        const pieces::HomogeneousPiece piece = pieces::PieceMaker(surface_, part).piece(0);
+        return {pieces::tangent_numerator(piece, 0), pieces::tangent_numerator(piece, 1)};
+    }
+    [[nodiscard]] static int sign_of(const RoundedPolynomial &derivative, size_t c) {
+        return certain_sign(component(derivative, static_cast<int>(c)));
+    }
+    // As wide as the part, or as the span there.
+    [[nodiscard]] std::vector<Part> strips_beyond_creases(const Part &part, size_t k) const {
+        std::vector<Part> result;
+        for (const bool upper : {false, true}) {
+            if (const auto span = axes_[k].span_beyond_crease(upper ? part[k].upper : part[k].lower, upper)) {
+                const double width = std::min(part[k].upper - part[k].lower, span->upper - span->lower);
+                result.push_back(part);
+                result.back()[k] = upper ? Interval{span->lower, std::min(span->lower + width, span->upper)}
+                                         : Interval{std::max(span->upper - width, span->lower), span->upper};
+            }
+        }
+        return result;
     }
     bool quarter(const FaceCell &cell) {
         Point2 middle;

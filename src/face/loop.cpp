@@ -37,6 +37,13 @@ Point2 around_pole(const Covering &covering, Covering::Pole pole, const Point2 &
     return next;
 }
 
+Covering::Pole pole_at(const Spline &surface, const Covering &covering, const Point2 &x, double tolerance) {
+    if (!covering.has_poles()) {
+        return {};
+    }
+    return covering.pole_near(point_at(surface, covering.in_domain(x)).data(), tolerance);
+}
+
 SplinePtr segment(const Point2 &a, const Point2 &b) {
     return build::polyline(2, {a[0], a[1], b[0], b[1]}, {0, 1});
 }
@@ -52,10 +59,8 @@ std::vector<PlacedCurve> placed(const Spline &surface, const Covering &covering,
         Point2 begin = start;
         if (!result.empty()) {
             begin = covering.nearest_copy(start, last);
-            const Covering::Pole pole =
-                covering.pole_near(point_at(surface, covering.in_domain(last)).data(), tolerance);
-            const std::vector<double> next = point_at(surface, covering.in_domain(begin));
-            const Covering::Pole same = covering.pole_near(next.data(), tolerance);
+            const Covering::Pole pole = pole_at(surface, covering, last, tolerance);
+            const Covering::Pole same = pole_at(surface, covering, begin, tolerance);
             if (pole.axis >= 0 && pole.axis == same.axis && pole.end == same.end) {
                 begin = around_pole(covering, pole, last, begin);
             }

@@ -9,6 +9,7 @@
 #include "numeric/solvers/banded_least_squares.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace nrb::fit {
 
@@ -26,17 +27,28 @@ void scale_rows(const std::vector<double> &scales, int64_t width, std::vector<do
 
 } // namespace
 
-AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, std::vector<Condition> conditions, int axis)
-    : knots_(std::move(knots)), conditions_(std::move(conditions)), axis_(axis) {
-    const bool values_only =
-        std::ranges::all_of(conditions_, [](const Condition &condition) { return condition.order == 0; });
-    if (!knots_->periodic()) {
-        values_only ? factor() : factor_derivatives();
+AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, const Sites &sites, int axis)
+    : knots_(std::move(knots)), sites_(sites), axis_(axis) {
+    const bool values_only = std::ranges::all_of(sites.orders, [](int32_t order) { return order == 0; });
+    if (knots_->periodic()) {
+        return;
+    }
+    direct_.emplace(conditions(), knots_->degree() + 1);
+    if (values_only) {
+        factor_values();
+    } else if (!factor_derivatives()) {
+        direct_.reset();
     }
 }
 
+// With factors as many as fill the registers several times; rotations make the factors again.
+int64_t AxisInterpolation::best_width() const noexcept {
+    constexpr int64_t many = 64;
+    return direct_.has_value() ? many : std::numeric_limits<int64_t>::max();
+}
+
 int64_t AxisInterpolation::next_function(int64_t i, int64_t first) const noexcept {
-    const double t = conditions_[static_cast<size_t>(i)].param;
+    const double t = sites_.param(i);
     const int p = knots_->degree();
     const double *const knots = knots_->knots().data();
     int64_t span = first + p;
@@ -51,13 +63,15 @@ int64_t AxisInterpolation::next_function(int64_t i, int64_t first) const noexcep
 }
 
 void AxisInterpolation::read(int64_t i, int64_t first, double *values) const noexcept {
-    const auto [t, order] = conditions_[static_cast<size_t>(i)];
-    const int p = knots_->degree();
+    const double t = sites_.param(i);
+    const int order = sites_.order(i), p = knots_->degree();
+    const double *const knots = knots_->knots().data();
     if (order == 0) {
-        return basis_values(knots_->knots().data(), p, first + p, t, values);
+        return t == knots[first + p] ? basis_values_at_knot(knots, p, first + p, values)
+                                     : basis_values(knots, p, first + p, t, values);
     }
     double derivatives[max_basis * max_basis];
-    basis_derivs(knots_->knots().data(), p, first + p, t, order, derivatives);
+    basis_derivs(knots, p, first + p, t, order, derivatives);
     std::copy_n(derivatives + order * (p + 1), p + 1, values);
 }
 
@@ -66,73 +80,24 @@ void AxisInterpolation::fail_outside_support(int64_t i) const {
     fail(Status::schoenberg_whitney,
          "params[%lld] = %s on axis %d is outside (%s, %s), "
          "between knots %lld and %lld, the support of control point %lld",
-         static_cast<long long>(i), Number(conditions_[static_cast<size_t>(i)].param).text, axis_,
-         Number((*knots_)[i]).text, Number((*knots_)[end]).text, static_cast<long long>(i),
-         static_cast<long long>(end), static_cast<long long>(i));
+         static_cast<long long>(i), Number(sites_.param(i)).text, axis_, Number((*knots_)[i]).text,
+         Number((*knots_)[end]).text, static_cast<long long>(i), static_cast<long long>(end),
+         static_cast<long long>(i));
 }
 
-// At a knot of some multiplicity as many functions vanish.
-AxisInterpolation::Row AxisInterpolation::row_of_values(int64_t i, int64_t &first) const noexcept {
-    const double t = conditions_[static_cast<size_t>(i)].param;
+void AxisInterpolation::factor_values() {
     const int p = knots_->degree();
-    first = next_function(i, first);
-    const double *const span = knots_->knots().data() + first + p;
-    int begin = 0, end = p + 1;
-    while (end > 1 && span[end - p - 1] == t) {
-        --end;
-    }
-    while (begin < p && span[begin + 1] == t) {
-        ++begin;
-    }
-    return {static_cast<int32_t>(i - first), static_cast<int16_t>(begin), static_cast<int16_t>(end)};
-}
-
-std::vector<AxisInterpolation::Row> AxisInterpolation::rows_of_values() const {
-    std::vector<Row> rows;
-    rows.reserve(conditions_.size());
     int64_t first = 0;
     for (int64_t i = 0; i < conditions(); ++i) {
-        const Row row = row_of_values(i, first);
-        if (row.before < row.begin || row.before >= row.end) {
+        count_work(int64_t{4} * (p + 1) * (p + 1));
+        first = next_function(i, first);
+        double *const row = direct_->next_row(i, first);
+        if (row == nullptr) {
             fail_outside_support(i);
         }
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-// Wide enough for all conditions.
-BandedLu AxisInterpolation::empty_band(int64_t &below) const {
-    const int p = knots_->degree();
-    int64_t above = 0, first = 0;
-    below = 0;
-    for (int64_t i = 0; i < conditions(); ++i) {
-        first = next_function(i, first);
-        below = std::max(below, i - first);
-        above = std::max(above, first + p - i);
-    }
-    return {conditions(), static_cast<int>(below), static_cast<int>(above)};
-}
-
-// A function is 0 at the first knot of its support, but for the first one of a clamped end.
-void AxisInterpolation::factor() {
-    const int p = knots_->degree();
-    const std::vector<Row> rows = rows_of_values();
-    int below = 0, above = 0;
-    for (const Row &row : rows) {
-        below = std::max(below, row.before - row.begin);
-        above = std::max(above, row.end - 1 - row.before);
-    }
-    direct_.emplace(conditions(), below, above);
-    for (int64_t i = 0; i < conditions(); ++i) {
-        count_work(int64_t{4} * (p + 1) * (p + 1));
-        const Row row = rows[static_cast<size_t>(i)];
-        double values[max_basis], *const diagonal = direct_->row(i) + below;
-        read(i, i - row.before, values);
-        for (int j = row.begin; j < row.end; ++j) { // few
-            diagonal[j - row.before] = values[j];
-        }
-        if (!(*diagonal > 0)) {
+        read(i, first, row);
+        // A function is 0 at the ends of its support, but for those of clamped ends.
+        if (!(row[i - first] > 0)) {
             fail_outside_support(i);
         }
         if (!direct_->factor_row(i)) {
@@ -142,20 +107,25 @@ void AxisInterpolation::factor() {
     }
 }
 
-void AxisInterpolation::factor_derivatives() {
+// Whether that is as accurate as rotations.
+bool AxisInterpolation::factor_derivatives() {
     constexpr double most = 16; // rows of values of a B-spline of some degree have as much
     const int p = knots_->degree();
-    int64_t below = 0, first = 0;
-    direct_.emplace(empty_band(below));
-    scales_.reserve(conditions_.size());
+    int64_t first = 0;
+    scales_.reserve(sites_.params.size());
     for (int64_t i = 0; i < conditions(); ++i) {
         count_work(int64_t{8} * (p + 1) * (p + 1));
         first = next_function(i, first);
-        scales_.push_back(read_scaled(i, first, direct_->row(i) + (first - (i - below))));
+        double *const row = direct_->next_row(i, first);
+        if (row == nullptr) {
+            return false;
+        }
+        scales_.push_back(read_scaled(i, first, row));
+        if (!direct_->factor_row(i)) {
+            return false;
+        }
     }
-    if (!direct_->factor_checked(most)) {
-        direct_.reset();
-    }
+    return direct_->grows_little(most);
 }
 
 double AxisInterpolation::read_scaled(int64_t i, int64_t first, double *values) const noexcept {
@@ -179,13 +149,13 @@ void AxisInterpolation::solve(std::vector<double> &values, int64_t width) const 
         rotate(values, width);
     }
     const auto [lower, upper] = knots_->domain();
-    const auto value_at = [](const Condition &condition, double t) {
-        return condition.param == t && condition.order == 0;
+    const auto value_at = [this](int64_t i, double t) {
+        return sites_.param(i) == t && sites_.order(i) == 0;
     };
-    if (knots_->clamped_start() && value_at(conditions_.front(), lower)) {
+    if (knots_->clamped_start() && value_at(0, lower)) {
         std::ranges::copy(start, values.begin());
     }
-    if (knots_->clamped_end() && value_at(conditions_.back(), upper)) {
+    if (knots_->clamped_end() && value_at(conditions() - 1, upper)) {
         std::ranges::copy(end, values.begin() + last);
     }
 }

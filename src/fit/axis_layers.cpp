@@ -2,6 +2,7 @@
 #include "fit/axis_layers.h"
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/numbers.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ void check_order(const AxisLayers &layers, int64_t i, int degree, bool periodic,
 
 } // namespace
 
-std::span<const double> AxisLayers::sites(std::vector<double> &room) const {
+std::span<const double> AxisLayers::params_of_values(std::vector<double> &room) const {
     if (orders.empty()) {
         return params;
     }
@@ -73,6 +74,10 @@ std::array<int, 2> AxisLayers::derivatives() const noexcept {
 }
 
 void check_layers(const AxisLayers &layers, int degree, bool periodic, size_t axis, int64_t first) {
+    if (layers.orders.empty() && all_finite(layers.params) &&
+        std::ranges::is_sorted(layers.params, std::less_equal<>())) {
+        return;
+    }
     for (int64_t i = 0; i < layers.count(); ++i) {
         if (!std::isfinite(layers.param(i))) {
             fail(Status::parameter_not_finite, "params[%lld] = %s is not finite",
@@ -85,7 +90,23 @@ void check_layers(const AxisLayers &layers, int degree, bool periodic, size_t ax
     }
 }
 
+void AxisConditions::reserve(size_t count) {
+    params_.reserve(count);
+    orders_.reserve(count);
+    sources_.reserve(count);
+}
+
+void AxisConditions::add(double param, int order, int64_t source) {
+    params_.push_back(param);
+    orders_.push_back(order);
+    sources_.push_back(source);
+}
+
 AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic) {
+    if (layers.orders.empty() && conditions_at(ends[0], degree) + conditions_at(ends[1], degree) == 0) {
+        const size_t closing = periodic ? 1 : 0;
+        return AxisConditions({layers.params.first(layers.params.size() - closing), {}});
+    }
     AxisConditions all;
     const auto add_layers = [&](int64_t from, int64_t end) {
         for (int64_t i = from; i < end; ++i) {
@@ -97,9 +118,7 @@ AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bo
             all.add(param, order, -1);
         }
     };
-    const auto room = static_cast<size_t>(layers.count() + 2 * degree);
-    all.conditions.reserve(room);
-    all.sources.reserve(room);
+    all.reserve(static_cast<size_t>(layers.count() + 2 * degree));
     const int64_t last = layers.count() - 1 - layers.derivatives()[1]; // value
     all.add(layers.param(0), 0, 0);
     add_natural(layers.param(0), ends[0]);

@@ -119,6 +119,7 @@ private:
     static constexpr int sufficient_degree = 3;
     static constexpr double rounding = 8 * eps; // of the numerators: errors that more knots make no smaller
     static constexpr int64_t max_points = int64_t{1} << 18;
+    static constexpr double max_values = 0x1p24; // of samples, of which there are a few copies
 
     // A bound may be far above the value it bounds, and so cost many control points.
     bool accept_samples(FittedImage &image) const {
@@ -158,8 +159,21 @@ private:
         return lines;
     }
 
+    // Of volumes there may be a hundred samples for each control point.
+    void require_room_for_samples() const {
+        double values = static_cast<double>(dim_);
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            values *= static_cast<double>(fine_->axis(static_cast<int>(k)).spans().size()) *
+                      static_cast<double>(nodes_[k].nodes().size());
+        }
+        if (values > max_values) {
+            fail_to_converge();
+        }
+    }
+
     // Whether degrees were raised or spans cut.
     bool refine_where_needed(double target) {
+        require_room_for_samples();
         std::vector<std::vector<double>> more(nodes_.size());
         std::vector<char> raised(nodes_.size(), 0);
         const SplinePtr homogeneous = records();

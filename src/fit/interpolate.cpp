@@ -4,13 +4,12 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/representable.h"
+#include "base/small_width.h"
 #include "base/watch.h"
 #include "fit/mixed_derivatives.h"
 #include "fit/tangent_lengths.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace nrb::fit {
 
@@ -18,56 +17,88 @@ namespace {
 
 constexpr int64_t work_of_a_value = 4; // which is moved
 
-// What belongs to one condition together, [conditions][outer * inner]: layer sources[i] of the grid, zeros for -1.
-std::vector<double> gathered(const PointGrid &grid, const GridLayers &of,
-                             const std::vector<int64_t> &sources) {
-    std::vector<double> values(sources.size() * static_cast<size_t>(of.outer * of.inner), 0.0);
-    double *target = values.data();
-    for (const int64_t source : sources) {
-        count_work(work_of_a_value * of.outer * of.inner);
-        for (int64_t o = 0; o < of.outer; ++o, target += of.inner) {
-            if (source >= 0) {
-                std::copy_n(grid.points.data() + (o * of.count + source) * of.inner, of.inner, target);
-            }
+// Some of the outer blocks of an axis of a grid.
+struct Blocks {
+    int64_t first, end;
+    [[nodiscard]] int64_t count() const noexcept { return end - first; }
+};
+
+// Copies the layers of a block, which are one after the other, to places `step` doubles apart, or back.
+void spread(const double *block, int64_t layers, int64_t inner, double *places, int64_t step) noexcept {
+    with_width(inner, [=](auto width) {
+        for (int64_t i = 0; i < layers; ++i) {
+            std::copy_n(block + i * width, static_cast<int64_t>(width), places + i * step);
         }
-    }
-    return values;
+    });
+}
+void collect(const double *places, int64_t step, int64_t layers, int64_t inner, double *block) noexcept {
+    with_width(inner, [=](auto width) {
+        for (int64_t i = 0; i < layers; ++i) {
+            std::copy_n(places + i * step, static_cast<int64_t>(width), block + i * width);
+        }
+    });
 }
 
-// Puts the layers of control points in the place of those of the data; on a periodic axis the first ones repeat.
-void scatter(const std::vector<double> &values, const GridLayers &of, int64_t stored, int64_t distinct,
-             size_t k, PointGrid &grid) {
-    std::vector<double> points(static_cast<size_t>(of.outer * stored * of.inner));
-    double *target = points.data();
-    for (int64_t o = 0; o < of.outer; ++o) {
-        count_work(work_of_a_value * stored * of.inner);
-        for (int64_t i = 0; i < stored; ++i) {
-            target = std::copy_n(values.data() + (i % distinct * of.outer + o) * of.inner, of.inner, target);
+// What belongs to one condition together, [conditions][blocks * inner]: layer sources[i] of the grid, zeros for -1; no
+// sources: the layers in turn.
+void gather(const PointGrid &grid, const GridLayers &of, int64_t conditions, std::span<const int64_t> sources,
+            const Blocks &blocks, std::vector<double> &values) {
+    const int64_t step = blocks.count() * of.inner;
+    values.resize(static_cast<size_t>(conditions * step));
+    for (int64_t o = blocks.first; o < blocks.end; ++o) {
+        count_work(work_of_a_value * conditions * of.inner);
+        const double *const block = grid.points.data() + o * of.count * of.inner;
+        double *const places = values.data() + (o - blocks.first) * of.inner;
+        if (sources.empty()) {
+            spread(block, conditions, of.inner, places, step);
+            continue;
+        }
+        for (size_t i = 0; i < sources.size(); ++i) {
+            double *const place = places + static_cast<int64_t>(i) * step;
+            sources[i] < 0 ? std::fill_n(place, of.inner, 0.0)
+                           : std::copy_n(block + sources[i] * of.inner, of.inner, place);
         }
     }
-    grid.counts[k] = stored;
-    grid.points = std::move(points);
 }
 
-// Whether conditions belong to layers one by one.
-bool in_place(const std::vector<int64_t> &sources) noexcept {
-    for (size_t i = 0; i < sources.size(); ++i) {
-        if (sources[i] != static_cast<int64_t>(i)) {
-            return false;
+// Writes the layers of control points, `stored` in a block; on a periodic axis the first ones repeat.
+void scatter(const std::vector<double> &values, int64_t inner, int64_t stored, int64_t distinct,
+             const Blocks &blocks, double *points) {
+    const int64_t step = blocks.count() * inner;
+    for (int64_t o = blocks.first; o < blocks.end; ++o) {
+        count_work(work_of_a_value * stored * inner);
+        const double *const places = values.data() + (o - blocks.first) * inner;
+        for (int64_t first = 0; first < stored; first += distinct) {
+            collect(places, step, std::min(distinct, stored - first), inner,
+                    points + (o * stored + first) * inner);
         }
     }
-    return true;
 }
 
-void solve_axis(const AxisInterpolation &axis, const std::vector<int64_t> &sources, size_t k,
-                PointGrid &grid) {
+// Puts layers of control points in the place of those of the data.
+void solve_axis(const AxisInterpolation &axis, std::span<const int64_t> sources, size_t k, PointGrid &grid) {
     const GridLayers of = layers_of(grid, k);
-    if (of.outer == 1 && axis.knots()->count() == of.count && in_place(sources)) {
-        return axis.solve(grid.points, of.inner); // in place
+    const int64_t stored = axis.knots()->count();
+    if (of.outer == 1 && stored == of.count && sources.empty()) {
+        return axis.solve(grid.points, of.inner);
     }
-    std::vector<double> values = gathered(grid, of, sources);
-    axis.solve(values, of.outer * of.inner);
-    scatter(values, of, axis.knots()->count(), axis.knots()->distinct_layers(), k, grid);
+    std::vector<double> other; // where there are more of them
+    if (stored != of.count) {
+        other.resize(static_cast<size_t>(of.outer * stored * of.inner));
+    }
+    const int64_t together = std::max<int64_t>(1, axis.best_width() / of.inner);
+    std::vector<double> values;
+    for (Blocks blocks{0, 0}; blocks.first < of.outer; blocks.first = blocks.end) {
+        blocks.end = std::min(blocks.first + together, of.outer);
+        gather(grid, of, axis.conditions(), sources, blocks, values);
+        axis.solve(values, blocks.count() * of.inner);
+        scatter(values, of.inner, stored, axis.knots()->distinct_layers(), blocks,
+                stored == of.count ? grid.points.data() : other.data());
+    }
+    if (stored != of.count) {
+        grid.counts[k] = stored;
+        grid.points = std::move(other);
+    }
 }
 
 void check_closed_along(const PointGrid &grid, size_t k) {
@@ -112,7 +143,7 @@ void for_each_axis(const std::vector<int64_t> &counts, std::span<const double> p
 
 void check_params(std::span<const double> params, const std::vector<int64_t> &counts) {
     for_each_axis(counts, params, [](size_t k, std::span<const double> own, int64_t offset) {
-        check_layers({own, {}}, 0, false, k, offset);
+        check_layers({{own, {}}}, 0, false, k, offset);
     });
 }
 
@@ -129,7 +160,7 @@ std::vector<AxisLayers> layers_by_axis(const std::vector<int64_t> &counts, std::
     std::vector<AxisLayers> axes;
     for_each_axis(counts, params, [&](size_t, std::span<const double> own, int64_t offset) {
         const auto first = static_cast<size_t>(offset);
-        axes.push_back({own, orders.empty() ? orders : orders.subspan(first, own.size())});
+        axes.push_back({{own, orders.empty() ? orders : orders.subspan(first, own.size())}});
     });
     return axes;
 }
@@ -143,16 +174,15 @@ SplinePtr interpolate(const std::vector<int> &degrees, const std::vector<AxisLay
     }
     for (size_t k = 0; k < layers.size(); ++k) {
         std::vector<double> room;
-        axes.push_back(interpolation_knots(degrees[k], layers[k].sites(room), ends[k], grid.periodic[k],
-                                           static_cast<int>(k), layers[k].derivatives()));
+        axes.push_back(interpolation_knots(degrees[k], layers[k].params_of_values(room), ends[k],
+                                           grid.periodic[k], static_cast<int>(k), layers[k].derivatives()));
     }
     check_closed(grid);
     estimate_mixed(layers, degrees, grid);
     Steps steps(std::ssize(axes));
     for (size_t k = 0; k < layers.size(); ++k) {
-        AxisConditions all = conditions_of(layers[k], degrees[k], ends[k], grid.periodic[k]);
-        solve_axis(AxisInterpolation(axes[k], std::move(all.conditions), static_cast<int>(k)), all.sources, k,
-                   grid);
+        const AxisConditions all = conditions_of(layers[k], degrees[k], ends[k], grid.periodic[k]);
+        solve_axis({axes[k], all.sites(), static_cast<int>(k)}, all.sources(), k, grid);
         steps.next();
     }
     check_representable(grid);
@@ -169,12 +199,7 @@ SplinePtr interpolate(const Spline::Axes &axes, std::span<const double> params, 
     });
     Steps steps(std::ssize(axes));
     for_each_axis(counts, params, [&](size_t k, std::span<const double> own, int64_t) {
-        std::vector<int64_t> sources(own.size());
-        std::iota(sources.begin(), sources.end(), 0);
-        std::vector<Condition> conditions;
-        conditions.reserve(own.size());
-        std::ranges::transform(own, std::back_inserter(conditions), [](double t) { return Condition{t, 0}; });
-        solve_axis(AxisInterpolation(axes[k], std::move(conditions), static_cast<int>(k)), sources, k, grid);
+        solve_axis({axes[k], {own, {}}, static_cast<int>(k)}, {}, k, grid);
         steps.next();
     });
     check_representable(grid);
@@ -185,10 +210,10 @@ namespace {
 
 // Throws Status::outside_domain for a condition outside the knots, and what AxisInterpolation does.
 AxisInterpolation checked_axis(const CurveConditions &given, KnotVectorPtr knots) {
-    for (size_t i = 0; i < given.conditions.size(); ++i) {
-        check_inside(given.conditions[i].param, knots->domain(), 0, static_cast<int64_t>(i));
+    for (size_t i = 0; i < given.params.size(); ++i) {
+        check_inside(given.params[i], knots->domain(), 0, static_cast<int64_t>(i));
     }
-    return {std::move(knots), given.conditions, 0};
+    return {std::move(knots), {given.params, given.orders}, 0};
 }
 
 } // namespace
@@ -206,10 +231,8 @@ SplinePtr interpolate_conditions(CurveConditions given, KnotVectorPtr knots) {
             given.targets[i] *= lengths[i / static_cast<size_t>(given.dim)];
         }
     }
-    PointGrid grid{{std::ssize(given.conditions)}, given.dim, std::move(given.targets)};
-    std::vector<int64_t> sources(given.conditions.size());
-    std::iota(sources.begin(), sources.end(), 0);
-    solve_axis(axis, sources, 0, grid);
+    PointGrid grid{{{axis.conditions()}, given.dim}, std::move(given.targets)};
+    solve_axis(axis, {}, 0, grid);
     check_representable(grid);
     return make_result({std::move(knots)}, grid.dim, Form::polynomial, std::move(grid.points));
 }

@@ -29,7 +29,8 @@ SplinePtr interpolate(const Spline::Axes &axes, std::span<const double> params, 
 // Derivatives targets[i] of a curve, [conditions][dim], by rising parameters; those at `directions` are known but for their
 // lengths.
 struct CurveConditions {
-    std::vector<Condition> conditions;
+    std::vector<double> params;
+    std::vector<int32_t> orders;
     std::vector<int64_t> directions;
     int dim;
     std::vector<double> targets;

@@ -2,7 +2,8 @@
 #include "fit/parameters.h"
 
 #include "base/error.h"
-#include "base/numbers.h"
+#include "base/finite.h"
+#include "base/small_width.h"
 #include "base/watch.h"
 #include "basis/bspline.h"
 #include "basis/generators.h"
@@ -29,120 +30,133 @@ std::vector<double> even(int64_t count) {
     return params;
 }
 
-// The angle between two vectors, from those of unit length (W. Kahan): accurate at all angles.
-double angle_between(const double *a, double a_length, const double *b, double b_length, int dim) noexcept {
-    const auto sum = norm_of(dim, [&](int c) { return a[c] / a_length + b[c] / b_length; });
-    const auto difference = norm_of(dim, [&](int c) { return a[c] / a_length - b[c] / b_length; });
+// The angle between two steps, from vectors of unit length (W. Kahan): accurate at all angles.
+template <class A, class B>
+double angle_between(A &&a, double a_length, B &&b, double b_length, int dim) noexcept {
+    const auto sum = norm_of(dim, [&](int c) { return a(c) / a_length + b(c) / b_length; });
+    const auto difference = norm_of(dim, [&](int c) { return a(c) / a_length - b(c) / b_length; });
     return 2 * std::atan2(difference, sum);
 }
 
-// The steps of one line of the grid, and what the rule makes of them.
-class Line {
-public:
-    Line(int64_t count, int dim, bool closed)
-        : dim_(dim), closed_(closed), steps_(static_cast<size_t>((count - 1) * dim)),
-          chords_(static_cast<size_t>(count - 1)), lengths_(chords_) {}
+// The steps between the points of one line of the grid, which are `stride` doubles apart. The scale keeps chords from
+// overflowing.
+struct Line {
+    const double *points;
+    int64_t stride;
+    int dim;
+    bool closed;
+    double scale;
 
-    // Points are `stride` doubles apart. The scale keeps chords from overflowing.
-    void set(const double *points, int64_t stride, double scale) noexcept {
-        for (size_t i = 0; i < chords_.size(); ++i, points += stride) {
-            double *const step = steps_.data() + i * static_cast<size_t>(dim_);
-            for (int c = 0; c < dim_; ++c) {
-                step[c] = points[stride + c] * scale - points[c] * scale;
-            }
-            chords_[i] = norm(step, dim_);
-        }
+    [[nodiscard]] double step(size_t i, int c) const noexcept {
+        const double *const point = points + static_cast<int64_t>(i) * stride;
+        return point[stride + c] * scale - point[c] * scale;
     }
+};
 
-    // Lengths in units of their largest chord, so that no rule leaves the range of doubles.
-    const std::vector<double> &lengths(ParameterRule rule, double exponent) noexcept {
-        const double largest = *std::max_element(chords_.begin(), chords_.end());
-        for (size_t i = 0; i < chords_.size(); ++i) {
-            const double chord = largest > 0 ? chords_[i] / largest : 0;
-            lengths_[i] = chord == 0                           ? 0
-                          : rule == ParameterRule::chord       ? chord
-                          : rule == ParameterRule::centripetal ? std::sqrt(chord)
-                          : rule == ParameterRule::power       ? std::pow(chord, exponent)
-                                                               : chord * turning(i);
-        }
-        return lengths_;
+// How much longer the steps of a line count for the angles at their ends (T. Foley, G. Nielson, "Knot selection for
+// parametric spline interpolation", in: Mathematical Methods in Computer Aided Geometric Design, 1989), with Euclidean
+// chords.
+class Turning {
+public:
+    Turning(const Line &line, std::span<const double> chords) : line_(line), chords_(chords) {}
+
+    [[nodiscard]] double operator()(size_t i) const noexcept {
+        const size_t n = chords_.size();
+        const bool before = line_.closed || i > 0, after = line_.closed || i + 1 < n;
+        return 1 + 1.5 * ((before ? part(i, (i + n - 1) % n) : 0) + (after ? part(i, (i + 1) % n) : 0));
     }
 
 private:
-    // How much longer a step counts for the angles at its ends (T. Foley, G. Nielson, "Knot selection for parametric
-    // spline interpolation", in: Mathematical Methods in Computer Aided Geometric Design, 1989), with Euclidean chords.
-    [[nodiscard]] double turning(size_t i) const noexcept {
-        const size_t n = chords_.size();
-        const bool before = closed_ || i > 0, after = closed_ || i + 1 < n;
-        return 1 + 1.5 * ((before ? part(i, (i + n - 1) % n) : 0) + (after ? part(i, (i + 1) % n) : 0));
-    }
     // Of the angle between a step and one beside it: pi minus the inner angle, but at most a right one.
     [[nodiscard]] double part(size_t i, size_t beside) const noexcept {
         if (!(chords_[beside] > 0)) {
             return 0;
         }
-        const auto step = [&](size_t at) { return steps_.data() + at * static_cast<size_t>(dim_); };
-        const double turn = angle_between(step(i), chords_[i], step(beside), chords_[beside], dim_);
+        const auto step = [&](size_t at) { return [this, at](int c) { return line_.step(at, c); }; };
+        const double turn = angle_between(step(i), chords_[i], step(beside), chords_[beside], line_.dim);
         return std::min(turn, std::numbers::pi / 2) * (chords_[beside] / (chords_[beside] + chords_[i]));
     }
 
-    int dim_;
-    bool closed_;
-    std::vector<double> steps_;
-    std::vector<double> chords_, lengths_;
+    const Line &line_;
+    std::span<const double> chords_;
 };
 
-// Adds the parameters of a line; false if it has no length.
-bool add(const std::vector<double> &lengths, std::vector<double> &params) {
-    const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    if (!(total > 0)) {
+// Makes lengths of chords, in units of the largest one, so that no rule leaves the range of doubles.
+void apply(ParameterRule rule, double exponent, double largest, const Line &line, std::span<double> chords) {
+    const auto replace = [&](auto &&length) { std::ranges::transform(chords, chords.begin(), length); };
+    switch (rule) {
+    case ParameterRule::centripetal:
+        return replace([=](double chord) { return std::sqrt(chord / largest); });
+    case ParameterRule::power:
+        return replace([=](double chord) { return chord > 0 ? std::pow(chord / largest, exponent) : 0; });
+    case ParameterRule::foley_nielson: {
+        const std::vector<double> own(chords.begin(), chords.end());
+        const Turning turning(line, own);
+        for (size_t i = 0; i < own.size(); ++i) {
+            chords[i] = own[i] > 0 ? own[i] / largest * turning(i) : 0;
+        }
+        return;
+    }
+    default:
+        return replace([=](double chord) { return chord / largest; });
+    }
+}
+
+// Adds the parameters of a line, in room for its chords; false if it has no length.
+bool add(const Line &line, ParameterRule rule, double exponent, std::span<double> room,
+         std::span<double> params) {
+    with_width(line.dim, [&](auto dim) {
+        norms_of(
+            dim, [&](size_t i, int c) { return line.step(i, c); }, room);
+    });
+    const double largest = largest_magnitude(room);
+    if (!(largest > 0)) {
         return false;
     }
-    double sum = 0;
-    for (size_t i = 0; i < lengths.size(); ++i) {
-        sum += lengths[i];
-        params[i + 1] += sum / total;
+    apply(rule, exponent, largest, line, room);
+    std::partial_sum(room.begin(), room.end(), room.begin());
+    const double total = room.back();
+    for (size_t i = 0; i < room.size(); ++i) {
+        params[i + 1] += room[i] / total;
     }
     return true;
 }
 
-std::vector<double> of_axis(const PointGrid &grid, int k, ParameterRule rule, double exponent, double scale) {
-    const auto at = static_cast<size_t>(k);
-    const int64_t count = grid.counts[at];
+std::vector<double> of_axis(const GridShape &grid, std::span<const double> points, size_t k,
+                            ParameterRule rule, double exponent, double scale) {
+    const int64_t count = grid.counts[k];
     if (rule == ParameterRule::uniform || count < 2) {
         return even(count);
     }
-    const GridLayers of = layers_of(grid, at);
-    std::vector<double> params(static_cast<size_t>(count), 0.0);
-    Line line(count, grid.dim, grid.periodic[at]);
+    const GridLayers of = layers_of(grid, k);
+    std::vector<double> params(static_cast<size_t>(count), 0.0), room(static_cast<size_t>(count - 1));
     int64_t lines = 0;
     for (int64_t o = 0; o < of.outer; ++o) {
         for (int64_t i = 0; i < of.inner; i += grid.dim) {
             count_work(work_of_a_step * count);
-            line.set(grid.points.data() + o * count * of.inner + i, of.inner, scale);
-            lines += add(line.lengths(rule, exponent), params) ? 1 : 0;
+            const double *const first = points.data() + o * count * of.inner + i;
+            const Line line{first, of.inner, grid.dim, grid.periodic[k], scale};
+            lines += add(line, rule, exponent, room, params) ? 1 : 0;
         }
     }
     if (lines == 0) {
-        fail(Status::length, "points: no line along axis %d has a length", k);
+        fail(Status::length, "points: no line along axis %zu has a length", k);
     }
-    const double last = params.back();
-    std::for_each(params.begin(), params.end(), [last](double &t) { t /= last; });
+    if (const double last = params.back(); last != 1) {
+        std::ranges::for_each(params, [last](double &t) { t /= last; });
+    }
     return params;
 }
 
 // A power of two that makes all coordinates less than 1/4.
-double scale_of(const std::vector<double> &points) noexcept {
-    double largest = 0;
-    for (const double x : points) {
-        largest = std::max(largest, std::abs(x));
-    }
+double scale_of(std::span<const double> points) noexcept {
+    const double largest = largest_magnitude(points);
     return largest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(largest) - 3, -1022, 1022)) : 1;
 }
 
 } // namespace
 
-GridLayers layers_of(const PointGrid &grid, size_t axis) noexcept {
+GridLayers layers_of(const GridShape &grid, size_t axis) noexcept {
     GridLayers layers{1, grid.counts[axis], grid.dim};
     for (size_t k = 0; k < grid.counts.size(); ++k) {
         (k < axis ? layers.outer : layers.inner) *= k == axis ? 1 : grid.counts[k];
@@ -150,11 +164,12 @@ GridLayers layers_of(const PointGrid &grid, size_t axis) noexcept {
     return layers;
 }
 
-std::vector<double> parametrize(const PointGrid &grid, ParameterRule rule, double exponent) {
-    std::vector<double> all;
-    const double scale = scale_of(grid.points);
-    for (int k = 0; k < static_cast<int>(grid.counts.size()); ++k) {
-        const std::vector<double> params = of_axis(grid, k, rule, exponent, scale);
+std::vector<double> parametrize(const GridShape &grid, std::span<const double> points, ParameterRule rule,
+                                double exponent) {
+    const double scale = scale_of(points);
+    std::vector<double> all = of_axis(grid, points, 0, rule, exponent, scale);
+    for (size_t k = 1; k < grid.counts.size(); ++k) {
+        const std::vector<double> params = of_axis(grid, points, k, rule, exponent, scale);
         all.insert(all.end(), params.begin(), params.end());
     }
     return all;

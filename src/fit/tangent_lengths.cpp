@@ -5,115 +5,19 @@
 #include "base/finite.h"
 #include "base/numbers.h"
 #include "base/representable.h"
-#include "fit/least_squares/penalty.h"
-#include "numeric/direction.h"
+#include "fit/length_energy.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/conjugate_gradients.h"
 #include "numeric/solvers/sparse/probed_band.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 #include <optional>
 
 namespace nrb::fit {
 
 namespace {
-
-// Half of the derivatives of the energy by layers of control points: a banded matrix, times these.
-class Bending {
-public:
-    explicit Bending(const KnotVectorPtr &knots) {
-        const StencilMatrix form = penalty({knots}, 2);
-        std::vector<int64_t> order(static_cast<size_t>(form.size()));
-        std::iota(order.begin(), order.end(), 0);
-        columns_ = form.columns(order);
-    }
-
-    [[nodiscard]] std::vector<double> operator()(const std::vector<double> &layers, int64_t width) const {
-        std::vector<double> result(layers.size());
-        for (int64_t j = 0; j < columns_.size(); ++j) {
-            const auto from = static_cast<size_t>(columns_.starts[static_cast<size_t>(j)]),
-                       end = static_cast<size_t>(columns_.starts[static_cast<size_t>(j) + 1]);
-            for (size_t e = from; e < end; ++e) {
-                const double factor = columns_.values[e].value();
-                const double *const source = layers.data() + int64_t{columns_.rows[e]} * width;
-                std::transform(source, source + width, result.begin() + j * width, result.begin() + j * width,
-                               [factor](double x, double sum) { return sum + factor * x; });
-            }
-        }
-        return result;
-    }
-
-private:
-    ColumnsOf<DoubleDouble> columns_;
-};
-
-// The energy as a function of unknowns u, the lengths of tangents in units of what a tangent of length 1 adds to it, as far as
-// that can be told from the conditions beside it.
-class LengthEnergy {
-public:
-    LengthEnergy(const AxisInterpolation &axis, std::span<const int64_t> directions, int dim,
-                 const std::vector<double> &targets)
-        : axis_(axis), where_(directions), dim_(dim), bending_(axis.knots()) {
-        const Interval domain = axis.knots()->domain();
-        const double length = domain.upper - domain.lower;
-        for (const int64_t i : directions) {
-            const std::vector<double> unit = unit_vector(targets.data() + i * dim, dim);
-            units_.insert(units_.end(), unit.begin(), unit.end());
-            scales_.push_back(1 / (length * std::sqrt(length * stiffness_at(i))));
-        }
-    }
-
-    // Half of the derivatives by the unknowns, of the curve with right sides values[n][dim].
-    [[nodiscard]] std::vector<double> slope(std::vector<double> values) const {
-        axis_.solve(values, dim_);
-        values = bending_(values, dim_);
-        axis_.solve_transposed(values, dim_);
-        std::vector<double> result;
-        for (size_t j = 0; j < where_.size(); ++j) {
-            result.push_back(scales_[j] * dot(unit(j), values.data() + where_[j] * dim_, dim_));
-        }
-        return result;
-    }
-    // Of the curve that unknowns alone determine.
-    [[nodiscard]] std::vector<double> product(const std::vector<double> &u) const {
-        std::vector<double> values(static_cast<size_t>(axis_.conditions() * dim_));
-        for (size_t j = 0; j < where_.size(); ++j) {
-            std::transform(unit(j), unit(j) + dim_, values.begin() + where_[j] * dim_,
-                           [factor = u[j] * scales_[j]](double x) { return x * factor; });
-        }
-        return slope(std::move(values));
-    }
-    [[nodiscard]] double scale(size_t j) const noexcept { return scales_[j]; }
-
-private:
-    // The sum of 1 / h over the nearest other parameters on both sides, at distances h.
-    [[nodiscard]] double stiffness_at(int64_t i) const noexcept {
-        const double t = axis_.param(i);
-        int64_t before = i, after = i;
-        while (before >= 0 && axis_.param(before) == t) {
-            --before;
-        }
-        while (after < axis_.conditions() && axis_.param(after) == t) {
-            ++after;
-        }
-        const double sum = (before >= 0 ? 1 / (t - axis_.param(before)) : 0) +
-                           (after < axis_.conditions() ? 1 / (axis_.param(after) - t) : 0);
-        const Interval domain = axis_.knots()->domain();
-        return std::max(sum, 1 / (domain.upper - domain.lower));
-    }
-    [[nodiscard]] const double *unit(size_t j) const noexcept {
-        return units_.data() + j * static_cast<size_t>(dim_);
-    }
-
-    const AxisInterpolation &axis_;
-    std::span<const int64_t> where_;
-    int dim_;
-    Bending bending_;
-    std::vector<double> units_; // [directions][dim]
-    std::vector<double> scales_;
-};
 
 // Right sides without those of the directions, moved so that the first point is 0: the energy does not depend on the place, but
 // its rounding errors do.
@@ -122,7 +26,7 @@ std::vector<double> fixed_part(const AxisInterpolation &axis, std::span<const in
     std::vector<double> place;
     for (int64_t i = 0; i < axis.conditions(); ++i) {
         double *const own = targets.data() + i * dim;
-        if (axis.order(i) == 0) {
+        if (axis.sites().order(i) == 0) {
             place = place.empty() ? std::vector<double>(own, own + dim) : place;
             std::transform(own, own + dim, place.begin(), own, std::minus<>());
         }

@@ -2,11 +2,13 @@
 // What a file holds.
 #pragma once
 
+#include "base/error.h"
 #include "face/face.h"
 #include "model/shapes/surface_shape.h"
 #include "spline/spline.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -76,5 +78,11 @@ struct Model {
     std::vector<Vector3> vertices{};
 };
 using ModelPtr = std::shared_ptr<const Model>;
+
+inline void check_metres(double metres) {
+    if (!std::isfinite(metres) || metres < 0) {
+        fail(Status::factor, "metres = %s, expected a finite value >= 0", Number(metres).text);
+    }
+}
 
 } // namespace nrb::model

@@ -9,6 +9,11 @@
 
 namespace nrb::inline numeric {
 
+// Whether a sum of squares has lost nothing that counts to the limits of doubles.
+constexpr bool safe_square(double sum) noexcept {
+    return sum > 1e-280 && sum < 1e300;
+}
+
 // The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite
 // if a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
 template <class Component>
@@ -17,7 +22,7 @@ double norm_of(int n, Component &&x) noexcept {
     for (int c = 0; c < n; ++c) {
         sum += x(c) * x(c);
     }
-    if (sum > 1e-280 && sum < 1e300) {
+    if (safe_square(sum)) {
         return std::sqrt(sum);
     }
     double largest = 0;
@@ -35,6 +40,27 @@ double norm_of(int n, Component &&x) noexcept {
         sum += y * y;
     }
     return std::sqrt(sum) / scale / scale;
+}
+
+// The same of many vectors of which number i has the components x(i, c): at first in loops that decide nothing, of which a
+// processor has several steps under way.
+template <class Size, class Component>
+void norms_of(Size n, Component &&x, std::span<double> lengths) noexcept {
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        double sum = 0;
+        for (int c = 0; c < n; ++c) {
+            sum += x(i, c) * x(i, c);
+        }
+        lengths[i] = sum;
+    }
+    int64_t unsafe = 0;
+    for (double &length : lengths) {
+        unsafe += safe_square(length) ? 0 : 1;
+        length = std::sqrt(length);
+    }
+    for (size_t i = 0; unsafe > 0 && i < lengths.size(); ++i) {
+        lengths[i] = norm_of(static_cast<int>(n), [&](int c) { return x(i, c); });
+    }
 }
 
 inline double norm(const double *x, int n) noexcept {

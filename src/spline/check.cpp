@@ -2,6 +2,7 @@
 // Conditions on a spline's points and weights.
 #include "base/checked.h"
 #include "base/finite.h"
+#include "base/limits.h"
 #include "spline/axis_view.h"
 #include "spline/spline.h"
 
@@ -9,29 +10,60 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace nrb::inline spline {
 
+void check_axes(int axes) {
+    if (axes < 1 || axes > max_axes) {
+        fail(Status::axes, "axes = %d, expected 1 to %d", axes, max_axes);
+    }
+}
+
+void check_dimension(int dim) {
+    constexpr int largest =
+        std::numeric_limits<int32_t>::max() - 1; // a homogeneous record has one more value
+    if (dim < 1 || dim > largest) {
+        fail(Status::dimension, "dim = %d, expected 1 to %d", dim, largest);
+    }
+}
+
 namespace {
 
-void check_points(const Spline &spline, Values values) {
-    const std::span<const double> points = spline.points();
-    for (size_t i = spline.moderate() || all_finite(points) ? points.size() : 0; i < points.size(); ++i) {
+// What single values are checked of.
+struct GivenValues {
+    Form form;
+    size_t dim;
+    std::span<const double> points;
+    std::span<const double> weights;
+};
+
+GivenValues values_of(const Spline &spline) noexcept {
+    return {spline.form(), static_cast<size_t>(spline.dim()), spline.points(), spline.weights()};
+}
+
+void check_points(const GivenValues &given, Values values) {
+    const std::span<const double> points = given.points;
+    const size_t width = given.form == Form::homogeneous ? given.dim + 1 : given.dim;
+    for (size_t i = all_finite(points) ? points.size() : 0; i < points.size(); ++i) {
         if (std::isfinite(points[i])) {
             continue;
         }
-        const auto width = static_cast<size_t>(spline.stored_width());
-        const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
         if (values == Values::computed) {
             fail(Status::not_representable, "points[%zu][%zu] of the result overflows", i / width, i % width);
         }
-        fail(weight ? Status::weight_not_finite : Status::point_not_finite,
+        fail(i % width == given.dim ? Status::weight_not_finite : Status::point_not_finite,
              "points[%zu][%zu] = %s is not finite", i / width, i % width, Number(points[i]).text);
     }
 }
 
-void check_weight(const Spline &spline, size_t i, Values values) {
-    const double weight = spline.weights()[i];
+void check_points(const Spline &spline, Values values) {
+    if (!spline.moderate()) {
+        check_points(values_of(spline), values);
+    }
+}
+
+void check_weight(double weight, size_t i, Values values) {
     if (!std::isfinite(weight) && values == Values::computed) {
         fail(Status::not_representable, "weights[%zu] of the result overflows", i);
     }
@@ -43,6 +75,21 @@ void check_weight(const Spline &spline, size_t i, Values values) {
     }
 }
 
+// Weights [0, end).
+void check_weight_values(const GivenValues &given, Values values, size_t end) {
+    for (size_t i = 0; i < end; ++i) {
+        const double weight = given.weights[i];
+        check_weight(weight, i, values);
+        for (size_t c = 0; c < given.dim; ++c) {
+            const double point = given.points[i * given.dim + c];
+            if (!std::isfinite(weight * point)) {
+                fail(Status::not_representable, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i, i,
+                     c, Number(weight).text, Number(point).text);
+            }
+        }
+    }
+}
+
 // Enough for the tests of check_weight_values(), in passes without a branch.
 bool harmless_weights(const Spline &spline) noexcept {
     const auto [smallest, largest] = spline.all_weights();
@@ -50,22 +97,9 @@ bool harmless_weights(const Spline &spline) noexcept {
            std::isfinite(largest * largest_magnitude(spline.points()));
 }
 
-// Checks weights [0, end).
 void check_weight_values(const Spline &spline, Values values, size_t end) {
-    if (harmless_weights(spline)) {
-        return;
-    }
-    const std::span<const double> weights = spline.weights();
-    const auto dim = static_cast<size_t>(spline.dim());
-    for (size_t i = 0; i < end; ++i) {
-        check_weight(spline, i, values);
-        for (size_t c = 0; c < dim; ++c) {
-            const double point = spline.points()[i * dim + c];
-            if (!std::isfinite(weights[i] * point)) {
-                fail(Status::not_representable, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i, i,
-                     c, Number(weights[i]).text, Number(point).text);
-            }
-        }
+    if (!harmless_weights(spline)) {
+        check_weight_values(values_of(spline), values, end);
     }
 }
 
@@ -231,6 +265,12 @@ void check_periodic_axes(const Spline &spline) {
 }
 
 } // namespace
+
+void check_values(int dim, std::span<const double> points, std::span<const double> weights) {
+    const GivenValues given{Form::rational, static_cast<size_t>(dim), points, weights};
+    check_points(given, Values::given);
+    check_weight_values(given, Values::given, weights.size());
+}
 
 void check_spline(const Spline &spline, Values values) {
     check_points(spline, values);

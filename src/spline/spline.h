@@ -179,6 +179,11 @@ private:
     mutable std::atomic<bool> moderate_{false}; // known to be
 };
 
+// 1 <= axes <= max_axes, else Status::axes.
+void check_axes(int axes);
+// 1 <= dim, and a homogeneous record still has a width; else Status::dimension.
+void check_dimension(int dim);
+
 // Points and weights that are not finite are either a mistake of the caller, with statuses of their own, or
 // overflow of computed values: Status::not_representable.
 enum class Values { given, computed };
@@ -186,6 +191,10 @@ enum class Values { given, computed };
 // Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when
 // homogeneous) and the wrapping of periodic axes; throws Error naming the array, the index and the value.
 void check_spline(const Spline &spline, Values values);
+
+// What of this concerns single values, of Cartesian points and their weights, if any: before they become those of a spline,
+// in whose order others would be named.
+void check_values(int dim, std::span<const double> points, std::span<const double> weights);
 
 // A checked spline from validated axes and packed data; throws Status::size when sizes disagree.
 SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,

@@ -299,6 +299,7 @@ static void pin_codes(void) {
     PIN(NURBS_ERROR_UNSUPPORTED, 403);
     PIN(NURBS_ERROR_CHECKSUM, 404);
     PIN(NURBS_ERROR_VERSION, 405);
+    PIN(NURBS_ERROR_CYCLE, 406);
     PIN(NURBS_ERROR_INTERNAL, 900);
 }
 
@@ -346,6 +347,9 @@ static void pin_flags(void) {
 }
 
 static void pin_kinds(void) {
+    PIN(NURBS_BYTES_SPLINE, 1);
+    PIN(NURBS_BYTES_LIST, 2);
+    PIN(NURBS_BYTES_STATISTICS, 3);
     PIN(NURBS_ARC_QUARTERS, 0);
     PIN(NURBS_ARC_THIRDS, 1);
     PIN(NURBS_ARC_SMOOTH, 2);

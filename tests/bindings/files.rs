@@ -4,7 +4,7 @@
 mod common;
 
 use common::{near, status_of};
-use nurbs::{sys, List, ReadOptions, Result};
+use nurbs::{bytes_kind, sys, List, ReadOptions, Result, Spline};
 use std::path::Path;
 
 fn holds_the_edge(list: &List, scale: f64) -> Result<()> {
@@ -34,9 +34,55 @@ fn errors() {
     assert_eq!(status_of(List::read_file("/no/such/file", None)), sys::NURBS_ERROR_FILE);
 }
 
+fn square() -> Result<Spline> {
+    let points = [1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0];
+    Spline::create_periodic(&[2], &[4], &[2.0, 3.0, 4.0, 5.0, 6.0], 2, &points, None, sys::NURBS_PERIODIC)
+}
+
+/// Each control point once, and what is read back.
+fn unwrapped() -> Result<()> {
+    let square = square()?;
+    assert_eq!((square.count(0)?, square.unwrapped_count(0)?), (6, 4));
+    assert_eq!(square.unwrapped_knots(0)?, [2.0, 3.0, 4.0, 5.0, 6.0]);
+    assert_eq!(square.short_knots(0)?, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+    let found = square.unwrapped_points()?;
+    assert_eq!(found.points, [1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0]);
+    assert_eq!(found.weights, [1.0; 4]);
+    Ok(())
+}
+
+fn bytes() -> Result<()> {
+    let square = square()?;
+    let mut bytes = square.to_bytes()?;
+    let kind = bytes_kind(&bytes)?;
+    assert_eq!((kind.kind, kind.major), (sys::NURBS_BYTES_SPLINE, 1));
+    assert_eq!(Spline::from_bytes(&bytes)?, square);
+    assert_eq!(status_of(List::from_bytes(&bytes)), sys::NURBS_ERROR_FORMAT);
+    bytes[100] ^= 1;
+    assert_eq!(status_of(Spline::from_bytes(&bytes)), sys::NURBS_ERROR_CHECKSUM);
+    Ok(())
+}
+
+fn lists() -> Result<()> {
+    let square = square()?;
+    let list = List::create(&[&square, &square], &["a", "square"], 0.001)?;
+    assert_eq!((list.len(), list.name(1)?, list.unit()?), (2, "square".to_string(), 0.001));
+    assert_eq!(List::create(&[&square], &[], 0.0)?.name(0)?, "0");
+    let again = List::from_bytes(&list.to_bytes()?)?;
+    assert_eq!((again.to_bytes()?, again.name(0)?), (list.to_bytes()?, "a".to_string()));
+    assert_eq!(again.get(1)?, square);
+    assert_eq!(status_of(List::create(&[&square], &["a", "b"], 0.0)), sys::NURBS_ERROR_SIZE);
+    assert_eq!(status_of(List::create(&[&square], &["a\0"], 0.0)), sys::NURBS_ERROR_SYNTAX);
+    assert_eq!(status_of(List::create(&[&square], &[], -1.0)), sys::NURBS_ERROR_FACTOR);
+    Ok(())
+}
+
 fn main() -> Result<()> {
     assert_eq!(nurbs::version() / 10000, sys::NURBS_VERSION_MAJOR);
     read(Path::new(&std::env::args_os().nth(1).expect("the path of parts.igs")))?;
     errors();
+    unwrapped()?;
+    bytes()?;
+    lists()?;
     Ok(())
 }

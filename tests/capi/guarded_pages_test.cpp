@@ -5,6 +5,7 @@
 // is there in some call.
 #include "guarded/batches.h"
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 
@@ -29,6 +30,18 @@ void run(const calls::Call &call, const calls::Inputs &in) {
     calls::destroy(o);
 }
 
+// Names and bytes, for which the table of the calls has no place.
+void names_and_bytes(const calls::Inputs &in) {
+    const nurbs *const splines[] = {in.curve, in.loop};
+    const char *const names[] = {"curve", "loop"};
+    std::array<unsigned char, 4096> bytes{};
+    nurbs_list *list = nullptr;
+    CHECK_OK(nurbs_list_create(2, splines, names, 1, &list));
+    CHECK_OK(nurbs_list_to_bytes(list, std::ssize(bytes), bytes.data(), nullptr));
+    CHECK_OK(nurbs_to_bytes(in.curve, std::ssize(bytes), bytes.data(), nullptr));
+    nurbs_list_destroy(list);
+}
+
 void all_calls() {
     const calls::Inputs in = calls::make_inputs();
     calls::for_each_allocating([&](const calls::Call &call) { run(call, in); });
@@ -37,6 +50,7 @@ void all_calls() {
     }
     evaluate_nothing(in);
     evaluate_batches();
+    names_and_bytes(in);
     calls::check_intact(in);
     calls::destroy(in);
 }

@@ -4,8 +4,7 @@
 #define NURBS_TESTS_CAPI_SOME_STATISTICS_H
 
 #include "fits.h"
-
-enum { most_bytes = 4096, header_bytes = 64 };
+#include "signed_bytes.h"
 
 /* Cubics over the cells [0, 1), [1, 2), [2, 4] in the plane; values to 8, weights to 2. */
 static inline nurbs_statistics *empty(void) {
@@ -41,11 +40,6 @@ static inline nurbs_statistics *part(int64_t first, int64_t end) {
     nurbs_statistics_destroy(none);
     return out;
 }
-
-typedef struct Bytes {
-    int64_t size;
-    unsigned char data[most_bytes];
-} Bytes;
 
 static inline Bytes bytes_of(const nurbs_statistics *s) {
     Bytes made;

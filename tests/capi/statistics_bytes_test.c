@@ -2,27 +2,6 @@
 /* Statistics as bytes, and bytes that are none. */
 #include "some_statistics.h"
 
-static void number_into(unsigned char *place, uint64_t value, int size) {
-    for (int i = 0; i < size; ++i) {
-        place[i] = (unsigned char)(value >> (8 * i));
-    }
-}
-
-/* The checksum of ECMA-182 over all bytes but its own. */
-static void sign(unsigned char *bytes, int64_t size) {
-    uint64_t sum = ~UINT64_C(0);
-    for (int64_t i = 0; i < size; ++i) {
-        if (i >= 24 && i < 32) {
-            continue;
-        }
-        sum ^= bytes[i];
-        for (int k = 0; k < 8; ++k) {
-            sum = sum >> 1 ^ (sum & 1 ? UINT64_C(0xC96C5795D7870F42) : 0);
-        }
-    }
-    number_into(bytes + 24, ~sum, 8);
-}
-
 static void bytes_and_back(void) {
     nurbs_statistics *all = part(0, 6), *copy = NULL;
     Bytes made = bytes_of(all), again;
@@ -126,12 +105,6 @@ static void check_bad_number(int line, int place, uint64_t value, int size, nurb
 #define BAD_NUMBER(place, value, size, status, words)                                                        \
     check_bad_number(__LINE__, place, (uint64_t)(value), size, status, words)
 
-static uint64_t bits_of(double value) {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
 /* Numbers of good bytes replaced by some that no statistics have: header, sizes, breaks, cells, counts, sums. */
 static void numbers_of_no_statistics(void) {
     enum { sizes = 64, breaks = 128, cells = 192, counts = 208, sums = 256, entries = 18 };
@@ -191,12 +164,6 @@ static void extreme_forms(void) {
     nurbs_statistics_destroy(s);
 }
 
-/* Numbers in [0, 1) that are the same everywhere. */
-static double next_number(uint64_t *state) {
-    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (double)(*state >> 11) * 0x1p-53;
-}
-
 /* The checksum of statistics of 300 data, of degree 4 - axes on each axis. */
 static uint64_t checksum_of_many(int32_t axes) {
     enum { n = 300, dim = 2, knots = 5 };
@@ -232,9 +199,7 @@ static uint64_t checksum_of_many(int32_t axes) {
     CHECK_OK(nurbs_statistics_create(axes, degrees, counts, breaks, axes * knots, dim, 1, 1, &none));
     CHECK_OK(nurbs_statistics_add(none, &data, &all));
     CHECK_OK(nurbs_statistics_to_bytes(all, sizeof bytes, bytes, &size));
-    for (int i = 7; i >= 0; --i) {
-        sum = sum << 8 | bytes[24 + i];
-    }
+    sum = number_from(bytes + 24, 8);
     nurbs_statistics_destroy(all);
     nurbs_statistics_destroy(none);
     return sum;

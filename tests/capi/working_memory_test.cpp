@@ -153,6 +153,33 @@ void check_grid(const GridCall &call, const SplineArgs &shape, int64_t small, in
     nurbs_destroy(g);
 }
 
+// A bend that no net of a bearable size approximates does not try larger ones.
+void check_bend() {
+    constexpr int32_t degrees[] = {3, 3, 3};
+    constexpr int64_t counts[] = {10, 10, 10};
+    constexpr double origin[] = {0, 0, 0}, along[] = {1, 0, 0}, across[] = {0, 1, 0};
+    constexpr int64_t most = 500000000;
+    std::vector<double> knots, points;
+    for (int i = 0; i < 3 * 14; ++i) {
+        knots.push_back(std::fmin(std::fmax(i % 14 - 3, 0), 7));
+    }
+    for (int i = 0; i < 3000; ++i) {
+        points.push_back(std::fmod(i * 0.6180339887498949, 1.0));
+    }
+    nurbs *g = nullptr, *bent = nullptr;
+    CHECK_INT(nurbs_create(3, degrees, counts, knots.data(), std::ssize(knots), 3, points.data(), 0, 0,
+                           nullptr, 0, 0, &g),
+              NURBS_OK);
+    allocations::begin();
+    allocations::fail(0, false);
+    CHECK_INT(nurbs_bend(g, origin, along, across, 2, -0.5, 0.5, 1e-9, nullptr, nullptr, &bent),
+              NURBS_ERROR_NOT_CONVERGED);
+    allocations::end();
+    std::printf("bend %lld bytes\n", static_cast<long long>(allocations::log.peak));
+    CHECK(static_cast<int64_t>(allocations::log.peak) < most);
+    nurbs_destroy(g);
+}
+
 } // namespace
 
 int main() {
@@ -160,6 +187,7 @@ int main() {
         std::puts("skipped: the sanitizer replaces malloc itself");
         return 77;
     }
+    check_bend();
     Arrays arrays;
     for (const SplineArgs &shape : {circle(), arch(), loop(), trough(), cube()}) {
         const bool periodic = shape.flags != 0;

@@ -19,12 +19,12 @@ import header  # noqa: E402 - from the project
 
 # Pointers to one value that is written; arrays have names in the plural.
 SINGLE_RESULTS = ("against", "angle", "area", "at_least", "at_most", "axes", "bound", "cells", "complete", "content",
-                  "convexity", "count", "curvature_gap", "degree", "deviation", "dim", "distance", "edges", "entity_type",
-                  "entries", "error", "faces", "factor", "form", "gap", "geometric", "homogeneous", "index", "key", "knot",
-                  "length", "line", "metres", "moved", "openness", "optimality", "order", "parent", "part", "parts",
-                  "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason", "removed", "residual",
-                  "result", "shape", "size", "slots", "status", "tolerance", "type", "uses", "value", "vertices", "volume",
-                  "weight")
+                  "convexity", "count", "curvature_gap", "degree", "deviation", "dim", "distance", "edges",
+                  "entity_type", "entries", "error", "faces", "factor", "form", "gap", "geometric", "homogeneous",
+                  "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "openness",
+                  "optimality", "order", "parent", "part", "parts", "periodic", "position_gap", "proven", "rank",
+                  "ratio", "rational", "reason", "removed", "residual", "result", "shape", "size", "slots", "status",
+                  "tolerance", "type", "uses", "value", "vertices", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]
 
 

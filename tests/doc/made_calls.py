@@ -58,7 +58,7 @@ class Border:
             ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.statistics)) == 0
         surface = self.splines[1].handle
         self.face, self.model = ctypes.c_void_p(), ctypes.c_void_p()
-        assert self.library.nurbs_face_create(surface, ctypes.c_int64(0), None, None, None, None, ctypes.c_double(0), 0, None,
+        assert self.library.nurbs_face_create(surface, ctypes.c_int64(0), None, None, None, None, ctypes.c_double(0.25), 0, None,
                                               ctypes.byref(self.face)) == 0
         assert self.library.nurbs_model_create(ctypes.c_int64(1), ctypes.byref(self.face), ctypes.c_double(0),
                                                ctypes.byref(self.model)) == 0

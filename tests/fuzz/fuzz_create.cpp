@@ -95,6 +95,50 @@ void full(Input &in, fuzz::Spline s) {
     }
 }
 
+// Periodic axes of random knots and few control points, one argument of which may be wrong; what is taken comes back.
+void periodic(Input &in) {
+    const int axes = 1 + in.below(3);
+    std::vector<int32_t> degrees;
+    std::vector<int64_t> counts;
+    std::vector<double> knots;
+    int64_t total = 1;
+    for (int k = 0; k < axes; ++k) {
+        degrees.push_back(in.rarely() ? in.below(32) : in.below(6));
+        counts.push_back(1 + in.below(axes == 1 ? 20 : 4));
+        total *= counts.back();
+        double t = in.number();
+        for (int64_t i = 0; i <= counts.back(); ++i) {
+            knots.push_back(in.rarely() ? in.anything() : t);
+            t += 0.25 * in.below(5);
+        }
+    }
+    std::vector<double> points(static_cast<size_t>(total)), weights(points.size());
+    std::generate(points.begin(), points.end(), [&] { return in.rarely() ? in.anything() : in.number(); });
+    std::generate(weights.begin(), weights.end(), [&] { return fuzz::any_weight(in); });
+    const bool bad = in.rarely();
+    counts[0] = bad ? in.bad_size() : counts[0];
+    nurbs *g = poison();
+    const nurbs_status status = nurbs_create_periodic(
+        axes, degrees.data(), counts.data(), knots.data(), std::ssize(knots), 1, points.data(), 0, 0,
+        in.coin() ? weights.data() : nullptr, 0, NURBS_ON_ALL_AXES(axes, NURBS_PERIODIC), &g);
+    const fuzz::Handle handle(FUZZ_MADE(status, g));
+    FUZZ_REQUIRE(!(bad && handle));
+    if (handle) {
+        std::vector<double> found(points.size());
+        int64_t count = 0;
+        FUZZ_REQUIRE(nurbs_unwrapped_points(handle.get(), total, found.data(), nullptr, &count) == NURBS_OK);
+        FUZZ_REQUIRE(count == total && fuzz::same_bits(found.data(), points.data(), points.size()));
+        size_t offset = 0;
+        for (int32_t k = 0; k < axes; ++k) {
+            found.resize(static_cast<size_t>(counts[static_cast<size_t>(k)]) + 1);
+            FUZZ_REQUIRE(nurbs_unwrapped_knots(handle.get(), k, std::ssize(found), found.data(), &count) ==
+                         NURBS_OK);
+            FUZZ_REQUIRE(fuzz::same_bits(found.data(), knots.data() + offset, found.size()));
+            offset += found.size();
+        }
+    }
+}
+
 // The records (w x, ..., w) of the spline, now and then with another sign.
 void homogeneous(Input &in, const fuzz::Spline &s) {
     std::vector<double> records;
@@ -308,6 +352,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         bezier(in, s);
     }
     generators(in);
+    periodic(in);
     texts(in);
     return 0;
 }

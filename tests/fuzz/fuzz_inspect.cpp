@@ -32,6 +32,39 @@ void distinct_knots(Input &in, const nurbs *g, int32_t axis, const std::vector<d
     FUZZ_REQUIRE(cap == 0 || spelled == knots);
 }
 
+// A part of the knots, from number `first` on.
+template <class Ask>
+void part_of_knots(Input &in, const std::vector<double> &knots, size_t first, int64_t expected, Ask &&ask) {
+    int64_t count = 0;
+    FUZZ_REQUIRE(ask(0, nullptr, &count) == NURBS_OK && count == expected);
+    const int64_t cap = in.rarely() ? in.below(20) : count;
+    std::vector<double> found(static_cast<size_t>(cap));
+    const bool ok = FUZZ_OK(ask(cap, found.data(), &count));
+    FUZZ_REQUIRE(ok == (cap == 0 || cap >= count));
+    FUZZ_REQUIRE(!ok || cap == 0 ||
+                 fuzz::same_bits(found.data(), knots.data() + first, static_cast<size_t>(count)));
+}
+
+void short_and_unwrapped(Input &in, const nurbs *g, int32_t axis, const std::vector<double> &knots,
+                         int32_t degree) {
+    int32_t form = 0;
+    int64_t distinct = 0;
+    FUZZ_REQUIRE(nurbs_knot_form(g, axis, &form) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_unwrapped_count(g, axis, &distinct) == NURBS_OK);
+    const bool periodic = (form & NURBS_FORM_PERIODIC) != 0;
+    const int64_t all = std::ssize(knots);
+    FUZZ_REQUIRE(distinct == all - degree - 1 - (periodic ? degree : 0));
+    part_of_knots(in, knots, periodic ? static_cast<size_t>(degree) : 0, periodic ? distinct + 1 : all,
+                  [&](int64_t cap, double *values, int64_t *count) {
+                      return nurbs_unwrapped_knots(g, axis, cap, values, count);
+                  });
+    if (degree > 0) {
+        part_of_knots(in, knots, 1, all - 2, [&](int64_t cap, double *values, int64_t *count) {
+            return nurbs_short_knots(g, axis, cap, values, count);
+        });
+    }
+}
+
 void forms(const nurbs *g, int32_t axis, const std::vector<double> &knots, int32_t degree, int64_t count) {
     int32_t form = -1;
     double domain[2] = {0, 0};
@@ -73,6 +106,7 @@ void axes(Input &in, const nurbs *g, const fuzz::Spline &s) {
         if (stated == length) {
             FUZZ_REQUIRE(fuzz::same_bits(knots.data(), s.knots.data() + offset, knots.size()));
             distinct_knots(in, g, k, knots);
+            short_and_unwrapped(in, g, k, knots, degree);
             forms(g, k, knots, degree, count);
             greville(in, g, k, knots, degree);
         }
@@ -90,6 +124,9 @@ void wrong_axis(Input &in, const nurbs *g, const fuzz::Spline &s) {
     FUZZ_REQUIRE(nurbs_knots(g, axis, 2, domain) == NURBS_ERROR_AXIS);
     FUZZ_REQUIRE(nurbs_distinct_knots(g, axis, 2, domain, nullptr, &large) == NURBS_ERROR_AXIS);
     FUZZ_REQUIRE(nurbs_knot_form(g, axis, &small) == NURBS_ERROR_AXIS);
+    FUZZ_REQUIRE(nurbs_unwrapped_count(g, axis, &large) == NURBS_ERROR_AXIS);
+    FUZZ_REQUIRE(nurbs_unwrapped_knots(g, axis, 2, domain, &large) == NURBS_ERROR_AXIS);
+    FUZZ_REQUIRE(nurbs_short_knots(g, axis, 2, domain, &large) == NURBS_ERROR_AXIS);
     FUZZ_REQUIRE(nurbs_domain(g, axis, domain) == NURBS_ERROR_AXIS);
     FUZZ_REQUIRE(nurbs_greville(g, axis, 2, domain) == NURBS_ERROR_AXIS);
     FUZZ_REQUIRE(small == -7 && large == -7 && domain[0] == -7 && domain[1] == -7);

@@ -1,6 +1,8 @@
 // Approximation of splines by simpler ones: the bound is proven, corners stay, and less is needed than there was.
 #include "property/fits.h"
 
+#include <limits>
+
 namespace approximate_test {
 
 using namespace support;
@@ -106,6 +108,12 @@ TEST(Approximate, meets_the_tolerance_with_few_control_points) {
     EXPECT_GT(approximated(g.get(), {3}, 0, 30).bound, 0);
 }
 
+TEST(Approximate, needs_least_for_any_distance) {
+    const Handle g = create(even_curve(3, 9, 2));
+    const Approximated result = approximated(g.get(), {1}, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(result.count(), 2);
+}
+
 TEST(Approximate, returns_what_is_simple_already) {
     SplineData cubic = even_curve(3, 8, 2);
     for (size_t i = 0; i < cubic.points.size(); ++i) {
@@ -119,6 +127,44 @@ TEST(Approximate, returns_what_is_simple_already) {
     EXPECT_LE(near.bound, 1e-9);
     EXPECT_EQ(near.count(), 8);
     EXPECT_EQ(read_back(approximated(g.get(), {4}, 0).spline.get()).degrees[0], 4);
+}
+
+// With a limit of work, counted: the closest one that was met, with a bound that holds.
+TEST(Approximate, ends_at_a_limit_of_work_with_what_it_has) {
+    Random random(921000);
+    SplineData wild;
+    wild.dim = 3;
+    for (int k = 0; k < 2; ++k) {
+        support::products::set_axis(wild, 3, even_curve(3, 12).knots[0]);
+    }
+    for (int64_t i = 0; i < wild.point_count(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            wild.points.push_back(random.between(-1, 1));
+        }
+        wild.weights.push_back(random.magnitude(1e-2, 1e2));
+    }
+    const Handle g = create(wild);
+    const auto within = [&](int64_t work, Approximated &result) {
+        nurbs_call_options call{};
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = work;
+        nurbs *out = nullptr;
+        const nurbs_status status =
+            nurbs_approximate_with(g.get(), nullptr, 0, 0, &result.bound, &call, &out);
+        result.spline = Handle(out);
+        return status;
+    };
+    Approximated none, few, more;
+    EXPECT_EQ(within(100000, none), NURBS_ERROR_WORK);
+    ASSERT_EQ(within(300000000, few), NURBS_OK);
+    ASSERT_EQ(within(1200000000, more), NURBS_OK);
+    EXPECT_GT(more.bound, 0);
+    EXPECT_LT(more.bound, few.bound);
+    for (int i = 0; i < 300; ++i) {
+        const auto param = random_params(random, wild, 1);
+        const auto a = eval(g.get(), param), b = eval(few.spline.get(), param);
+        EXPECT_LE(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), few.bound);
+    }
 }
 
 } // namespace approximate_test

@@ -419,7 +419,7 @@ TEST(Clouds, HugeFactorsLeaveLines) {
                 fit.options.lambda = lambda;
                 const Handle g = fit(*start, cloud);
                 EXPECT_TRUE(fit.converged()) << count << ' ' << lambda;
-                EXPECT_EQ(fit.report.lambda, lambda);
+                EXPECT_LT(fit.report.lambda, 1e9); // that of where lines begin
                 EXPECT_NEAR(fit.report.rms, rms_of_line(cloud), 1e-3 * rms_of_line(cloud));
                 const auto first = eval(g.get(), {0}), middle = eval(g.get(), {0.5}),
                            last = eval(g.get(), {1});
@@ -450,6 +450,77 @@ TEST(Clouds, HugeFactorsLeavePlanes) {
     for (size_t c = 0; c < 3; ++c) { // inside, control points are evenly far apart
         EXPECT_NEAR(point(2, 2, c) + point(3, 2, c), point(0, 2, c) + point(5, 2, c), 1e-6);
         EXPECT_NEAR(point(2, 1, c) + point(2, 3, c), point(2, 0, c) + point(2, 4, c), 1e-6);
+    }
+}
+
+// --- Numbers far apart ---
+
+// Beside a point that is very far away, the others' distances are as large as they are.
+TEST(Clouds, SquaresBesideAFarPoint) {
+    SplineData line = even_axes({1}, {2}, 2);
+    line.points = {0, 0, 1e300, 0};
+    Cloud cloud{2, {}, {}};
+    for (int i = 0; i < 25; ++i) {
+        cloud.add({0, 3});
+    }
+    cloud.add({1e300, 0});
+    CloudFit fit;
+    fit.options.rounds = 1;
+    (void)fit(create(line), cloud);
+    EXPECT_NEAR(fit.report.squares, 25 * 9, 1e-12);
+    EXPECT_NEAR(fit.report.rms, std::sqrt(25 * 9 / 26.0), 1e-14);
+    EXPECT_EQ(fit.report.largest, 3);
+}
+
+// A lambda beyond the largest one that changes anything acts as the one that is told.
+TEST(Clouds, TheLambdaThatWasUsed) {
+    Random random(15);
+    Cloud cloud{2, {}, {}};
+    for (int i = 0; i < 100; ++i) {
+        const double u = random.unit();
+        cloud.add({u, u * u});
+    }
+    const Handle start = start_for(cloud, even_axes({3}, {8}, 2));
+    CloudFit huge;
+    huge.options.lambda = 1e300;
+    const auto points = read_back(huge(start, cloud).get()).points;
+    const double least = std::pow(3 * std::numbers::pi / 2, 4);
+    EXPECT_DOUBLE_EQ(huge.report.lambda, 0x1p26 * 100 / least);
+    CloudFit same;
+    same.options.lambda = huge.report.lambda;
+    EXPECT_TRUE(same_bits(read_back(same(start, cloud).get()).points, points));
+    EXPECT_EQ(same.report.lambda, huge.report.lambda);
+}
+
+// --- Limits of work ---
+
+// Counted: the fit never has a larger sum than one that had less work.
+TEST(Clouds, ALimitOfWorkLeavesWhatThereIs) {
+    Random random(17);
+    Cloud cloud{4, {}, {}};
+    for (int i = 0; i < 300; ++i) {
+        cloud.add({random.unit(), random.unit(), random.unit(), random.unit()});
+    }
+    const Handle start = start_for(cloud, even_axes({2, 2, 2}, {5, 5, 5}, 4));
+    CloudFit fit;
+    fit.options.lambda = 0;
+    const auto within = [&](int64_t work) {
+        nurbs_call_options call{};
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = work;
+        nurbs *out = nullptr;
+        const nurbs_status status = nurbs_fit_cloud_with(start.get(), cloud.size(), cloud.points.data(), 0, 0,
+                                                         nullptr, 0, &fit.options, &fit.report, &call, &out);
+        const Handle made(out);
+        return status;
+    };
+    EXPECT_EQ(within(1000), NURBS_ERROR_WORK);
+    double before = HUGE_VAL;
+    for (const int64_t work : {200000000, 600000000, 1800000000}) {
+        ASSERT_EQ(within(work), NURBS_OK);
+        EXPECT_EQ(fit.report.bits, NURBS_CLOUD_NOT_CONVERGED) << work;
+        EXPECT_LT(fit.report.squares, before) << work;
+        before = fit.report.squares;
     }
 }
 

@@ -182,4 +182,46 @@ TEST(FitTolerance, copes_with_few_and_noisy_data) {
     });
 }
 
+// With a limit of work, counted: more control points than a tolerance needs, or the closest fit that was met.
+TEST(FitTolerance, ends_at_a_limit_of_work_with_what_it_has) {
+    const auto wave = [](double u, double v) { return std::sin(5 * u) * std::cos(4 * v); };
+    Random random(911000);
+    Sample smooth{2, 1, {}, {}, {}}, noise = smooth;
+    for (int i = 0; i < 2000; ++i) {
+        const double u = random.unit(), v = random.unit();
+        smooth.params.insert(smooth.params.end(), {u, v});
+        smooth.values.push_back(wave(u, v));
+        noise.values.push_back(random.between(-1, 1));
+    }
+    noise.params = smooth.params;
+    const auto within = [](const Sample &sample, double tolerance, int64_t work, Result &result) {
+        result.report.struct_size = sizeof result.report;
+        nurbs_call_options call{};
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = work;
+        const int32_t degrees[] = {3, 3};
+        const nurbs_data data = sample.view();
+        nurbs *out = nullptr;
+        const nurbs_status status = nurbs_fit_tolerance_with(&data, degrees, nullptr, tolerance, 0, 0,
+                                                             nullptr, &result.report, &call, &out);
+        result.spline = Handle(out);
+        return status;
+    };
+    const auto points = [](const Result &result) { return read_back(result.spline.get()).point_count(); };
+    Result none, met, best, missed, closer;
+    EXPECT_EQ(within(smooth, 1e-4, 100000, none), NURBS_ERROR_WORK);
+    ASSERT_EQ(within(smooth, 1e-4, 20000000, met), NURBS_OK);
+    ASSERT_EQ(within(smooth, 1e-4, 2000000000, best), NURBS_OK);
+    EXPECT_EQ(met.report.bits, 0);
+    EXPECT_LE(met.report.largest, 1e-4);
+    EXPECT_EQ(best.report.bits, 0);
+    EXPECT_LT(points(best), points(met));
+    ASSERT_EQ(within(noise, 0, 20000000, missed), NURBS_OK);
+    ASSERT_EQ(within(noise, 0, 2000000000, closer), NURBS_OK);
+    EXPECT_EQ(missed.report.bits, NURBS_FIT_TARGET_MISSED);
+    EXPECT_LT(closer.report.largest, missed.report.largest);
+    EXPECT_EQ(distance_at(missed.spline.get(), noise, static_cast<size_t>(missed.report.largest_index)),
+              missed.report.largest);
+}
+
 } // namespace fit_tolerance_test

@@ -106,6 +106,27 @@ TEST(RobustFit, has_least_squares_as_its_limit) {
     });
 }
 
+// Only quotients of weights count, down to the smallest doubles.
+TEST(RobustFit, has_weights_of_any_size) {
+    Random random(953000);
+    const SplineData truth = any_truth(random, 2);
+    Sample sample = noisy_spline(random, truth, 300, 0.01);
+    for (size_t i = 0; i < sample.values.size(); i += 14) {
+        sample.values[i] += 1;
+    }
+    for (const int32_t rule : {NURBS_ROBUST_HUBER, NURBS_ROBUST_TUKEY}) {
+        Fit one(truth), tiny(truth);
+        one.options.robust = tiny.options.robust = rule;
+        sample.weights.assign(300, 1);
+        const auto wanted = read_back(one(sample).get()).points;
+        sample.weights.assign(300, 5e-324);
+        EXPECT_TRUE(same_bits(read_back(tiny(sample).get()).points, wanted));
+        EXPECT_EQ(tiny.report.outliers, one.report.outliers);
+        EXPECT_EQ(tiny.report.rms, one.report.rms);
+        EXPECT_EQ(tiny.report.sigma, std::ldexp(one.report.sigma, -537));
+    }
+}
+
 // Powers of two are told as they are, though the squares of values overflow or vanish.
 TEST(FitReport, has_the_scale_of_the_data) {
     for_each_case(948500, 20, [](Random &random, uint64_t seed) {

@@ -31,7 +31,7 @@ module nurbs
     use nurbs_calls, only: nurbs_call, nurbs_progress
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
-    use nurbs_lists, only: nurbs_list
+    use nurbs_lists, only: bytes_kind, nurbs_list
     use nurbs_fittings, only: fit_points, fit_tolerance, cloud_start, fit_cloud, nurbs_statistics
     use nurbs_faces, only: nurbs_face
     use nurbs_models, only: nurbs_model

@@ -271,6 +271,20 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_multiplicities
+        !> A spline whose periodic axes are given without what they repeat: each control point once, and the
+        !> knots of one period.
+        function nurbs_create_periodic(axes, degrees, counts, knots, knot_count, dim, points, point_stride, &
+                point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*), points(*)
+            integer(c_int64_t), value :: knot_count, point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in), optional :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_periodic
         !> A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, N in
         !> all, no knots.
         function nurbs_create_bezier(axes, degrees, dim, points, point_stride, point_component_stride, &
@@ -419,6 +433,17 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots
+        !> The knots of an axis without the first and the last one, as nurbs_create_short() takes them and
+        !> openNURBS, Rhino and Maya keep them.
+        function nurbs_short_knots(g, axis, cap, knots, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: knots(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_short_knots
         !> The distinct knots of an axis and how often each occurs; those outside the domain are included.
         function nurbs_distinct_knots(g, axis, cap, knots, multiplicities, count) bind(c) result(r)
             import
@@ -482,6 +507,36 @@ module nurbs_c
             real(c_double), intent(inout) :: points(*)
             integer(c_int32_t) :: r
         end function nurbs_homogeneous_points
+        !> Number of control points along an axis, each counted once: count - degree on a periodic axis, count
+        !> on any other.
+        function nurbs_unwrapped_count(g, axis, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_unwrapped_count
+        !> The knots of an axis as nurbs_create_periodic() takes them: those from the start to the end of the
+        !> domain of a periodic axis, knots[degree] to knots[count], and all knots of any other.
+        function nurbs_unwrapped_knots(g, axis, cap, knots, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: knots(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_unwrapped_knots
+        !> Control points and weights, each once, as nurbs_create_periodic() takes them: along periodic axes
+        !> without the last `degree` ones, which repeat others.
+        function nurbs_unwrapped_points(g, cap, points, weights, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: points(*), weights(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_unwrapped_points
         !> Local hull size: the largest |coordinate| among the active control points of positive weight at
         !> each parameter, the `hull` of the accuracy contract.
         function nurbs_hull_size(g, n, params, param_stride, param_component_stride, sizes, size_stride, &
@@ -3298,6 +3353,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_file_with
+        !> A list of given splines.
+        function nurbs_list_create(count, splines, names, metres, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: splines(*)
+            type(c_ptr), intent(in), optional :: names(*)
+            real(c_double), value :: metres
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_list_create
         !> Number of splines in a list.
         function nurbs_list_count(list, count) bind(c) result(r)
             import
@@ -3353,6 +3418,49 @@ module nurbs_c
             import
             type(c_ptr), value :: list
         end subroutine nurbs_list_destroy
+        ! --- Handles as bytes
+        !> A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
+        !> each part to a multiple of 64.
+        function nurbs_to_bytes(g, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, bytes
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_to_bytes
+        !> The spline of the bytes of nurbs_to_bytes(): the same stored values, bit for bit, and the same
+        !> periodic axes.
+        function nurbs_from_bytes(bytes, size, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_from_bytes
+        !> A list as bytes, with names, notes and unit.
+        function nurbs_list_to_bytes(list, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: list, bytes
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_list_to_bytes
+        !> The list of the bytes of nurbs_list_to_bytes().
+        function nurbs_list_from_bytes(bytes, size, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_list_from_bytes
+        !> Of which kind bytes are, and in which version of the form, from their first 64.
+        function nurbs_bytes_kind(bytes, size, kind, major, minor) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            integer(c_int32_t), intent(inout), optional :: kind, major, minor
+            integer(c_int32_t) :: r
+        end function nurbs_bytes_kind
         ! --- Models
         !> Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242).
         function nurbs_read_model(bytes, size, options, out) bind(c) result(r)

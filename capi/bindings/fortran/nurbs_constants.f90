@@ -153,6 +153,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_CHECKSUM = 404
     ! bytes of a handle have a later version of the form
     integer(c_int32_t), parameter :: NURBS_ERROR_VERSION = 405
+    ! entities of a file contain each other (only in notes)
+    integer(c_int32_t), parameter :: NURBS_ERROR_CYCLE = 406
     integer(c_int32_t), parameter :: NURBS_ERROR_INTERNAL = 900  ! a defect of the library; please report it
 
     ! --- Flags by axis
@@ -262,11 +264,11 @@ module nurbs_constants
     ! --- What nurbs_fit_report tells besides
     ! no smoothing leaves as little as the target asks for
     integer(c_int32_t), parameter :: NURBS_FIT_TARGET_MISSED = int(z'01', c_int32_t)
-    ! the rounds of a robust fit still changed it at their end
+    ! rounds of a robust fit, or of a shape, still changed it
     integer(c_int32_t), parameter :: NURBS_FIT_NOT_CONVERGED = int(z'02', c_int32_t)
 
     ! --- What nurbs_cloud_report tells besides
-    ! the rounds ended while the sum still fell
+    ! the rounds, or the limit of work, ended while the sum still fell
     integer(c_int32_t), parameter :: NURBS_CLOUD_NOT_CONVERGED = int(z'01', c_int32_t)
 
     ! --- Rules for tangents, for nurbs_tangents()
@@ -408,4 +410,9 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_NORMAL = 2
     ! the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_CURVATURE = 3
+
+    ! --- Kinds of handles
+    integer(c_int32_t), parameter :: NURBS_BYTES_SPLINE = 1  ! a spline: nurbs_from_bytes()
+    integer(c_int32_t), parameter :: NURBS_BYTES_LIST = 2  ! a list: nurbs_list_from_bytes()
+    integer(c_int32_t), parameter :: NURBS_BYTES_STATISTICS = 3  ! statistics: nurbs_statistics_from_bytes()
 end module nurbs_constants

@@ -5,8 +5,9 @@ module nurbs_handles
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
-        nurbs_list_destroy, nurbs_model_clone, nurbs_model_destroy, nurbs_read_options, nurbs_read_options_init, &
-        nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes
+        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_model_clone, nurbs_model_destroy, &
+        nurbs_read_options, nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, &
+        nurbs_statistics_to_bytes, nurbs_to_bytes
     use nurbs_support
     implicit none
     private
@@ -21,7 +22,7 @@ module nurbs_handles
     type, public :: nurbs_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_spline, replace => replace_spline
+        procedure :: destroy => destroy_spline, replace => replace_spline, to_bytes => spline_to_bytes
         procedure, private :: copy
         generic :: assignment(=) => copy
         final :: finish_spline
@@ -31,7 +32,8 @@ module nurbs_handles
     type, public :: nurbs_list_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_list, replace => replace_list
+        procedure :: destroy => destroy_list, replace => replace_list, create => create_list
+        procedure :: to_bytes => list_to_bytes
         procedure, private :: refuse_copy
         generic :: assignment(=) => refuse_copy
         final :: finish_list
@@ -41,7 +43,7 @@ module nurbs_handles
     type, public :: nurbs_statistics_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_statistics, replace => replace_statistics, to_bytes
+        procedure :: destroy => destroy_statistics, replace => replace_statistics, to_bytes => statistics_to_bytes
         procedure, private :: copy_statistics
         generic :: assignment(=) => copy_statistics
         final :: finish_statistics
@@ -57,6 +59,17 @@ module nurbs_handles
         final :: finish_face
     end type nurbs_face_handle
 
+    !> What nurbs_to_bytes() and those like it are.
+    abstract interface
+        function writer_of_bytes(handle, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: handle, bytes
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function writer_of_bytes
+    end interface
+
     !> The handle of a model. An assignment makes another handle on the same model.
     type, public :: nurbs_model_handle
         type(c_ptr) :: handle = c_null_ptr
@@ -69,7 +82,30 @@ module nurbs_handles
 
 contains
 
+    !> The bytes that one of them makes of a handle.
+    subroutine write_bytes(writer, handle, bytes, status)
+        procedure(writer_of_bytes) :: writer
+        type(c_ptr), intent(in) :: handle
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int64_t) :: length
+        integer(c_int32_t) :: code
+        length = 0
+        code = writer(handle, 0_c_int64_t, c_null_ptr, length)
+        allocate (character(kind=c_char, len=length) :: bytes)
+        if (code == NURBS_OK) code = writer(handle, length, c_loc(bytes))
+        call settle(code, status)
+    end subroutine write_bytes
+
     ! Splines
+
+    !> The same bytes on every machine for the same spline.
+    subroutine spline_to_bytes(this, bytes, status)
+        class(nurbs_handle), intent(in) :: this
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        call write_bytes(nurbs_to_bytes, this%handle, bytes, status)
+    end subroutine spline_to_bytes
 
     subroutine destroy_spline(this)
         class(nurbs_handle), intent(inout) :: this
@@ -154,18 +190,12 @@ contains
     end function handles_of_statistics
 
     !> The same bytes on every machine for the same data, whatever their order.
-    subroutine to_bytes(this, bytes, status)
+    subroutine statistics_to_bytes(this, bytes, status)
         class(nurbs_statistics_handle), intent(in) :: this
         character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int64_t) :: length
-        integer(c_int32_t) :: code
-        length = 0
-        code = nurbs_statistics_to_bytes(this%handle, 0_c_int64_t, c_null_ptr, length)
-        allocate (character(kind=c_char, len=length) :: bytes)
-        if (code == NURBS_OK) code = nurbs_statistics_to_bytes(this%handle, length, c_loc(bytes))
-        call settle(code, status)
-    end subroutine to_bytes
+        call write_bytes(nurbs_statistics_to_bytes, this%handle, bytes, status)
+    end subroutine statistics_to_bytes
 
     !> values(n, dim) at params(n, axes), with weights(n) or without. It refers to these arrays, which have to be
     !> contiguous, and to stay as long as it is used.
@@ -273,6 +303,38 @@ contains
 
     ! Lists
 
+    !> A list of splines; names without the blanks at their ends, absent for "0", "1", ...; metres per unit of length, absent
+    !> if that is not known.
+    subroutine create_list(this, splines, names, metres, status)
+        class(nurbs_list_handle), intent(inout) :: this
+        class(nurbs_handle), intent(in) :: splines(:)
+        character(len=*), intent(in), optional :: names(:)
+        real(c_double), intent(in), optional :: metres
+        integer(c_int32_t), intent(out), optional :: status
+        character(kind=c_char), allocatable, target :: texts(:, :)
+        type(c_ptr), allocatable :: places(:)
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
+        integer :: i, k
+        made = c_null_ptr
+        code = NURBS_OK
+        if (present(names)) then
+            if (size(names) /= size(splines)) code = shape_error
+            allocate (texts(len(names) + 1, size(names)), source=c_null_char)
+            allocate (places(size(names)))
+            do i = 1, size(names)
+                do k = 1, len_trim(names(i))
+                    texts(k, i) = names(i)(k:k)
+                end do
+                places(i) = c_loc(texts(1, i))
+            end do
+        end if
+        if (code == NURBS_OK) code = nurbs_list_create(size(splines, kind=c_int64_t), handles_of_splines(splines), places, &
+            given(metres, 0.0_c_double), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create_list
+
     subroutine destroy_list(this)
         class(nurbs_list_handle), intent(inout) :: this
         call replace_list(this, c_null_ptr)
@@ -289,6 +351,14 @@ contains
         call nurbs_list_destroy(this%handle)
         this%handle = handle
     end subroutine replace_list
+
+    !> The same bytes on every machine for the same list, with names, notes and unit.
+    subroutine list_to_bytes(this, bytes, status)
+        class(nurbs_list_handle), intent(in) :: this
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        call write_bytes(nurbs_list_to_bytes, this%handle, bytes, status)
+    end subroutine list_to_bytes
 
     impure elemental subroutine refuse_copy(this, other)
         class(nurbs_list_handle), intent(inout) :: this

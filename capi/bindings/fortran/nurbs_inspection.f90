@@ -5,8 +5,9 @@ module nurbs_inspection
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_axes, nurbs_dimension, nurbs_degree, nurbs_count, nurbs_point_count, nurbs_is_rational, &
-        nurbs_is_homogeneous, nurbs_knot_form, nurbs_domain, nurbs_knots, nurbs_distinct_knots, nurbs_greville, &
-        nurbs_points, nurbs_weights, nurbs_homogeneous_points
+        nurbs_is_homogeneous, nurbs_knot_form, nurbs_domain, nurbs_knots, nurbs_short_knots, nurbs_unwrapped_count, &
+        nurbs_unwrapped_knots, nurbs_unwrapped_points, nurbs_distinct_knots, nurbs_greville, nurbs_points, &
+        nurbs_weights, nurbs_homogeneous_points
     use nurbs_support
     use nurbs_handles
     implicit none
@@ -16,8 +17,8 @@ module nurbs_inspection
     type, extends(nurbs_handle), public :: nurbs_inspected
     contains
         procedure :: axes, dimension => get_dimension, degree, count => get_count, point_count, is_rational
-        procedure :: is_homogeneous, knot_form, domain, knots, distinct_knots, greville, points, weights
-        procedure :: homogeneous_points
+        procedure :: is_homogeneous, knot_form, domain, knots, short_knots, unwrapped_count, unwrapped_knots
+        procedure :: unwrapped_points, distinct_knots, greville, points, weights, homogeneous_points
     end type nurbs_inspected
 
 contains
@@ -114,6 +115,61 @@ contains
         allocate (values(knot_count_c))
         call settle(nurbs_knots(this%handle, axis - 1, knot_count_c, values), status)
     end subroutine knots
+
+    !> The knot vector without its first and last knot.
+    subroutine short_knots(this, axis, values, status)
+        class(nurbs_inspected), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), allocatable, intent(out) :: values(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_short_knots(this%handle, axis - 1, 0_c_int64_t, count=n)
+        allocate (values(n))
+        if (code == NURBS_OK) code = nurbs_short_knots(this%handle, axis - 1, n, values)
+        call settle(code, status)
+    end subroutine short_knots
+
+    !> Number of control points along an axis, each counted once.
+    integer(c_int64_t) function unwrapped_count(this, axis, status) result(value)
+        class(nurbs_inspected), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        integer(c_int32_t), intent(out), optional :: status
+        value = 0
+        call settle(nurbs_unwrapped_count(this%handle, axis - 1, value), status)
+    end function unwrapped_count
+
+    !> The knots of one period with its end; of an axis that is not periodic all of them.
+    subroutine unwrapped_knots(this, axis, values, status)
+        class(nurbs_inspected), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), allocatable, intent(out) :: values(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_unwrapped_knots(this%handle, axis - 1, 0_c_int64_t, count=n)
+        allocate (values(n))
+        if (code == NURBS_OK) code = nurbs_unwrapped_knots(this%handle, axis - 1, n, values)
+        call settle(code, status)
+    end subroutine unwrapped_knots
+
+    !> Control points and weights, each once.
+    subroutine unwrapped_points(this, values, weights, status)
+        class(nurbs_inspected), intent(in) :: this
+        real(c_double), allocatable, intent(out) :: values(:, :), weights(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: values_c(:, :)
+        n = 0
+        code = nurbs_unwrapped_points(this%handle, 0_c_int64_t, count=n)
+        allocate (values_c(dim_of(this%handle), n), weights(n))
+        if (code == NURBS_OK) code = nurbs_unwrapped_points(this%handle, n, values_c, weights)
+        values = transpose(values_c)
+        call settle(code, status)
+    end subroutine unwrapped_points
 
     !> The knots without repetition, and how often each occurs.
     subroutine distinct_knots(this, axis, values, multiplicities, status)

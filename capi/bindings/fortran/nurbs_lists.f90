@@ -5,19 +5,21 @@ module nurbs_lists
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_decompose, nurbs_split_at_knots, nurbs_read, nurbs_read_file, nurbs_list_count, &
-        nurbs_list_get, nurbs_list_name, nurbs_list_note_count, nurbs_list_note, nurbs_list_unit, nurbs_read_with, &
-        nurbs_read_file_with, nurbs_read_options
+        nurbs_list_get, nurbs_list_name, nurbs_list_note_count, nurbs_list_note, nurbs_list_unit, &
+        nurbs_list_from_bytes, nurbs_bytes_kind, nurbs_read_with, nurbs_read_file_with, nurbs_read_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
     use nurbs_splines
     implicit none
     private
+    public :: bytes_kind
 
     !> Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied.
     type, extends(nurbs_list_handle), public :: nurbs_list
     contains
         procedure :: decompose, split_at_knots, read, read_file, count => get_count, get, name, note_count, note, unit
+        procedure :: from_bytes
     end type nurbs_list
 
 contains
@@ -165,4 +167,24 @@ contains
         value = 0
         call settle(nurbs_list_unit(this%handle, value), status)
     end function unit
+
+    !> The list of what to_bytes() made of it.
+    subroutine from_bytes(this, contents, status)
+        class(nurbs_list), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_list_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine from_bytes
+
+    !> Of which kind bytes are, and in which version of the form.
+    subroutine bytes_kind(contents, kind, major, minor, status)
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(inout) :: kind, major, minor
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_bytes_kind(c_loc(contents), len(contents, c_int64_t), kind, major, minor), status)
+    end subroutine bytes_kind
 end module nurbs_lists

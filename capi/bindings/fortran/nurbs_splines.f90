@@ -5,10 +5,11 @@ module nurbs_splines
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_create, nurbs_create_homogeneous, nurbs_create_short, nurbs_create_multiplicities, &
-        nurbs_create_bezier, nurbs_with_points, nurbs_iso, nurbs_insert_knot, nurbs_refine, nurbs_refine_uniform, &
-        nurbs_split, nurbs_extract, nurbs_clamp_ends, nurbs_move_seam, nurbs_elevate, nurbs_reverse, nurbs_transpose, &
-        nurbs_reparametrize, nurbs_make_rational, nurbs_to_homogeneous, nurbs_from_homogeneous, nurbs_transform, &
-        nurbs_transform_projective, nurbs_bezier_pieces, nurbs_join, nurbs_refinement_matrix
+        nurbs_create_periodic, nurbs_create_bezier, nurbs_with_points, nurbs_from_bytes, nurbs_iso, nurbs_insert_knot, &
+        nurbs_refine, nurbs_refine_uniform, nurbs_split, nurbs_extract, nurbs_clamp_ends, nurbs_move_seam, &
+        nurbs_elevate, nurbs_reverse, nurbs_transpose, nurbs_reparametrize, nurbs_make_rational, nurbs_to_homogeneous, &
+        nurbs_from_homogeneous, nurbs_transform, nurbs_transform_projective, nurbs_bezier_pieces, nurbs_join, &
+        nurbs_refinement_matrix
     use nurbs_support
     use nurbs_handles
     use nurbs_evaluation
@@ -18,10 +19,10 @@ module nurbs_splines
     !> A spline; an assignment makes another handle on the same data.
     type, extends(nurbs_shape), public :: nurbs_spline
     contains
-        procedure :: create, create_homogeneous, create_short, create_multiplicities, create_bezier, with_points, iso
-        procedure :: insert_knot, refine, refine_uniform, split, extract, clamp, move_seam, elevate, reverse
-        procedure :: transpose_axes, reparametrize, make_rational, to_homogeneous, from_homogeneous, transform
-        procedure :: transform_projective, bezier_pieces, join, refinement_matrix
+        procedure :: create, create_homogeneous, create_short, create_multiplicities, create_periodic, create_bezier
+        procedure :: with_points, from_bytes, iso, insert_knot, refine, refine_uniform, split, extract, clamp, move_seam
+        procedure :: elevate, reverse, transpose_axes, reparametrize, make_rational, to_homogeneous, from_homogeneous
+        procedure :: transform, transform_projective, bezier_pieces, join, refinement_matrix
     end type nurbs_spline
 
 contains
@@ -121,6 +122,29 @@ contains
         call settle(code, status)
     end subroutine create_multiplicities
 
+    !> Each control point once, and the knots of one period with its end, on periodic axes.
+    subroutine create_periodic(this, degrees, counts, knots, points, weights, flags, status)
+        class(nurbs_spline), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:), points(:, :)
+        real(c_double), intent(in), optional :: weights(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes, dim, product_counts
+        type(c_ptr) :: made
+        axes = size(degrees, kind=c_int64_t)
+        dim = size(points, 2, c_int64_t)
+        product_counts = net_size(int(counts, c_int64_t))
+        made = c_null_ptr
+        code = fitting([fits(counts, axes), fits(points, product_counts, dim), fits(weights, product_counts)])
+        if (code == NURBS_OK) code = nurbs_create_periodic(int(axes), degrees, int(counts, c_int64_t), knots, &
+            size(knots, kind=c_int64_t), int(dim), points, step(points), column(points), weights, 0_c_int64_t, &
+            given(flags, 0), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create_periodic
+
     !> A Bezier spline over [0, 1] on every axis.
     subroutine create_bezier(this, degrees, points, weights, status)
         class(nurbs_spline), intent(inout) :: this
@@ -160,6 +184,18 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine with_points
+
+    !> The spline of what to_bytes() made of it, bit for bit.
+    subroutine from_bytes(this, contents, status)
+        class(nurbs_spline), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine from_bytes
 
     ! Exact refinement, and parts of a spline
 

@@ -129,6 +129,9 @@ class Inputs:
             name = value.name
             if value.kind == "path":
                 self.check_path(value)
+            if value.kind == "texts":
+                n = self.terms.product(value.extents)
+                self.statements.append(f'detail::require_texts({self.reach[name]}, {n}, "{name}");')
             if name in counted:
                 self.statements.append(self.names[counted[name]])
             if not self.has_length(value) or name in counted:
@@ -207,6 +210,8 @@ class Inputs:
             return [f"&{self.reach[name]}"]
         if value.kind == "path":
             return [f"{self.reach[name]}.c_str()"]
+        if value.kind == "texts":
+            return [f"detail::pointer(detail::text_list({self.reach[name]}))"]
         if value.kind == "number":
             return [self.number(value)]
         if name in self.places:

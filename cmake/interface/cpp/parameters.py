@@ -23,6 +23,8 @@ def taken_type(method, argument, value, binding):
         return several_splines(argument, value, binding)
     if value.kind == "path":
         return "const std::string &"
+    if value.kind == "texts":
+        return "std::span<const std::string> "
     if value.kind == "bytes":
         return "std::span<const std::byte> "
     if value.kind == "options":

@@ -202,6 +202,26 @@ inline void require_matrix(View<double> matrix, std::int64_t rows, std::int64_t 
     }
 }
 
+// The same of texts, in which a zero byte would be their end.
+inline void require_texts(std::span<const std::string> texts, std::int64_t size, const char *what) {
+    require_given(texts, size, what);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (texts[i].find('\0') != std::string::npos) {
+            fail(Status::syntax, std::string(what) + "[" + std::to_string(i) + "] contains a zero byte");
+        }
+    }
+}
+
+// As the library takes an array of them.
+inline std::vector<const char *> text_list(std::span<const std::string> texts) {
+    std::vector<const char *> list;
+    list.reserve(texts.size());
+    for (const std::string &text : texts) {
+        list.push_back(text.c_str());
+    }
+    return list;
+}
+
 // NULL for an array that was left out.
 template <class Range>
 auto pointer(const Range &values) noexcept {

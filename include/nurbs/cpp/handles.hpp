@@ -18,6 +18,16 @@ inline namespace NURBS_CPP_POLICY {
 
 namespace detail {
 
+// What write(handle, cap, bytes, length) says of a handle.
+template <class Write, class Handle>
+Returned<std::vector<std::byte>> bytes_of(Write &&write, const Handle *handle) {
+    std::int64_t length = 0;
+    call(write, handle, std::int64_t{0}, nullptr, &length);
+    std::vector<std::byte> bytes(static_cast<std::size_t>(length));
+    call(write, handle, length, bytes.data(), nullptr);
+    return bytes;
+}
+
 /// A handle that is copied in constant time and freed by its destructor.
 class SplineHandle {
 public:
@@ -39,6 +49,11 @@ public:
     [[nodiscard]] const nurbs *get() const noexcept { return handle_; }
     [[nodiscard]] nurbs *release() noexcept { return std::exchange(handle_, nullptr); }
 
+    /// To be kept or sent: the same on every machine for the same spline.
+    [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
+        return bytes_of(nurbs_to_bytes, handle_);
+    }
+
 private:
     nurbs *handle_ = nullptr;
 };
@@ -58,6 +73,11 @@ public:
 
     [[nodiscard]] const nurbs_list *get() const noexcept { return handle_; }
     [[nodiscard]] nurbs_list *release() noexcept { return std::exchange(handle_, nullptr); }
+
+    /// To be kept or sent, with names, notes and unit: the same on every machine for the same list.
+    [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
+        return bytes_of(nurbs_list_to_bytes, handle_);
+    }
 
 private:
     nurbs_list *handle_ = nullptr;
@@ -85,11 +105,7 @@ public:
 
     /// To be kept or sent: the same on every machine for the same data, whatever their order.
     [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
-        std::int64_t length = 0;
-        call(nurbs_statistics_to_bytes, handle_, std::int64_t{0}, nullptr, &length);
-        std::vector<std::byte> bytes(static_cast<std::size_t>(length));
-        call(nurbs_statistics_to_bytes, handle_, length, bytes.data(), nullptr);
-        return bytes;
+        return bytes_of(nurbs_statistics_to_bytes, handle_);
     }
 
 private:

@@ -15,6 +15,11 @@
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
+/// Kinds of handles that bytes hold.
+inline constexpr std::int32_t bytes_spline = NURBS_BYTES_SPLINE;
+inline constexpr std::int32_t bytes_list = NURBS_BYTES_LIST;
+inline constexpr std::int32_t bytes_statistics = NURBS_BYTES_STATISTICS;
+
 /// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of
 /// them: where libraries that were compiled with two versions meet in one program, each has to say its own
 /// size, and none the other's.
@@ -31,6 +36,21 @@ struct Note {
     Status reason;            ///< Why not: a status.
     std::string text;         ///< The same in words.
 };
+
+/// What bytes hold, by their header.
+struct BytesKind {
+    std::int32_t kind;  ///< A bytes_ constant.
+    std::int32_t major; ///< Version of the form: a library reads those up to its own.
+    std::int32_t minor; ///< What it has in addition.
+};
+
+/// Of which kind bytes are, and in which version of the form.
+inline Returned<BytesKind> bytes_kind(std::span<const std::byte> bytes) {
+    BytesKind found{};
+    detail::call(nurbs_bytes_kind, bytes.data(), detail::length(bytes), &found.kind, &found.major,
+                 &found.minor);
+    return found;
+}
 
 /// Splines in an order: the parts of one, or what a file held. It cannot be copied.
 class List : public detail::ListHandle {
@@ -67,6 +87,15 @@ public:
         const detail::Watch watch(call);
         return detail::made<List>(nurbs_read_file_with, path.c_str(), &options, watch.get());
     }
+    /// A list of splines, with their names, none for "0", "1", ..., and the metres per unit of length, 0 if that
+    /// is not known.
+    [[nodiscard]] static Returned<List> create(std::span<const Spline> splines,
+                                               std::span<const std::string> names = {}, double metres = 0) {
+        const std::int64_t count = detail::length(splines);
+        detail::require_texts(names, count, "names");
+        return detail::made<List>(nurbs_list_create, count, detail::handle_list(splines).data(),
+                                  detail::pointer(detail::text_list(names)), metres);
+    }
     /// Number of splines.
     [[nodiscard]] Returned<std::int64_t> size() const {
         return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_count(get(), v); });
@@ -98,6 +127,10 @@ public:
     /// Metres per unit of length; 0 if the file does not say.
     [[nodiscard]] Returned<double> unit() const {
         return detail::result_of<double>([&](auto *v) { return nurbs_list_unit(get(), v); });
+    }
+    /// The list of what to_bytes() made of it.
+    [[nodiscard]] static Returned<List> from_bytes(std::span<const std::byte> bytes) {
+        return detail::made<List>(nurbs_list_from_bytes, bytes.data(), detail::length(bytes));
     }
 };
 

@@ -9,12 +9,20 @@
 #include <nurbs/cpp/sizes.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
+
+/// Control points, each once.
+struct UnwrappedPoints {
+    std::vector<double> points;  ///< Cartesian, [n][dim].
+    std::vector<double> weights; ///< All 1 for a polynomial spline.
+};
 
 /// Knots without repetition.
 struct DistinctKnots {
@@ -96,6 +104,20 @@ public:
             distinct_counts.data(), distinct_knots.data(), multiplicities.data(), dim, points.data(),
             points.stride(), points.component_stride(), detail::pointer(weights), weights.step(), flags);
     }
+    /// A spline whose periodic axes are given without what they repeat: counts of control points that differ, and
+    /// the knots of one period with its end.
+    static Returned<Spline> create_periodic(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                            View<double> knots, std::int32_t dim, Input points,
+                                            Input weights = {}, std::uint32_t flags = 0) {
+        detail::require(counts, detail::length(degrees), "counts");
+        const std::int64_t net_size = detail::product<std::int64_t>(counts);
+        points.require(net_size, dim, "points");
+        detail::require_wanted(weights, net_size, 1, "weights");
+        return detail::made<Spline>(nurbs_create_periodic, detail::axes_of(degrees), degrees.data(),
+                                    counts.data(), knots.data(), detail::length(knots), dim, points.data(),
+                                    points.stride(), points.component_stride(), detail::pointer(weights),
+                                    weights.step(), flags);
+    }
     /// A Bezier spline over [0, 1] on every axis.
     static Returned<Spline> create_bezier(View<std::int32_t> degrees, std::int32_t dim, Input points,
                                           Input weights = {}) {
@@ -113,6 +135,10 @@ public:
         detail::require_wanted(weights, net_size, 1, "weights");
         return detail::made<Spline>(nurbs_with_points, get(), points.data(), points.stride(),
                                     points.component_stride(), detail::pointer(weights), weights.step());
+    }
+    /// The spline of what to_bytes() made of it, bit for bit.
+    static Returned<Spline> from_bytes(std::span<const std::byte> bytes) {
+        return detail::made<Spline>(nurbs_from_bytes, bytes.data(), detail::length(bytes));
     }
     /// Another handle on the same data, in constant time.
     [[nodiscard]] Returned<Spline> clone() const { return detail::made<Spline>(nurbs_clone, get()); }
@@ -162,6 +188,49 @@ public:
         std::vector<double> values = detail::room(knot_count);
         detail::call(nurbs_knots, get(), axis, knot_count, values.data());
         return values;
+    }
+    /// The knot vector without its first and last knot.
+    [[nodiscard]] Returned<std::vector<double>> short_knots(std::int32_t axis) const {
+        std::vector<double> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_short_knots, get(), axis, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room(count);
+        ask(count);
+        return values;
+    }
+    /// Number of control points along an axis, each counted once.
+    [[nodiscard]] Returned<std::int64_t> unwrapped_count(std::int32_t axis) const {
+        return detail::result_of<std::int64_t>(
+            [&](auto *v) { return nurbs_unwrapped_count(get(), axis, v); });
+    }
+    /// The knots of one period with its end; of an axis that is not periodic all of them.
+    [[nodiscard]] Returned<std::vector<double>> unwrapped_knots(std::int32_t axis) const {
+        std::vector<double> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_unwrapped_knots, get(), axis, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room(count);
+        ask(count);
+        return values;
+    }
+    /// Control points and weights, each once.
+    [[nodiscard]] Returned<UnwrappedPoints> unwrapped_points() const {
+        UnwrappedPoints found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_unwrapped_points, get(), cap, found.points.data(), found.weights.data(),
+                         &count);
+        };
+        ask(0);
+        found.points = detail::room(count, detail::dimension(get()));
+        found.weights = detail::room(count);
+        ask(count);
+        return found;
     }
     /// The knots without repetition, and how often each occurs.
     [[nodiscard]] Returned<DistinctKnots> distinct_knots(std::int32_t axis) const {

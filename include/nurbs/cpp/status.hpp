@@ -115,6 +115,7 @@ inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
 inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
 inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
+inline constexpr std::uint32_t as_oriented = NURBS_AS_ORIENTED;
 inline constexpr std::uint32_t product_dot = NURBS_PRODUCT_DOT;
 inline constexpr std::uint32_t product_cross = NURBS_PRODUCT_CROSS;
 inline constexpr std::uint32_t homogeneous_records = NURBS_HOMOGENEOUS;

@@ -109,7 +109,11 @@ private:
             return build::polyline(model_.dim(), points, params);
         }
         const std::vector<int64_t> counts{std::ssize(params)};
-        return fit::interpolate({3}, fit::layers_by_axis(counts, params), {counts, model_.dim(), points},
+        fit::PointGrid grid;
+        grid.counts = counts;
+        grid.dim = model_.dim();
+        grid.points = points;
+        return fit::interpolate({3}, fit::layers_by_axis(counts, params), std::move(grid),
                                 {{fit::End::not_a_knot, fit::End::not_a_knot}});
     }
 

@@ -35,24 +35,40 @@ void append_turns(const RoundedPolynomial &derivative, std::vector<double> &plac
     }
 }
 
-// The places between which both coordinates of a span run one way, 0 and 1 among them.
-std::vector<double> turning_places(const Spline &curve, const refine::CurvePiece &span) {
-    std::vector<double> places{0};
-    std::optional<RoundedPolynomial> derivatives;
-    for (const int k : {0, 1}) {
-        if (!runs_one_way(span.coefficients(k))) {
-            if (!derivatives) {
-                const Part part{Interval{span.lower(), span.upper()}};
-                derivatives = pieces::tangent_numerator(pieces::PieceMaker(curve, part).piece(0), 0);
+// Where the coordinates of a curve turn. What that takes is linear in all knots, and made for the first span that may turn.
+class Turns {
+public:
+    explicit Turns(const Spline &curve) noexcept : curve_(curve) {}
+
+    // The places between which both coordinates of a span, the one of this number, run one way, 0 and 1 among them.
+    std::vector<double> places(const refine::CurvePiece &span, int64_t number) {
+        std::vector<double> places{0};
+        std::optional<RoundedPolynomial> derivatives;
+        for (const int k : {0, 1}) {
+            if (!runs_one_way(span.coefficients(k))) {
+                if (!derivatives) {
+                    derivatives = pieces::tangent_numerator(maker().piece(number), 0);
+                }
+                append_turns(component(*derivatives, k), places);
             }
-            append_turns(component(*derivatives, k), places);
         }
+        places.push_back(1);
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        return places;
     }
-    places.push_back(1);
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
-}
+
+private:
+    const pieces::PieceMaker &maker() {
+        if (!maker_) {
+            maker_.emplace(curve_, whole_domain(curve_));
+        }
+        return *maker_;
+    }
+
+    const Spline &curve_;
+    std::optional<pieces::PieceMaker> maker_;
+};
 
 class LoopPieces {
 public:
@@ -60,9 +76,12 @@ public:
 
     void add(const PlacedCurve &placed) {
         const KnotVector &axis = placed.curve->axis(0);
+        Turns turns(*placed.curve);
+        int64_t number = 0;
         for (int64_t span = axis.degree(); span < axis.count(); ++span) {
             if (axis[span] < axis[span + 1]) {
-                add_span(placed, refine::CurvePiece(*placed.curve, span));
+                const refine::CurvePiece piece(*placed.curve, span);
+                add_span(placed, piece, turns.places(piece, number++));
             }
         }
     }
@@ -75,12 +94,12 @@ public:
     }
 
 private:
-    void add_span(const PlacedCurve &placed, const refine::CurvePiece &span) {
+    void add_span(const PlacedCurve &placed, const refine::CurvePiece &span,
+                  const std::vector<double> &places) {
         TrimPieces whole;
         whole.add(piece_of(placed, span), coefficients_of(placed, span));
         const TrimPiece &piece = whole.all().front();
         step_to(piece);
-        const std::vector<double> places = turning_places(*placed.curve, span);
         for (size_t i = 0; i + 1 < places.size(); ++i) {
             const Point2 end = places[i + 1] == 1 ? piece.end : whole.point(piece, places[i + 1]);
             out_.add_part(whole, piece, {places[i], places[i + 1]}, *last_, end, {0, 0});

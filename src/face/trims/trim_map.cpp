@@ -151,30 +151,54 @@ std::optional<PassedSums> TrimMap::sums(const Point2 &x, size_t except) const {
 }
 
 PassedSums TrimMap::sums_left_of(int32_t loop) const {
-    const auto &all = pieces_.all();
-    std::vector<size_t> own;
-    for (size_t i = 0; i < all.size(); ++i) {
-        if (all[i].loop == loop && all[i].lower[0] < all[i].upper[0]) {
-            own.push_back(i);
-        }
-    }
-    const auto width = [&](size_t i) { return all[i].upper[0] - all[i].lower[0]; };
-    std::sort(own.begin(), own.end(), [&](size_t a, size_t b) { return width(a) > width(b); });
-    for (int probe = 0; probe < most_probes && !own.empty(); ++probe) {
-        const size_t i = own[static_cast<size_t>(probe) % own.size()];
-        const double share = (probe + 1) * 0.381966 - std::floor((probe + 1) * 0.381966);
-        const double u = all[i].lower[0] + share * width(i);
-        if (!(all[i].lower[0] < u && u < all[i].upper[0])) {
-            continue;
-        }
-        const Point2 x{u, std::clamp(pieces_.point(all[i], pieces_.place_of(all[i], 0, u))[1],
-                                     all[i].lower[1], all[i].upper[1])};
-        if (auto found = sums(x, i)) {
-            found->push_back({loop, all[i].start[0] < all[i].end[0] ? 0 : 1});
-            return *found;
+    for (const size_t k : {size_t{0}, size_t{1}}) { // loops that stay in a column may go around axis 1
+        const std::vector<size_t> own = longest_pieces(loop, k);
+        for (int probe = 0; probe < most_probes && !own.empty(); ++probe) {
+            const size_t i = own[static_cast<size_t>(probe) % own.size()];
+            const double share = (probe + 1) * 0.381966 - std::floor((probe + 1) * 0.381966);
+            if (auto found = sums_left_of(i, k, share)) {
+                return *found;
+            }
         }
     }
     fail(Status::orientation, "loop %d encloses nothing, or lies on others", static_cast<int>(loop));
+}
+
+std::vector<size_t> TrimMap::longest_pieces(int32_t loop, size_t k) const {
+    const auto &all = pieces_.all();
+    std::vector<size_t> own;
+    for (size_t i = 0; i < all.size(); ++i) {
+        const bool column = all[i].lower[0] == all[i].upper[0];
+        if (all[i].loop == loop && column == (k == 1) && all[i].lower[k] < all[i].upper[k]) {
+            own.push_back(i);
+        }
+    }
+    const auto length = [&](size_t i) { return all[i].upper[k] - all[i].lower[k]; };
+    std::sort(own.begin(), own.end(), [&](size_t a, size_t b) { return length(a) > length(b); });
+    return own;
+}
+
+// At a share of a piece along axis k. What is passed from a place in the column of an upright piece is what is passed from the
+// right side of it.
+std::optional<PassedSums> TrimMap::sums_left_of(size_t i, size_t k, double share) const {
+    const TrimPiece &piece = pieces_.all()[i];
+    const double at = piece.lower[k] + share * (piece.upper[k] - piece.lower[k]);
+    if (!(piece.lower[k] < at && at < piece.upper[k])) {
+        return std::nullopt;
+    }
+    Point2 x{piece.start[0], at};
+    if (k == 0) {
+        const double v = pieces_.point(piece, pieces_.place_of(piece, 0, at))[1];
+        x = {at, std::clamp(v, piece.lower[1], piece.upper[1])};
+    } else if (covering_->closed(0) && x[0] == covering_->domain(0).upper) {
+        x[0] = covering_->domain(0).lower;
+    }
+    auto found = sums(x, i);
+    if (found) {
+        const bool past = k == 0 ? piece.start[0] > piece.end[0] : piece.start[1] < piece.end[1];
+        found->push_back({piece.loop, past ? 1 : 0});
+    }
+    return found;
 }
 
 // Of the loop as it is turned.

@@ -63,6 +63,9 @@ private:
     [[nodiscard]] std::optional<PassedSums> sums(const Point2 &x, size_t except) const;
     // What is passed from the left side of a loop on, at some place of it.
     [[nodiscard]] PassedSums sums_left_of(int32_t loop) const;
+    [[nodiscard]] std::optional<PassedSums> sums_left_of(size_t i, size_t k, double share) const;
+    // Of a loop, those that are upright (k = 1) or not (k = 0), the longest along axis k first.
+    [[nodiscard]] std::vector<size_t> longest_pieces(int32_t loop, size_t k) const;
     void orient(const std::vector<LoopShape> &loops, bool turn);
     [[nodiscard]] int value_left_of(size_t loop, const PassedSums &sums) const;
 

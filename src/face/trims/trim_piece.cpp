@@ -161,6 +161,14 @@ int TrimPieces::side(const TrimPiece &piece, const Point2 &x) const noexcept {
     return ColumnSearch(*this, piece, x).side();
 }
 
+bool TrimPieces::meets(const TrimPiece &piece, const Point2 &lower, const Point2 &upper) const noexcept {
+    const double left = std::max(lower[0], piece.lower[0]), right = std::min(upper[0], piece.upper[0]);
+    const double bottom = std::max(lower[1], piece.lower[1]), top = std::min(upper[1], piece.upper[1]);
+    const bool rising = (piece.start[0] < piece.end[0]) == (piece.start[1] < piece.end[1]);
+    const Point2 above{rising ? left : right, top}, below{rising ? right : left, bottom};
+    return side(piece, above) <= 0 && side(piece, below) >= 0;
+}
+
 void TrimPieces::add(TrimPiece piece, std::span<const double> coefficients) {
     set_box(piece);
     piece.first = std::ssize(pool_);

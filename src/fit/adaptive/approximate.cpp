@@ -3,6 +3,7 @@
 
 #include "analysis/continuity.h"
 #include "base/representable.h"
+#include "base/watch.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
 #include "fit/adaptive/fit_tolerance.h"
@@ -149,6 +150,10 @@ std::optional<SplinePtr> same_spline(const SplinePtr &g, const std::vector<int> 
     return result;
 }
 
+bool meets(const Approximation &found, double tolerance) noexcept {
+    return found.spline != nullptr && found.bound <= tolerance;
+}
+
 class ApproximationSearch {
 public:
     // Knots where a derivative of g below an order jumps are kept, as multiple ones.
@@ -159,21 +164,24 @@ public:
         wishes_.conditions = corners(*g, domain_);
     }
 
-    // The samples have to be met a little better than the rest of g.
+    // Nothing where the limit of work came before the first fit.
     Approximation best() {
+        (void)attempted([&] { search(); });
+        return found_;
+    }
+
+private:
+    // The samples have to be met a little better than the rest of g.
+    void search() {
         constexpr int most_rounds = 6;
         constexpr int64_t most_samples = 50000;
         double aim = 0.95 * tolerance_;
         int64_t least = 64;
-        Approximation found{nullptr, INFINITY};
-        for (int round = 0; round < most_rounds && found.bound > tolerance_; ++round) {
+        for (int round = 0; round < most_rounds && !meets(found_, tolerance_); ++round) {
             const GridSamples samples(*g_, degrees_, least);
             const ToleranceFit fit = fit_to_tolerance(samples.data(), {}, domain_, aim, max_count_, wishes_);
             const SplinePtr &made = fit.points.fit.spline;
-            const double bound = bounds::deviation(*made, *g_).upper;
-            if (found.spline == nullptr || bound < found.bound) {
-                found = {made, bound};
-            }
+            const double bound = compare(made);
             const bool more = has_few(samples, *made) && samples.data().params.count < most_samples;
             if (!fit.reached && !more) {
                 break;
@@ -181,10 +189,19 @@ public:
             least = more ? 2 * least : least;
             aim *= std::clamp(0.9 * tolerance_ / bound, 0.3, 0.9);
         }
-        return found;
     }
-
-private:
+    // Keeps the closer one.
+    double compare(const SplinePtr &made) {
+        std::optional<NeededWork> needed;
+        if (found_.spline == nullptr) { // without a bound there is no answer
+            needed.emplace();
+        }
+        const double bound = bounds::deviation(*made, *g_).upper;
+        if (found_.spline == nullptr || bound < found_.bound) {
+            found_ = {made, bound};
+        }
+        return bound;
+    }
     // Whether there are few samples for each control point, so that what lies between them is not seen.
     [[nodiscard]] bool has_few(const GridSamples &samples, const Spline &made) const noexcept {
         constexpr int64_t few = 6;
@@ -202,6 +219,7 @@ private:
     int64_t max_count_;
     FitDomain domain_;
     FitWishes wishes_;
+    Approximation found_{nullptr, INFINITY};
 };
 
 bool has_few_knots(const Spline &g) {
@@ -214,10 +232,10 @@ bool has_few_knots(const Spline &g) {
 }
 
 bool is_better(const Approximation &a, const Approximation &b, double tolerance) noexcept {
-    if ((a.bound <= tolerance) != (b.bound <= tolerance)) {
-        return a.bound <= tolerance;
+    if (meets(a, tolerance) != meets(b, tolerance)) {
+        return meets(a, tolerance);
     }
-    return a.bound <= tolerance ? a.spline->point_count() < b.spline->point_count() : a.bound < b.bound;
+    return meets(a, tolerance) ? a.spline->point_count() < b.spline->point_count() : a.bound < b.bound;
 }
 
 } // namespace
@@ -231,20 +249,25 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
     if (same && tolerance == 0) {
         return itself();
     }
+    const UsualLimit usual(5 * usual_work(g->point_count(), 100000) / 4);
     const int64_t own = same ? (*same)->point_count() : max_count;
     int64_t limit = std::min(max_count, own); // more would not be taken
     Approximation found{nullptr, INFINITY};
     if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
+        const HalfOfWork half;
         found = ApproximationSearch(g, degrees, tolerance, limit, max_degree).best();
-        limit = found.bound <= tolerance ? std::min(limit, found.spline->point_count()) : limit;
+        limit = meets(found, tolerance) ? std::min(limit, found.spline->point_count()) : limit;
     }
     const Approximation plain = ApproximationSearch(g, degrees, tolerance, limit, 1).best();
     if (found.spline == nullptr || is_better(plain, found, tolerance)) {
         found = plain;
     }
-    const bool is_worse = found.bound > tolerance || own <= found.spline->point_count();
+    const bool is_worse = !meets(found, tolerance) || own <= found.spline->point_count();
     if (same && is_worse && own <= max_count) {
         return itself();
+    }
+    if (found.spline == nullptr) {
+        require_work();
     }
     return found;
 }

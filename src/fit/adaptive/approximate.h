@@ -17,7 +17,8 @@ struct Approximation {
 // within the tolerance of g over the whole domain; else the closest one that was met. Samples of g are fitted
 // (fit_tolerance.h), and the result is compared with g (bounds/deviation.h). Corners are those of g bit for bit, jumps and
 // kinks stay where they are, periodic axes stay periodic. A polynomial g of no higher degree is taken itself where it has fewer
-// control points, or where nothing else is near enough. Throws Status::not_representable, and what the comparison does.
+// control points, or where nothing else is near enough. At a limit of work, a usual one unless the caller has set one, the
+// closest one that was met by then is taken. Throws Status::not_representable, and what the comparison does.
 Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
                           int64_t max_count);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/adaptive/fit_tolerance.h"
 
+#include "base/watch.h"
 #include "eval/evaluate.h"
 #include "fit/adaptive/chosen_data.h"
 #include "fit/adaptive/find_breaks.h"
@@ -76,10 +77,28 @@ public:
         }
     }
 
-    // With ever more of the data, until what does for them does for all.
+    // Where the limit of work ends the search, all data are fitted once over the best knots that it met.
     ToleranceFit fit() {
+        {
+            const HalfOfWork half;
+            (void)attempted([&] { search(); });
+        }
+        if (best_.rounds == 0) {
+            const NeededWork needed;
+            const Axes axes = met_.axes.empty() ? even_axes(1) : met_.axes;
+            keep_better(fit_points(all_, rules_, axes, wishes_, true));
+        }
+        return std::move(best_);
+    }
+
+private:
+    // How many data are looked at first.
+    [[nodiscard]] int64_t some() const noexcept { return domain_.degrees.size() == 1 ? 2000 : 20000; }
+    static constexpr int64_t most_of_grid = 8100; // control points, whose equations take longest
+
+    // With ever more of the data, until what does for them does for all.
+    void search() {
         constexpr int64_t for_each_unknown = 12, more = 8;
-        ToleranceFit best{};
         int64_t size = std::min(all_.params.count, some());
         for (;;) {
             const PackedData subset = some_of(all_, size);
@@ -95,21 +114,13 @@ public:
                 size = std::min(all_.params.count, 2 * wanted);
                 continue;
             }
-            ToleranceFit one = finished(counts);
-            if (best.rounds == 0 || one.points.largest < best.points.largest) {
-                best = std::move(one);
-            }
-            if (whole || best.reached) {
-                return best;
+            finish(counts);
+            if (whole || best_.reached) {
+                return;
             }
             size = std::min(all_.params.count, more * size);
         }
     }
-
-private:
-    // How many data are looked at first.
-    [[nodiscard]] int64_t some() const noexcept { return domain_.degrees.size() == 1 ? 2000 : 20000; }
-    static constexpr int64_t most_of_grid = 8100; // control points, whose equations take longest
 
     // From a fit over even spans, with the breaks that it shows; whether that does for some of the data. Where many spans do,
     // breaks that the last fit showed which did not may make fewer of them do.
@@ -175,7 +186,7 @@ private:
 
     // The smallest numbers that do for the data, or the largest ones that are allowed: first on all axes at once, then on one
     // after the other, because what the density finds where an axis needs no knots is noise.
-    [[nodiscard]] Counts fewest(const Data &data) const {
+    [[nodiscard]] Counts fewest(const Data &data) {
         const int64_t most = largest_level(data);
         int64_t above = std::min(even_.spans, most), below = -1;
         while (above < most && !enough(counts_at(above), data)) { // even spans were better
@@ -210,7 +221,7 @@ private:
         SplinePtr missed; // the last one that did not do
         int64_t missed_spans;
     };
-    [[nodiscard]] EvenFit even_fit(const Data &data) const {
+    [[nodiscard]] EvenFit even_fit(const Data &data) {
         EvenFit found{};
         int64_t before = 0;
         for (int64_t spans = 1;; spans *= 2) {
@@ -235,18 +246,30 @@ private:
             found.missed_spans = spans;
         }
     }
-    [[nodiscard]] bool enough(const Counts &counts, const Data &data) const {
+    [[nodiscard]] bool enough(const Counts &counts, const Data &data) {
         return attempt(data, axes_with(counts)).largest <= tolerance_;
     }
     // No spline where there are too few control points for the conditions.
-    [[nodiscard]] FittedPoints attempt(const Data &data, const Axes &axes) const {
+    [[nodiscard]] FittedPoints attempt(const Data &data, const Axes &axes) {
         try {
-            return fit_points(data, rules_, axes, wishes_, true);
+            FittedPoints made = fit_points(data, rules_, axes, wishes_, true);
+            note(axes, made.largest);
+            return made;
         } catch (const Error &error) {
             if (error.status() != Status::contradiction) {
                 throw;
             }
             return {{}, 0, INFINITY, -1};
+        }
+    }
+    // The fewest knots that do, or else those that miss least.
+    void note(const Axes &axes, double largest) {
+        const bool does = largest <= tolerance_, did = met_.largest <= tolerance_;
+        const bool better = does != did ? does
+                            : does      ? unknowns_of(axes) < unknowns_of(met_.axes)
+                                        : largest < met_.largest;
+        if (better || met_.axes.empty()) {
+            met_ = {axes, largest};
         }
     }
     [[nodiscard]] int64_t largest_level(const Data &data) const {
@@ -260,29 +283,28 @@ private:
     }
 
     // With all data, and more knots where that is not enough.
-    ToleranceFit finished(Counts counts) {
+    void finish(Counts counts) {
         constexpr int most_rounds = 4;
-        ToleranceFit best{};
         for (int round = 1; round <= most_rounds; ++round) {
             const Axes axes = axes_with(counts);
             if (round > 1 && too_many(axes, all_)) {
                 break;
             }
-            FittedPoints one =
-                round == 1 ? fit_points(all_, rules_, axes, wishes_, true) : attempt(all_, axes);
-            if (round == 1 || one.largest < best.points.largest) {
-                best.points = std::move(one);
-            }
-            best.rounds = round;
-            best.reached = best.points.largest <= tolerance_;
-            if (best.reached) {
+            keep_better(round == 1 ? fit_points(all_, rules_, axes, wishes_, true) : attempt(all_, axes));
+            if (best_.reached) {
                 break;
             }
             for (int64_t &count : counts) {
                 count += std::max<int64_t>(1, count / 50) * (int64_t{1} << round) / 2;
             }
         }
-        return best;
+    }
+    void keep_better(FittedPoints one) {
+        if (best_.rounds == 0 || one.largest < best_.points.largest) {
+            best_.points = std::move(one);
+        }
+        ++best_.rounds;
+        best_.reached = best_.points.largest <= tolerance_;
     }
 
     [[nodiscard]] Axes even_axes(int64_t spans) const {
@@ -331,6 +353,11 @@ private:
     EvenFit even_{};
     std::array<std::vector<Break>, max_axes> breaks_;
     std::vector<KnotDensity> densities_;
+    struct {
+        Axes axes;
+        double largest;
+    } met_{}; // of some of the data
+    ToleranceFit best_{};
 };
 
 } // namespace
@@ -339,6 +366,7 @@ ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, co
                               double tolerance, int64_t max_count, const FitWishes &wishes) {
     // Of all data, so that what is wrong with one is told by its index.
     check_data(*form_for(data, rules, simplest_axes(domain)), data, rules);
+    const UsualLimit usual(usual_work(data.params.count, 200000));
     const auto search = [&](const Data &clean) {
         return ToleranceSearch(clean, domain, tolerance, max_count, wishes).fit();
     };

@@ -118,8 +118,12 @@ void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
          open = without_proof()) {
         before = open.size();
         const int64_t share = proving_pieces * std::max(few, cloud.size()) / std::ssize(open);
-        take(CloudFeet(spline, cloud.part(open), std::min(share, closest::usual_budget(spline))), open,
-             spline.axes());
+        if (!attempted([&] {
+                take(CloudFeet(spline, cloud.part(open), std::min(share, closest::usual_budget(spline))),
+                     open, spline.axes());
+            })) {
+            break;
+        }
     }
     set_squares(cloud);
 }

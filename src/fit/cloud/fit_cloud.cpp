@@ -10,6 +10,7 @@
 #include "fit/cloud/cloud_feet.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <optional>
 
@@ -31,17 +32,12 @@ class CloudDescent {
 public:
     CloudDescent(const Spline &start, const Cloud &cloud, const CloudWishes &wishes)
         : axes_(start.knot_vectors()), cloud_(cloud), wishes_(wishes), penalty_(axes_, wishes.penalty_order),
-          weight_(cloud.weight()), now_(candidate(unknowns_of(start))) {}
+          weight_(cloud.weight()), now_(first_candidate(start)) {}
 
+    // Where the limit of work ends the descent, the other half of it is left for proofs.
     void run() {
-        lambda_ = first_lambda();
-        converged_ = is_met();
-        while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // beyond it equations overflow
-            const bool settled = take_step();
-            const double before = lambda_;
-            lambda_ = next_lambda();
-            converged_ = is_met() || (settled && lambda_ >= before / 2);
-        }
+        const HalfOfWork half;
+        converged_ = attempted([&] { descend(); }) && converged_;
         lambda_ = is_met() ? 0 : lambda_; // the sum is that for any
     }
 
@@ -50,11 +46,7 @@ public:
         now_.feet.prove(*now_.spline, cloud_);
         return now_;
     }
-    [[nodiscard]] double lambda() const noexcept {
-        const bool as_given =
-            wishes_.lambda >= 0 && lambda_ == in_units(wishes_.lambda); // or beyond the limit
-        return as_given ? wishes_.lambda : std::ldexp(lambda_, cloud_.weight_exponent);
-    }
+    [[nodiscard]] double lambda() const noexcept { return std::ldexp(lambda_, cloud_.weight_exponent); }
     [[nodiscard]] int rounds() const noexcept { return rounds_; }
     [[nodiscard]] bool converged() const noexcept { return converged_; }
 
@@ -68,6 +60,17 @@ private:
     static constexpr double most_freedom = 0.25; // of the points
     static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, most_mu = 0x1p60,
                             mu_ratio = 8;
+
+    void descend() {
+        lambda_ = first_lambda();
+        converged_ = is_met();
+        while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // beyond it equations overflow
+            const bool settled = take_step();
+            const double before = lambda_;
+            lambda_ = next_lambda();
+            converged_ = is_met() || (settled && lambda_ >= before / 2);
+        }
+    }
 
     [[nodiscard]] std::vector<double> unknowns_of(const Spline &start) const {
         std::vector<double> x(static_cast<size_t>(penalty_.size() * cloud_.dim));
@@ -89,6 +92,10 @@ private:
         for_each_index({}, counts, [&](const Index &layer) { visit(penalty_.pattern().unknown(layer)); });
     }
 
+    Candidate first_candidate(const Spline &start) {
+        const NeededWork needed; // an answer if there is no other one
+        return candidate(unknowns_of(start));
+    }
     Candidate candidate(std::vector<double> x) {
         ++rounds_;
         const Phase phase(0.1);
@@ -214,11 +221,40 @@ int64_t count_of(const CloudFeet &feet, int32_t bit, int32_t value) noexcept {
     return std::ranges::count_if(feet.status, [&](int32_t status) { return (status & bit) == value; });
 }
 
+// sum w d^2 = sum 2^exponent, for weights of the cloud and given distances, however far the largest one is from the largest
+// coordinate.
+struct Squares {
+    double sum;
+    int exponent; // even
+};
+Squares squares_of(const CloudFeet &feet, const Cloud &cloud) {
+    struct Term {
+        double part;
+        int exponent;
+    };
+    std::vector<Term> terms;
+    int largest = INT_MIN + 1;
+    for (size_t i = 0; i < feet.distances.size(); ++i) {
+        int of_weight = 0, of_distance = 0;
+        const double w = std::frexp(cloud.weights[i], &of_weight),
+                     d = std::frexp(feet.distances[i], &of_distance);
+        terms.push_back({w * d * d, of_weight + 2 * of_distance});
+        largest = d > 0 ? std::max(largest, terms.back().exponent) : largest;
+    }
+    largest += largest & 1; // a root is taken of it
+    DoubleDouble sum;
+    for (const Term &term : terms) {
+        sum = sum + DoubleDouble(term.part > 0 ? std::ldexp(term.part, term.exponent - largest) : 0);
+    }
+    return {sum.high, sum.high > 0 ? largest + 2 * feet.exponent : 0};
+}
+
 void tell_distances(const CloudFeet &feet, const Cloud &cloud, CloudFit &fit) {
+    const Squares squares = squares_of(feet, cloud);
     fit.data_count = cloud.size();
     fit.weight = std::ldexp(cloud.weight(), cloud.weight_exponent);
-    fit.squares = std::ldexp(feet.squares, cloud.weight_exponent + 2 * feet.exponent);
-    fit.rms = std::ldexp(std::sqrt(feet.squares / cloud.weight()), feet.exponent);
+    fit.squares = std::ldexp(squares.sum, cloud.weight_exponent + squares.exponent);
+    fit.rms = std::ldexp(std::sqrt(squares.sum / cloud.weight()), squares.exponent / 2);
     const auto farthest = std::ranges::max_element(feet.distances);
     fit.largest = std::ldexp(*farthest, feet.exponent);
     fit.largest_index = cloud.indices[static_cast<size_t>(farthest - feet.distances.begin())];
@@ -231,6 +267,7 @@ void tell_distances(const CloudFeet &feet, const Cloud &cloud, CloudFit &fit) {
 CloudFit fit_cloud(const SplinePtr &start, const ConstRecords &points, const ConstRecords &weights,
                    const CloudWishes &wishes) {
     const Cloud cloud = cloud_of(points, weights, start->points());
+    const UsualLimit usual(usual_work(cloud.size() + start->point_count(), 1500000));
     CloudDescent descent(*start, cloud, wishes);
     descent.run();
     Candidate found = descent.found();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/least_squares/data_distances.h"
 
+#include "base/small_width.h"
 #include "base/watch.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
@@ -46,15 +47,24 @@ void for_each_distance(const Data &data, const eval::AxisRules &given, int weigh
         params.data += first * params.stride;
         params.count = count;
         eval::evaluate_points(spline, rules, 0, params, {points.data(), count, dim, dim});
-        for (int64_t i = 0; i < count; ++i) {
-            double *const point = points.data() + i * dim;
-            for (int64_t c = 0; c < dim; ++c) {
-                point[c] -= data.values(first + i, c);
+        const std::span<double> own = std::span(distances).first(static_cast<size_t>(count));
+        with_width(dim, [&](auto width) {
+            norms_of(
+                width,
+                [&](size_t i, int c) {
+                    const auto at = static_cast<int64_t>(i);
+                    return points[i * static_cast<size_t>(width) + static_cast<size_t>(c)] -
+                           data.values(first + at, c);
+                },
+                own);
+        });
+        const bool all = counts.surely_all(first, count);
+        for (int64_t i = 0; i < count && !all; ++i) {
+            if (!counts(first + i)) {
+                own[static_cast<size_t>(i)] = std::numeric_limits<double>::quiet_NaN();
             }
-            distances[static_cast<size_t>(i)] = counts(first + i) ? norm(point, static_cast<int>(dim))
-                                                                  : std::numeric_limits<double>::quiet_NaN();
         }
-        visit(first, std::span(distances).first(static_cast<size_t>(count)));
+        visit(first, own);
         steps.next(8 * count * dim);
     }
 }

@@ -19,7 +19,7 @@ namespace {
 using Axes = std::vector<KnotVectorPtr>;
 
 // None without smoothing, and for a constant, which pays nothing.
-std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wishes) {
+std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wishes, const Index &reach) {
     if (wishes.smoothing == Smoothing::none) {
         return std::nullopt;
     }
@@ -27,7 +27,7 @@ std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wish
         fail(Status::order, "options: penalty_order = %d, expected at most %d, the highest degree",
              wishes.penalty_order, highest);
     }
-    std::optional<StencilMatrix> form = penalty(axes, wishes.penalty_order, shape_reach(axes, wishes.shape));
+    std::optional<StencilMatrix> form = penalty(axes, wishes.penalty_order, reach);
     if (!(form->trace().high > 0)) {
         form.reset();
     }
@@ -88,18 +88,25 @@ Smoothed plain(const NormalEquations &equations, const Conditions &conditions) {
     return found;
 }
 
-Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, const FitWishes &wishes,
-                const Conditions &conditions, int64_t lacking) {
+// What is asked of a fit besides its data.
+struct Question {
+    const FitWishes &wishes;
+    const Conditions &conditions;
+    Index reach; // of the shape
+};
+
+Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, const Question &asked,
+                int64_t lacking) {
     if (form == nullptr && lacking < 0) {
-        return plain(equations, conditions);
+        return plain(equations, asked.conditions);
     }
     PenalisedSystem system(equations, form);
     if (form == nullptr) {
         system.fail_rank(lacking);
     }
-    LambdaSearch search(equations, *form, wishes.penalty_order, system);
-    Smoothed found = search.choose(wishes.smoothing, wishes.value);
-    complete(system, conditions, equations.dim, found);
+    LambdaSearch search(equations, *form, asked.wishes.penalty_order, system);
+    Smoothed found = search.choose(asked.wishes.smoothing, asked.wishes.value);
+    complete(system, asked.conditions, equations.dim, found);
     return found;
 }
 
@@ -123,9 +130,8 @@ double small_factor(const NormalEquations &equations, const StencilMatrix &form)
     return size > 0 ? part * (trace > 0 ? trace : 1) / size : 0;
 }
 
-Smoothed least_penalty(const NormalEquations &equations, const Conditions &conditions, int order,
-                       const Index &reach) {
-    const StencilMatrix form = penalty(equations.axes, order, reach);
+Smoothed least_penalty(const NormalEquations &equations, const Question &asked, int order) {
+    const StencilMatrix form = penalty(equations.axes, order, asked.reach);
     const double factor = small_factor(equations, form);
     PenalisedSystem system(equations, &form);
     const int64_t unsure = factor > 0 ? system.try_factorise_surely(factor) : 0;
@@ -136,23 +142,20 @@ Smoothed least_penalty(const NormalEquations &equations, const Conditions &condi
     found.decided_by = order;
     found.x = settled(equations, system);
     found.freedom = std::round(system.freedom().value); // of a projection, as it is without the small penalty
-    complete(system, conditions, equations.dim, found);
+    complete(system, asked.conditions, equations.dim, found);
     found.residual = 0;
     return found;
 }
 
 // The penalty of the highest order that decides, if the data do not: that of values always does.
-Smoothed regularised(const NormalEquations &equations, const FitWishes &wishes, const Conditions &conditions,
-                     int64_t lacking) {
+Smoothed regularised(const NormalEquations &equations, const Question &asked, int64_t lacking) {
     std::optional<Smoothed> found;
     if (lacking < 0) {
-        found = if_determined([&] { return plain(equations, conditions); });
+        found = if_determined([&] { return plain(equations, asked.conditions); });
     }
-    for (int order = std::min(wishes.penalty_order, highest_degree(equations.axes)); !found && order >= 0;
-         --order) {
-        found = if_determined([&] {
-            return least_penalty(equations, conditions, order, shape_reach(equations.axes, wishes.shape));
-        });
+    const int highest = std::min(asked.wishes.penalty_order, highest_degree(equations.axes));
+    for (int order = highest; !found && order >= 0; --order) {
+        found = if_determined([&] { return least_penalty(equations, asked, order); });
     }
     if (found) {
         return std::move(*found);
@@ -187,18 +190,19 @@ int64_t first_without_datum(const Statistics &statistics, const NormalEquations 
 }
 
 // What the data leave open is decided by the smallest penalty, where that is wanted.
-Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form, const FitWishes &wishes,
-                    const Conditions &conditions, int64_t lacking) {
-    if (wishes.regularise && wishes.smoothing == Smoothing::none) {
-        return regularised(equations, wishes, conditions, lacking);
+Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form, const Question &asked,
+                    int64_t lacking) {
+    const bool regularise = asked.wishes.regularise;
+    if (regularise && asked.wishes.smoothing == Smoothing::none) {
+        return regularised(equations, asked, lacking);
     }
     try {
-        return solved(equations, form, wishes, conditions, lacking);
+        return solved(equations, form, asked, lacking);
     } catch (const Error &error) {
-        if (!wishes.regularise || error.status() != Status::rank) {
+        if (!regularise || error.status() != Status::rank) {
             throw;
         }
-        return regularised(equations, wishes, conditions, lacking);
+        return regularised(equations, asked, lacking);
     }
 }
 
@@ -206,7 +210,7 @@ Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form,
 // until that is 0, decides without costing the data anything (R. Rockafellar, "Monotone operators and the proximal point
 // algorithm", SIAM J. Control Optim. 14 (1976)).
 void shape_decided(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix &form,
-                   const FitWishes &wishes, const Conditions &conditions, Smoothed &found) {
+                   const Question &asked, Smoothed &found) {
     constexpr double small = 0x1p-20; // beside what factors need
     constexpr double enough = 0x1p-48;
     constexpr int most = 4;
@@ -216,9 +220,10 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
     penalty.set_matrix(form);
     for (int step = 0; step < most; ++step) {
         std::vector<DoubleDouble> change = found.x;
-        impose_shape(data, from, &form, factor, conditions.rows(), wishes.shape, found);
+        impose_shape(data, from, &form, factor, asked.conditions.rows(), asked.wishes.shape, found);
         std::transform(found.x.begin(), found.x.end(), change.begin(), change.begin(), std::minus<>());
-        if (step > 0 && !(largest_of(change) > enough * largest_of(found.x))) {
+        found.settled = step > 0 && !(largest_of(change) > enough * largest_of(found.x));
+        if (found.settled) {
             break;
         }
         const std::vector<DoubleDouble> pull =
@@ -232,14 +237,13 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
 
 // With a penalty where the data alone do not decide.
 void shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *form,
-           const FitWishes &wishes, const Conditions &conditions, Smoothed &found) {
+           const Question &asked, Smoothed &found) {
     if (found.decided_by < 0) {
-        impose_shape(data, equations, form, found.lambda, conditions.rows(), wishes.shape, found);
+        impose_shape(data, equations, form, found.lambda, asked.conditions.rows(), asked.wishes.shape, found);
         return;
     }
-    const StencilMatrix deciding =
-        penalty(equations.axes, found.decided_by, shape_reach(equations.axes, wishes.shape));
-    shape_decided(data, equations, deciding, wishes, conditions, found);
+    const StencilMatrix deciding = penalty(equations.axes, found.decided_by, asked.reach);
+    shape_decided(data, equations, deciding, asked, found);
 }
 
 // In units of the scales, as equations are.
@@ -267,8 +271,9 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     const Axes axes = clamped_axes(wanted);
     check_shape(axes, units.dim, given.shape);
     const FitWishes wishes = scaled(given, units);
-    const std::optional<StencilMatrix> form = penalty_for(axes, wishes);
-    const NormalEquations data = normal_equations(statistics, axes, shape_reach(axes, wishes.shape));
+    const Index reach = shape_reach(axes, wishes.shape);
+    const std::optional<StencilMatrix> form = penalty_for(axes, wishes, reach);
+    const NormalEquations data = normal_equations(statistics, axes, reach);
     Conditions conditions(axes, wishes.conditions);
     std::optional<NormalEquations> with_conditions;
     if (!conditions.empty()) {
@@ -276,9 +281,10 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     }
     const NormalEquations &equations = with_conditions ? *with_conditions : data;
     const int64_t lacking = conditions.empty() ? first_without_datum(statistics, data) : -1;
-    Smoothed found = wanted_fit(equations, form ? &*form : nullptr, wishes, conditions, lacking);
+    const Question asked{wishes, conditions, reach};
+    Smoothed found = wanted_fit(equations, form ? &*form : nullptr, asked, lacking);
     if (!wishes.shape.empty()) {
-        shape(data, equations, form ? &*form : nullptr, wishes, conditions, found);
+        shape(data, equations, form ? &*form : nullptr, asked, found);
     }
     Fitted result{};
     result.spline = over_axes(spline_of(data, found.x, units.value_exponent), wanted);
@@ -287,6 +293,7 @@ Fitted fit(const Statistics &statistics, const Axes &wanted, const FitWishes &gi
     result.freedom = found.freedom;
     result.residual = found.residual;
     result.reached = found.reached;
+    result.settled = found.settled;
     return result;
 }
 

@@ -32,6 +32,7 @@ struct Fitted {
     double freedom;  // trace of the influence matrix
     double residual; // of the equations, relative to their right sides
     bool reached;    // the target
+    bool settled;    // whether a shape that the data leave open is found
 };
 
 // The spline over the axes. Throws what normal_equations(), PenalisedSystem, Conditions, check_shape()

@@ -97,6 +97,7 @@ std::vector<DoubleDouble> FitAxis::pair_sums(const std::vector<DoubleDouble> &fu
                                              const std::vector<DoubleDouble> &sums) const {
     const auto own = static_cast<size_t>(degree() + 1), width = static_cast<size_t>(data_degree_ + 1);
     std::vector<DoubleDouble> products(width * width), half(own * width), result;
+    result.reserve(own * (own + 1) / 2);
     for (size_t l = 0; l < width; ++l) {
         for (size_t m = 0; m < width; ++m) {
             products[l * width + m] = product_factors_[l * width + m] * sums[l + m];

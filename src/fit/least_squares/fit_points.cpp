@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/least_squares/fit_points.h"
 
+#include "base/finite.h"
 #include "base/watch.h"
 #include "fit/least_squares/data_distances.h"
 #include "numeric/power_of_two.h"
@@ -22,15 +23,31 @@ std::vector<Interval> domains_of(const std::vector<KnotVectorPtr> &axes) {
     return domains;
 }
 
-// Of the numbers among the values of data that count.
+// Of the numbers among the values of one record of data that counts, if it is above what is known.
+double larger_value(const Data &data, const CountedData &counts, int64_t i, double known) noexcept {
+    for (int64_t c = 0; c < data.values.width; ++c) {
+        const double value = std::abs(data.values(i, c));
+        if (value > known && std::isfinite(value) && counts(i)) {
+            known = value;
+        }
+    }
+    return known;
+}
+
+// Few blocks of packed values have one that is larger than all before.
 double largest_value(const Data &data, const CountedData &counts) noexcept {
+    constexpr int64_t block = 256;
+    const ConstRecords &values = data.values;
+    const bool packed = values.component_stride == 1 && values.stride == values.width;
     double largest = 0;
-    for (int64_t i = 0; i < data.values.count; ++i) {
-        for (int64_t c = 0; c < data.values.width; ++c) {
-            const double value = std::abs(data.values(i, c));
-            if (value > largest && std::isfinite(value) && counts(i)) {
-                largest = value;
-            }
+    for (int64_t first = 0; first < values.count; first += block) {
+        const int64_t count = std::min(block, values.count - first);
+        if (packed && !(largest_magnitude({values.record(first), static_cast<size_t>(count * values.width)}) >
+                        largest)) {
+            continue;
+        }
+        for (int64_t i = first; i < first + count; ++i) {
+            largest = larger_value(data, counts, i, largest);
         }
     }
     return largest;
@@ -59,31 +76,50 @@ int exponent_above(double value) noexcept {
     return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
+namespace {
+
+// The sum of squares, and the largest distance, of data that count.
+struct Comparison {
+    CompensatedSum squares;
+    double largest = -1;
+    int64_t largest_index = -1;
+
+    // In units of the misfit.
+    void add(const Data &data, const Misfit &units, int64_t first,
+             std::span<const double> distances) noexcept {
+        const int of_values = -units.value_exponent, of_weights = -units.weight_exponent;
+        for (size_t i = 0; i < distances.size(); ++i) {
+            const double distance = distances[i];
+            if (std::isnan(distance)) {
+                continue;
+            }
+            const int64_t at = first + static_cast<int64_t>(i);
+            const double part = times_power_of_two(distance, of_values),
+                         weight = times_power_of_two(weight_of(data, at), of_weights);
+            squares.add(weight * part * part);
+            if (distance > largest) {
+                largest = distance;
+                largest_index = at;
+            }
+        }
+    }
+};
+
+} // namespace
+
 // The sums of the statistics tell the squares to 2^-60 of what there was.
 void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
     Misfit &misfit = found.fit.misfit;
-    CompensatedSum squares;
-    double largest = -1;
+    Comparison all;
     for_each_distance(data, rules, misfit.weight_exponent, *found.fit.spline,
                       [&](int64_t first, std::span<const double> distances) {
-                          for (size_t i = 0; i < distances.size(); ++i) {
-                              const int64_t at = first + static_cast<int64_t>(i);
-                              const double distance = distances[i];
-                              if (std::isnan(distance)) {
-                                  continue;
-                              }
-                              const double part = times_power_of_two(distance, -misfit.value_exponent),
-                                           weight = times_power_of_two(weight_of(data, at),
-                                                                       -misfit.weight_exponent);
-                              squares.add(weight * part * part);
-                              if (distance > largest) {
-                                  largest = distance;
-                                  found.largest_index = at;
-                              }
-                          }
+                          Comparison next = all; // in registers
+                          next.add(data, misfit, first, distances);
+                          all = next;
                       });
-    found.largest = std::max(largest, 0.0);
-    misfit.squares = squares.value();
+    found.largest = std::max(all.largest, 0.0);
+    found.largest_index = all.largest_index;
+    misfit.squares = all.squares.value();
 }
 
 FittedPoints fit_points(const Data &data, const eval::AxisRules &rules,

@@ -96,6 +96,7 @@ private:
         constexpr int of_functions = -function_bits - value_bits, of_values = -value_bits - value_bits;
         const auto scaled = [&](int64_t first, int64_t end, int exponent) {
             std::vector<DoubleDouble> values;
+            values.reserve(static_cast<size_t>(end - first));
             for (int64_t e = first; e < end; ++e) {
                 values.push_back(sums[static_cast<size_t>(e)].scaled(exponent));
             }

@@ -180,11 +180,31 @@ private:
     Misfit given_; // of the data with the weights that they came with
 };
 
+// With weights in units of an even power of two.
+FittedPoints in_weights_of(int exponent, const Data &data, const eval::AxisRules &rules,
+                           const std::vector<KnotVectorPtr> &axes, FitWishes wishes) {
+    std::vector<double> weights;
+    for (int64_t i = 0; i < data.weights.count; ++i) {
+        weights.push_back(std::ldexp(checked_weight(data.weights, i), -exponent));
+    }
+    Data other = data;
+    other.weights = {weights.data(), std::ssize(weights), 1, 1};
+    wishes.value = std::ldexp(wishes.value, -exponent); // lambda or the target of squares
+    FittedPoints found = RobustFit(other, rules, axes, wishes).fit();
+    found.fit.lambda = std::ldexp(found.fit.lambda, exponent);
+    found.fit.misfit.weight_exponent += exponent;
+    found.scale = std::ldexp(found.scale, exponent / 2);
+    return found;
+}
+
 } // namespace
 
 FittedPoints robust_fit(const Data &data, const eval::AxisRules &rules,
                         const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes) {
-    return RobustFit(data, rules, axes, wishes).fit();
+    constexpr int least = -900; // of weights that factors leave their digits
+    const int exponent = exponent_above(largest_weight(data));
+    return exponent > least ? RobustFit(data, rules, axes, wishes).fit()
+                            : in_weights_of(exponent + (exponent & 1), data, rules, axes, wishes);
 }
 
 } // namespace nrb::fit

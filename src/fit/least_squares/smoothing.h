@@ -18,6 +18,7 @@ struct Smoothed {
     double residual = 0;         // of the equations, relative to their right sides
     double freedom = 0;          // trace of the influence matrix
     bool reached = true;         // the target, of Smoothing::discrepancy
+    bool settled = true;         // whether a shape that the data leave open is found
     int decided_by = -1;         // order of the penalty that decided what the data do not, -1: none had to
 };
 

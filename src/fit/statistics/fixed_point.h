@@ -36,6 +36,14 @@ inline CellPlace place_in_cell(double t, double lower, double upper) noexcept {
     }
     values[n] = carried;
 }
+// The same in steps of one, from those of degree `from`.
+template <class From, class To>
+[[gnu::always_inline]] inline void raise_functions(From from, To to, uint64_t distance,
+                                                   int64_t *values) noexcept {
+    for (int n = from + 1; n <= to; ++n) {
+        raise_functions(n, distance, values);
+    }
+}
 
 // The product of two functions.
 inline int64_t function_product(int64_t a, int64_t b) noexcept {

@@ -3,13 +3,13 @@
 
 #include "base/error.h"
 #include "base/watch.h"
+#include "fit/statistics/cell_slots.h"
 #include "fit/statistics/fixed_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
-#include <unordered_map>
 
 namespace nrb::fit {
 
@@ -31,33 +31,6 @@ namespace {
 // Sums in 128 bits have room for so many terms: a weight times a function is below 2^115.
 constexpr int32_t most_pending = 1 << 11;
 
-// The cells that were met so far.
-class Slots {
-public:
-    explicit Slots(int64_t cells, int64_t points) {
-        constexpr int64_t few = 1024;
-        if (cells <= std::max(few, 4 * points)) {
-            dense_.assign(static_cast<size_t>(cells), -1);
-        }
-    }
-    // The number of a cell, by the order of arrival.
-    int64_t of(int64_t cell) {
-        int64_t &slot =
-            dense_.empty() ? sparse_.try_emplace(cell, -1).first->second : dense_[static_cast<size_t>(cell)];
-        if (slot < 0) {
-            slot = std::ssize(cells_);
-            cells_.push_back(cell);
-        }
-        return slot;
-    }
-    [[nodiscard]] const std::vector<int64_t> &cells() const noexcept { return cells_; }
-
-private:
-    std::vector<int64_t> dense_;
-    std::unordered_map<int64_t, int64_t> sparse_;
-    std::vector<int64_t> cells_;
-};
-
 class Gathering {
 public:
     Gathering(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules)
@@ -71,7 +44,8 @@ public:
             high_[k].resize(static_cast<size_t>(2 * form.degrees[k] + 1));
             low_[k].resize(static_cast<size_t>(form.degrees[k] + 1));
         }
-        value_.resize(static_cast<size_t>(form.dim));
+        places_.resize(batch * form.degrees.size());
+        values_.resize(batch * static_cast<size_t>(form.dim));
     }
 
     void add_all() {
@@ -79,8 +53,8 @@ public:
         Steps steps(n / block + 1);
         for (int64_t first = 0; first < n; first += block) {
             const int64_t end = std::min(n, first + block);
-            for (int64_t i = first; i < end; ++i) {
-                add(i);
+            for (int64_t some = first; some < end; some += batch) {
+                add_batch(some, std::min(end, some + batch));
             }
             steps.next((end - first) * layout_.entries());
         }
@@ -92,7 +66,7 @@ public:
         for (int64_t i = 0; i < n; ++i) {
             const int64_t weight = weighted_ ? weight_of(i) : int64_t{1} << value_bits;
             if (weight != 0 && is_placed(i)) {
-                read_value(i, weight);
+                read_value(i, weight, values_.data());
             }
         }
         count_work(4 * n);
@@ -113,7 +87,19 @@ public:
     }
 
 private:
-    static constexpr int64_t block = 1024;
+    static constexpr int64_t block = 1024, batch = 32;
+
+    // A value in units of the scale, and times its weight.
+    struct Value {
+        int64_t units;
+        int64_t weighted;
+    };
+    // A point that counts, and where it and its value are in a batch.
+    struct Point {
+        int64_t cell, weight;
+        const CellPlace *places;
+        const Value *values;
+    };
 
     static int64_t cell_count(const StatisticsForm &form) noexcept {
         int64_t cells = 1;
@@ -124,25 +110,40 @@ private:
     }
     [[nodiscard]] size_t entries() const noexcept { return static_cast<size_t>(layout_.entries()); }
 
-    void add(int64_t i) {
-        int64_t weight = int64_t{1} << value_bits, cell = 0;
-        if ((weighted_ && (weight = weight_of(i)) == 0) || !find(i, cell)) {
-            return;
+    // Where points are is found for several of them before they are added: a processor has most of these divisions, which need
+    // not wait for each other, under way at once.
+    void add_batch(int64_t first, int64_t end) {
+        std::array<Point, batch> points;
+        size_t count = 0;
+        for (int64_t i = first; i < end; ++i) {
+            Point &point = points[count];
+            point = {0, int64_t{1} << value_bits, &places_[count * finders_.size()],
+                     &values_[count * static_cast<size_t>(form_.dim)]};
+            if ((weighted_ && (point.weight = weight_of(i)) == 0) ||
+                !find(i, point.cell, &places_[count * finders_.size()])) {
+                continue;
+            }
+            read_value(i, point.weight, &values_[count * static_cast<size_t>(form_.dim)]);
+            ++count;
         }
-        read_value(i, weight);
-        const auto slot = static_cast<size_t>(slots_.of(cell));
+        for (size_t j = 0; j < count; ++j) {
+            add(points[j]);
+        }
+    }
+
+    void add(const Point &point) {
+        const auto slot = static_cast<size_t>(slots_.of(point.cell));
         if (slot == counts_.size()) {
             counts_.push_back(0);
             pending_.push_back(0);
             recent_.resize(recent_.size() + entries());
             sums_.resize(sums_.size() + entries());
         }
-        ++counts_[slot];
-        if (++pending_[slot] > most_pending) {
+        if (pending_[slot] == most_pending) {
             settle(slot);
-            pending_[slot] = 1;
         }
-        add_to(recent_.data() + slot * entries(), weight);
+        ++pending_[slot];
+        add_to(recent_.data() + slot * entries(), point);
     }
 
     [[nodiscard]] int64_t weight_of(int64_t i) const {
@@ -157,8 +158,8 @@ private:
              Number(x).text, Number(units.scale()).text);
     }
 
-    // Its cell, and the functions of both degrees there; false if the point is left out.
-    bool find(int64_t i, int64_t &cell) {
+    // Its cell, and where in it; false if the point is left out.
+    bool find(int64_t i, int64_t &cell, CellPlace *places) const {
         for (size_t k = 0; k < finders_.size(); ++k) {
             const double given = data_.params(i, static_cast<int64_t>(k));
             const KnotVector &breaks = *form_.breaks[k];
@@ -175,7 +176,7 @@ private:
             }
             const int64_t span = rules_[k].left ? finders_[k].number<true>(t) : finders_[k].number<false>(t);
             cell = cell * breaks.count() + span;
-            set_functions(k, place_in_cell(t, breaks[span], breaks[span + 1]));
+            places[k] = place_in_cell(t, breaks[span], breaks[span + 1]);
         }
         return true;
     }
@@ -218,13 +219,9 @@ private:
     void fill(size_t k, const CellPlace &place, Degree p) noexcept {
         int64_t values[2 * max_degree + 1];
         values[0] = function_unit;
-        for (int n = 1; n <= p; ++n) {
-            raise_functions(n, place.distance, values);
-        }
+        raise_functions(0, p, place.distance, values);
         put(values, p, place.from_end, low_[k].data());
-        for (int n = p + 1; n <= 2 * p; ++n) {
-            raise_functions(n, place.distance, values);
-        }
+        raise_functions(p, 2 * p, place.distance, values);
         put(values, 2 * p, place.from_end, high_[k].data());
     }
     static void put(const int64_t *values, int degree, bool reversed, int64_t *out) noexcept {
@@ -233,15 +230,14 @@ private:
         }
     }
 
-    void read_value(int64_t i, int64_t weight) {
+    void read_value(int64_t i, int64_t weight, Value *values) const {
         for (int c = 0; c < form_.dim; ++c) {
             const double value = data_.values(i, c);
             if (!(std::abs(value) <= of_values_.scale())) {
                 fail_value(i, c, value);
             }
             const int64_t units = of_values_(value);
-            value_[static_cast<size_t>(c)] = {
-                units, weighted_ ? Int128::product(units, weight).rounded_shift(value_bits) : units};
+            values[c] = {units, weighted_ ? Int128::product(units, weight).rounded_shift(value_bits) : units};
         }
     }
     [[noreturn]] void fail_value(int64_t i, int c, double value) const {
@@ -254,55 +250,66 @@ private:
     }
 
     // Sums of cubic curves in the plane or in space, whose numbers are known to the compiler, take two thirds of the time.
-    void add_to(Int128 *sums, int64_t weight) noexcept {
+    void add_to(Int128 *sums, const Point &point) noexcept {
         using std::integral_constant;
         const bool cubic = form_.axes() == 1 && form_.degrees[0] == 3 && !weighted_;
         switch (cubic ? form_.dim : 0) {
         case 1:
-            return add_cubic(sums, integral_constant<int, 1>());
+            return add_cubic(sums, point, integral_constant<int, 1>());
         case 2:
-            return add_cubic(sums, integral_constant<int, 2>());
+            return add_cubic(sums, point, integral_constant<int, 2>());
         case 3:
-            return add_cubic(sums, integral_constant<int, 3>());
+            return add_cubic(sums, point, integral_constant<int, 3>());
         default:
-            return add_any(sums, weight);
+            return add_any(sums, point);
         }
     }
     template <class Dimension>
-    void add_cubic(Int128 *sums, Dimension dim) noexcept {
+    void add_cubic(Int128 *sums, const Point &point, Dimension dim) noexcept {
         constexpr int p = 3;
-        Value values[dim];
-        std::copy_n(value_.begin(), static_cast<int>(dim), values);
-        for (int j = 0; j <= 2 * p; ++j) {
-            *sums++ += Int128(0, static_cast<uint64_t>(high_[0][static_cast<size_t>(j)]));
-        }
+        const CellPlace place = point.places[0];
+        const std::ptrdiff_t step = place.from_end ? -1 : 1; // functions are numbered from the nearer end
+        Int128 *const moments = sums + (place.from_end ? 2 * p : 0);
+        Int128 *const right = sums + (2 * p + 1) + (place.from_end ? p * dim : 0);
+        Int128 *const squares = sums + (2 * p + 1) + (p + 1) * dim;
+        const Value *const values = point.values; // without weights
+        int64_t functions[2 * p + 1];
+        functions[0] = function_unit;
+        raise_functions(0, p, place.distance, functions);
         for (int j = 0; j <= p; ++j) {
-            const int64_t function = low_[0][static_cast<size_t>(j)];
             for (int c = 0; c < dim; ++c) {
-                *sums++ += Int128::product(function, values[c].weighted);
+                right[j * step * dim + c] += Int128::product(functions[j], values[c].units);
             }
         }
-        for (int c = 0; c < dim; ++c) {
-            *sums++ += Int128::product(values[c].units, values[c].weighted);
+        raise_functions(p, 2 * p, place.distance, functions);
+        for (int j = 0; j <= 2 * p; ++j) {
+            moments[j * step] += Int128(0, static_cast<uint64_t>(functions[j]));
         }
-        *sums += Int128(0, 1);
+        for (int c = 0; c < dim; ++c) {
+            squares[c] += Int128::product(values[c].units, values[c].units);
+        }
+        squares[dim] += Int128(0, 1);
     }
     // Without weights, what they would multiply is not multiplied until the sums are settled.
-    void add_any(Int128 *sums, int64_t weight) noexcept {
+    void add_any(Int128 *sums, const Point &point) noexcept {
+        for (size_t k = 0; k < finders_.size(); ++k) {
+            set_functions(k, point.places[k]);
+        }
+        const std::span<const Value> values(point.values, static_cast<size_t>(form_.dim));
         const bool weighted = weighted_;
         for_each_product(high_, [&](int64_t product) {
             *sums++ +=
-                weighted ? Int128::product(product, weight) : Int128(0, static_cast<uint64_t>(product));
+                weighted ? Int128::product(product, point.weight) : Int128(0, static_cast<uint64_t>(product));
         });
         for_each_product(low_, [&](int64_t product) {
-            for (const Value &value : value_) {
+            for (const Value &value : values) {
                 *sums++ += Int128::product(product, value.weighted);
             }
         });
-        for (const Value &value : value_) {
+        for (const Value &value : values) {
             *sums++ += Int128::product(value.units, value.weighted);
         }
-        *sums += Int128(0, weighted ? static_cast<uint64_t>(weight) : 1);
+        *sums += Int128(0, weighted ? static_cast<uint64_t>(point.weight) : 1);
     }
     template <class Visit>
     static void for_each_product(const std::array<std::vector<int64_t>, max_axes> &functions,
@@ -334,24 +341,22 @@ private:
             sums[e].add(recent[e], is_weighted ? 0 : value_bits);
             recent[e] = {};
         }
+        counts_[slot] += pending_[slot];
         pending_[slot] = 0;
     }
-
-    struct Value {
-        int64_t units;
-        int64_t weighted;
-    };
 
     const StatisticsForm &form_;
     const Data &data_;
     const eval::AxisRules &rules_;
     CellLayout layout_;
     ScaledUnits of_values_, of_weights_;
-    Slots slots_;
+    CellSlots slots_;
     bool weighted_;
     std::vector<SpanTable::Finder> finders_;
+    // Of a batch.
+    std::vector<CellPlace> places_;                         // [batch][axes]
+    std::vector<Value> values_;                             // [batch][dim]
     std::array<std::vector<int64_t>, max_axes> high_, low_; // functions of degrees 2 p and p at the point
-    std::vector<Value> value_;
     // By slots.
     std::vector<int64_t> counts_;
     std::vector<int32_t> pending_;

@@ -6,6 +6,7 @@
 #include "eval/parameters.h"
 #include "fit/statistics/statistics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nrb::fit {
@@ -40,6 +41,17 @@ public:
             }
         }
         return true;
+    }
+    // Whether a look at all of some parameters tells that these data count.
+    [[nodiscard]] bool surely_all(int64_t first, int64_t count) const noexcept {
+        const ConstRecords &params = data_.params;
+        const auto axes = static_cast<int>(domains_.size());
+        const bool packed = params.stride == axes && (params.component_stride == 1 || axes == 1);
+        const bool wrapped =
+            std::any_of(rules_.begin(), rules_.begin() + axes,
+                        [](const eval::AxisRule &rule) { return rule.outside == eval::Outside::wrap; });
+        return data_.weights.data == nullptr && packed && !wrapped &&
+               eval::all_inside(params.record(first), count * axes, axes, domains_.data());
     }
     // Its parameter on an axis.
     [[nodiscard]] double place(int64_t i, size_t k) const noexcept {

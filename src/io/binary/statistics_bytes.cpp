@@ -12,10 +12,6 @@ namespace nrb::io {
 
 namespace {
 
-constexpr size_t aligned(size_t size) noexcept {
-    return (size + 63) / 64 * 64;
-}
-
 [[noreturn]] void fail_number(const char *what, int64_t value) {
     fail(Status::syntax, "%s = %lld, which no statistics have", what, static_cast<long long>(value));
 }
@@ -48,24 +44,12 @@ struct Sizes {
 
 // Degrees into the form.
 Sizes sizes_from(ByteReader &reader, int axes, fit::StatisticsForm &form) {
-    Sizes sizes{static_cast<int64_t>(reader.take()), static_cast<int64_t>(reader.take()), {}};
+    Sizes sizes{reader.take_integer(), reader.take_integer(), {}};
     for (int k = 0; k < axes; ++k) {
-        form.degrees.push_back(
-            static_cast<int>(checked(static_cast<int64_t>(reader.take()), 0, max_degree, "degree")));
-        sizes.break_counts.push_back(
-            checked(static_cast<int64_t>(reader.take()), 2, max_doubles, "number of breaks"));
+        form.degrees.push_back(static_cast<int>(checked(reader.take_integer(), 0, max_degree, "degree")));
+        sizes.break_counts.push_back(checked(reader.take_integer(), 2, max_doubles, "number of breaks"));
     }
     return sizes;
-}
-
-std::vector<int64_t> integers_from(ByteReader &reader, int64_t count) {
-    reader.need(static_cast<uint64_t>(count));
-    std::vector<int64_t> values;
-    values.reserve(static_cast<size_t>(count));
-    for (int64_t i = 0; i < count; ++i) {
-        values.push_back(static_cast<int64_t>(reader.take()));
-    }
-    return values;
 }
 
 void check_cells(const std::vector<int64_t> &cells, const std::vector<int64_t> &counts, int64_t all) {
@@ -94,10 +78,10 @@ size_t size_in_bytes(const fit::Statistics &statistics) noexcept {
            aligned(16 * cells) + 24 * cells * static_cast<size_t>(fit::CellLayout(form).entries());
 }
 
-std::vector<unsigned char> to_bytes(const fit::Statistics &statistics) {
+void write_bytes(const fit::Statistics &statistics, std::span<unsigned char> out) noexcept {
     const fit::StatisticsForm &form = statistics.form();
     ByteWriter writer(Kind::statistics, {form.axes(), form.dim, form.value_exponent, form.weight_exponent},
-                      size_in_bytes(statistics));
+                      out);
     writer.put(std::ssize(statistics.cells()));
     writer.put(fit::CellLayout(form).entries());
     for (size_t k = 0; k < form.degrees.size(); ++k) {
@@ -125,7 +109,7 @@ std::vector<unsigned char> to_bytes(const fit::Statistics &statistics) {
             }
         }
     }
-    return writer.finish();
+    writer.finish();
 }
 
 fit::Statistics statistics_from(std::span<const unsigned char> bytes) {
@@ -148,7 +132,7 @@ fit::Statistics statistics_from(std::span<const unsigned char> bytes) {
     checked(sizes.entries, entries, entries, "number of sums");
     reader.align();
     const int64_t cells = checked(sizes.cells, 0, all, "number of cells");
-    const std::vector<int64_t> indices = integers_from(reader, cells), counts = integers_from(reader, cells);
+    const std::vector<int64_t> indices = reader.take_integers(cells), counts = reader.take_integers(cells);
     check_cells(indices, counts, all);
     reader.align();
     reader.need(static_cast<uint64_t>(checked_product(cells, 3 * entries, "sums")));
@@ -165,6 +149,7 @@ fit::Statistics statistics_from(std::span<const unsigned char> bytes) {
         }
         made.append(indices[i], counts[i], sums);
     }
+    reader.end();
     return made;
 }
 

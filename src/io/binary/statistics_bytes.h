@@ -5,8 +5,6 @@
 #include "fit/statistics/statistics.h"
 #include "io/binary/envelope.h"
 
-#include <vector>
-
 namespace nrb::io {
 
 // The numbers of the header are axes, dim, and the exponents of the scales of values and of weights. The body, each part at a
@@ -18,8 +16,9 @@ namespace nrb::io {
 //     the sums of all cells, 24 bytes each, in two's complement
 //
 // The same statistics have the same bytes, on every machine.
-std::vector<unsigned char> to_bytes(const fit::Statistics &statistics);
 size_t size_in_bytes(const fit::Statistics &statistics) noexcept;
+// Precondition: `out` has that size.
+void write_bytes(const fit::Statistics &statistics, std::span<unsigned char> out) noexcept;
 
 // Throws what ByteReader does, and Status::syntax for numbers that no statistics have.
 fit::Statistics statistics_from(std::span<const unsigned char> bytes);

@@ -106,7 +106,7 @@ void check_rest(std::string_view rest, int64_t number) {
     }
 }
 
-void check_count(std::string_view stated, char letter, const Lines &lines) {
+void check_stated(std::string_view stated, char letter, const Lines &lines) {
     int64_t count = 0;
     const auto present = static_cast<int64_t>(lines.size());
     const std::string_view field = stated.empty() ? stated : trim(stated.substr(1));
@@ -127,10 +127,10 @@ void check_count(std::string_view stated, char letter, const Lines &lines) {
 // "S0000001G0000004D0000010P0000045": the number of lines of each section.
 void check_counts(const Sections &sections) {
     const std::string_view text = sections.terminate.front();
-    check_count(text.substr(0, 8), 'S', sections.start);
-    check_count(text.substr(8, 8), 'G', sections.global);
-    check_count(text.substr(16, 8), 'D', sections.directory);
-    check_count(text.substr(24, 8), 'P', sections.parameter);
+    check_stated(text.substr(0, 8), 'S', sections.start);
+    check_stated(text.substr(8, 8), 'G', sections.global);
+    check_stated(text.substr(16, 8), 'D', sections.directory);
+    check_stated(text.substr(24, 8), 'P', sections.parameter);
 }
 
 void check_complete(const Sections &sections) {

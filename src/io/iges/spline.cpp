@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "refine/parts/cut.h"
+#include "refine/periodic/unwrapped.h"
 
 #include <algorithm>
 #include <cstring>
@@ -39,23 +40,38 @@ std::vector<double> place_points(const std::vector<double> &points, const Placem
     return result;
 }
 
-// Records of `width` doubles of a spline of the given axes: whether the last `degree` layers along one axis
-// equal the first ones bit for bit.
-bool wraps(const std::vector<double> &values, size_t width, const SplineData &data, size_t along) {
-    const SplineData::Axis &axis = data.axes[along];
-    size_t inner = width;
-    for (size_t k = along + 1; k < data.axes.size(); ++k) {
-        inner *= static_cast<size_t>(data.axes[k].count);
+// The control points, while axes become periodic.
+struct PlacedNet {
+    int64_t dim;
+    std::vector<int64_t> counts;
+    std::vector<double> points;
+    std::vector<double> weights;
+
+    [[nodiscard]] AxisView view(size_t along, int64_t width) const {
+        AxisView view{1, counts[along], width};
+        for (size_t k = 0; k < counts.size(); ++k) {
+            (k < along ? view.outer : view.inner) *= k == along ? 1 : counts[k];
+        }
+        return view;
     }
-    const size_t slab = inner * static_cast<size_t>(axis.count);
-    const size_t wrapped = inner * static_cast<size_t>(axis.degree);
+};
+
+// Whether the layers from number `period` on equal the first ones bit for bit.
+bool repeats(const std::vector<double> &values, const AxisView &view, int64_t period) {
+    const auto slab = static_cast<size_t>(view.count * view.inner);
+    const auto later = static_cast<size_t>(period * view.inner);
     for (size_t start = 0; start < values.size(); start += slab) {
         const double *first = values.data() + start;
-        if (std::memcmp(first, first + slab - wrapped, wrapped * sizeof(double)) != 0) {
+        if (std::memcmp(first, first + later, (slab - later) * sizeof(double)) != 0) {
             return false;
         }
     }
     return true;
+}
+
+bool repeats(const PlacedNet &net, size_t along, int64_t period) {
+    return repeats(net.points, net.view(along, net.dim), period) &&
+           repeats(net.weights, net.view(along, 1), period);
 }
 
 Interval domain_of(const SplineData::Axis &axis) {
@@ -86,20 +102,61 @@ bool cuts(const SplineData::Axis &axis, const Interval &range) {
 }
 
 // Precondition: the knots are valid.
-bool wraps_as_stated(const SplineData &data, const std::vector<double> &points, size_t dim, size_t along) {
-    const SplineData::Axis &axis = data.axes[along];
-    return axis.periodic && first_not_repeated(axis.degree, axis.knots) < 0 &&
-           wraps(points, dim, data, along) && wraps(data.weights, 1, data, along);
+bool wraps(const SplineData::Axis &axis, const PlacedNet &net, size_t along) {
+    return first_not_repeated(axis.degree, axis.knots) < 0 && repeats(net, along, axis.count - axis.degree);
 }
 
-Spline::Axes make_axes(const SplineData &data, const std::vector<double> &points, size_t dim) {
+// The knots of a period, if the axis is closed but not wrapped: as far as the last copy of the end of the domain that the
+// functions on the domain depend on. A clamped axis has `degree` of them.
+std::span<const double> period_of(const SplineData::Axis &axis) {
+    const auto first = static_cast<size_t>(axis.degree), end = static_cast<size_t>(axis.count);
+    size_t last = end;
+    while (last + 1 < end + first && axis.knots[last + 1] == axis.knots[end]) {
+        ++last;
+    }
+    return std::span(axis.knots).subspan(first, last + 1 - first);
+}
+
+// All knots of the period, or none where they do not exist.
+std::vector<double> wrapped_if_possible(int degree, std::span<const double> period) {
+    try {
+        return refine::wrapped_knots(degree, period);
+    } catch (const Error &) {
+        return {};
+    }
+}
+
+// Makes the axis a wrapped one if it is closed, and every knot and control point with influence on the domain stays as it is.
+// Precondition: the knots are valid.
+bool wrap(const SplineData::Axis &axis, PlacedNet &net, size_t along, std::vector<double> &knots) {
+    const std::span<const double> period = period_of(axis);
+    const int64_t distinct = std::ssize(period) - 1, count = distinct + axis.degree;
+    if (axis.degree == 0 || !repeats(net, along, distinct)) {
+        return false;
+    }
+    std::vector<double> all = wrapped_if_possible(axis.degree, period);
+    if (all.empty() || !std::equal(axis.knots.begin() + 1, axis.knots.end() - 1, all.begin() + 1)) {
+        return false;
+    }
+    const auto wrapped = [&](const std::vector<double> &values, int64_t width) {
+        return refine::wrapped_layers(values, net.view(along, width), distinct, count);
+    };
+    net.points = wrapped(net.points, net.dim);
+    net.weights = net.weights.empty() ? net.weights : wrapped(net.weights, 1);
+    net.counts[along] = count;
+    knots = std::move(all);
+    return true;
+}
+
+Spline::Axes make_axes(const SplineData &data, PlacedNet &net) {
     Spline::Axes axes;
     for (size_t k = 0; k < data.axes.size(); ++k) {
         const SplineData::Axis &axis = data.axes[k];
         const int name = data.axes.size() == 1 ? -1 : static_cast<int>(k);
         check_knots(axis.degree, axis.knots, name, 0);
-        axes.push_back(std::make_shared<const KnotVector>(axis.degree, axis.knots,
-                                                          wraps_as_stated(data, points, dim, k)));
+        std::vector<double> knots = axis.knots;
+        const bool periodic = axis.periodic && (wraps(axis, net, k) || wrap(axis, net, k, knots));
+        axes.push_back(std::make_shared<const KnotVector>(axis.degree, std::move(knots), periodic));
     }
     return axes;
 }
@@ -117,15 +174,17 @@ SplinePtr cut_to_ranges(SplinePtr spline, const std::vector<SplineData::Axis> &a
 } // namespace
 
 SplinePtr build_spline(SplineData data, const Placement &placement) {
-    const size_t dim = placement.parameter_plane ? 2 : 3;
-    std::vector<double> points = place_points(data.points, placement);
-    if (!weights_matter(data)) {
-        data.weights.clear();
+    PlacedNet net{placement.parameter_plane ? 2 : 3, {}, place_points(data.points, placement), {}};
+    for (const SplineData::Axis &axis : data.axes) {
+        net.counts.push_back(axis.count);
     }
-    Spline::Axes axes = make_axes(data, points, dim);
-    const Form form = data.weights.empty() ? Form::polynomial : Form::rational;
-    SplinePtr whole =
-        make_spline(std::move(axes), static_cast<int>(dim), form, std::move(points), std::move(data.weights));
+    if (weights_matter(data)) {
+        net.weights = std::move(data.weights);
+    }
+    Spline::Axes axes = make_axes(data, net);
+    const Form form = net.weights.empty() ? Form::polynomial : Form::rational;
+    SplinePtr whole = make_spline(std::move(axes), static_cast<int>(net.dim), form, std::move(net.points),
+                                  std::move(net.weights));
     return cut_to_ranges(std::move(whole), data.axes);
 }
 

@@ -41,7 +41,8 @@ struct Placement {
 };
 
 // The spline of an entity: placed, polynomial if the weights do not matter, periodic if the file says so and
-// the data bear it out bit for bit, cut to its parameter range where that lies inside the domain. Throws what
+// the data bear it out bit for bit, wrapped if they are only closed, cut to its parameter range where that lies
+// inside the domain. Throws what
 // make_spline() throws, and Status::empty_domain or outside_domain for a range without parameters of the
 // domain.
 SplinePtr build_spline(SplineData data, const Placement &placement);

@@ -5,6 +5,7 @@
 #include "io/iges/text.h"
 #include "io/step/placements.h"
 #include "model/shapes/curve_spline.h"
+#include "model/shapes/surface_spline.h"
 
 #include <algorithm>
 
@@ -148,6 +149,11 @@ model::CurvePiece read_edge(Geometry &geometry, const Instance &edge) {
         const double tolerance = geometry.units().tolerance;
         return model::piece_between(curve, {first.x.data(), last.x.data(), forward, tolerance});
     });
+}
+
+SplinePtr cut_surface(const model::SurfaceShape &surface, const std::vector<Vector3> &points) {
+    constexpr double margin = 1.0 / 64; // of the size of the boundary
+    return model::surface_spline(surface, model::range_around(surface, points, margin));
 }
 
 const Spline *EdgeSplines::find(int64_t number) const noexcept {

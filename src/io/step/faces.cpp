@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "build/polylines.h"
 #include "eval/evaluate.h"
-#include "io/step/placements.h"
+#include "io/step/boundary.h"
 #include "model/shapes/curve_spline.h"
 #include "model/shapes/surface_spline.h"
 #include "numeric/norm.h"
@@ -16,9 +16,6 @@
 
 namespace nrb::io::step {
 namespace {
-
-// How far surfaces without ends go on behind the boundary of their face, as a part of its size.
-constexpr double margin_of_surfaces = 1.0 / 64;
 
 // Of curves that are made, as a part of the size of the surface: files state uncertainties that are much larger.
 constexpr double share_of_precision = 0x1p-22;
@@ -189,7 +186,7 @@ private:
                 }
             }
         }
-        return model::surface_spline(shape, model::range_around(shape, points, margin_of_surfaces));
+        return cut_surface(shape, points);
     }
 
     void add_parameter_curves(const Spline &surface) {

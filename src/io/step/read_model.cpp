@@ -2,17 +2,14 @@
 #include "io/step/read_model.h"
 
 #include "base/error.h"
-#include "base/watch.h"
+#include "io/step/assembly.h"
 #include "io/step/boundary.h"
-#include "io/step/contexts.h"
-#include "io/step/structure/exchange.h"
+#include "io/step/colours.h"
 #include "io/step/faces.h"
-#include "io/step/placements.h"
+#include "io/step/source.h"
 #include "model/from_faces.h"
 #include "model/shapes/curve_spline.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace nrb::io {
@@ -21,71 +18,61 @@ namespace {
 using step::Attributes;
 using step::Geometry;
 using step::Instance;
-using step::Instances;
 using step::Kind;
 using step::Units;
 
-// Where a file states no uncertainty, and how much larger ones are tried.
-constexpr double usual_tolerance = 1e-7; // of the size of a face
+// Where a file states no uncertainty, and how often larger ones are tried.
+constexpr double usual_tolerance = 1e-7;
 constexpr int most_tolerances = 5;
 
-class ModelReader {
+class ModelReader : public step::Source {
 public:
-    ModelReader(const Instances &instances, const ReadSettings &settings)
-        : instances_(instances), entities_(instances), contexts_(entities_) {
-        const double stated = contexts_.all().front().metres;
-        model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
-    }
+    using Source::Source;
 
     model::Model run() {
-        model_.parts.push_back({});
-        model_.uses.push_back({});
-        for_each(Kind::edge_curve,
-                 [this](const Instance &edge, const Units &units) { add_edge(edge, units); });
-        for_each(Kind::face, [this](const Instance &face, const Units &units) { add_face(face, units); });
+        Steps steps(3);
+        read_parts();
+        read_all([this](int64_t place) { return is(place, Kind::edge_curve); },
+                 [this](int64_t place) { add_edge(place); });
+        steps.next();
+        colours_ = step::read_colours(entities_);
+        read_all([this](int64_t place) { return is(place, Kind::face); },
+                 [this](int64_t place) { add_face(place); });
+        steps.next();
+        model_.splines = free_splines();
+        steps.next();
         model::index_uses(model_);
-        return std::move(model_);
+        note_items(true);
+        return finished();
     }
 
 private:
-    template <class Add>
-    void for_each(Kind kind, Add &&add) {
-        Steps steps(instances_.size());
-        for (int64_t place = 0; place < instances_.size(); ++place) {
-            const Instance &instance = instances_[place];
-            if (instance.kind() == kind) {
-                try {
-                    add(instance, units_of(place));
-                } catch (const Error &error) {
-                    note(instance, error.status(), error.what());
-                }
-            }
-            steps.next(1);
+    void read_parts() {
+        step::Assembly assembly =
+            step::read_assembly(entities_, [this](int64_t place) { return units_of(place).length; });
+        model_.parts = std::move(assembly.parts);
+        model_.uses = std::move(assembly.uses);
+        part_of_ = std::move(assembly.part_of);
+        for (const step::PlacementDamage &damage : assembly.damages) {
+            add_note(damage.number, damage.reason, damage.text.c_str());
         }
     }
-    [[nodiscard]] Units units_of(int64_t place) const {
-        const step::Measures &measures = contexts_.of(place);
-        const double factor =
-            measures.metres > 0 && model_.metres_per_unit > 0 ? measures.metres / model_.metres_per_unit : 1;
-        return {factor, measures.radians, factor * measures.uncertainty};
-    }
-    void note(const Instance &instance, Status reason, const char *text) {
-        model_.notes.push_back({0, instance.number(), reason, text});
-    }
 
-    void add_edge(const Instance &instance, const Units &units) {
+    void add_edge(int64_t place) {
+        const Instance &instance = instances_[place];
+        const Units units = units_of(place);
         Geometry geometry(entities_, units);
         model::CurvePiece piece = step::read_edge(geometry, instance);
         model::Edge edge;
-        edge.curve = model::piece_spline(piece);
+        edge.curve = made(instance, [&] { return model::piece_spline(piece); });
         edge.shape = piece.curve;
-        entities_.spend(edge.curve->point_count() * edge.curve->width());
+        edge.part = part_of_[static_cast<size_t>(place)];
         Attributes attributes(instances_, instance);
         attributes.part("REPRESENTATION_ITEM");
         attributes.skip("name");
         attributes.part("EDGE");
-        for (size_t end = 0; end < 2; ++end) {
-            edge.vertices[end] = vertex(attributes.reference("edge_start"), geometry, attributes);
+        for (const char *end : {"edge_start", "edge_end"}) {
+            edge.vertices[end[5] == 's' ? 0 : 1] = vertex(attributes.reference(end), geometry, attributes);
         }
         attributes.part("EDGE_CURVE");
         const int64_t curve = attributes.reference("edge_geometry");
@@ -101,22 +88,18 @@ private:
         return known->second;
     }
 
-    void add_face(const Instance &instance, const Units &units) {
-        Geometry geometry(entities_, units);
+    // With the tolerance of its context, or the least larger one that its edges need.
+    void add_face(int64_t place) {
+        const Instance &instance = instances_[place];
+        const Units units = units_of(place);
         double tolerance = units.tolerance > 0 ? units.tolerance : usual_tolerance;
         for (int attempt = 0;; ++attempt, tolerance *= 10) {
             try {
-                step::FaceSource source =
-                    step::read_face(geometry, sources_, model_.edges, instance, tolerance);
-                model::ModelFace made;
-                made.name = step::name_of(instances_, instance);
-                made.shape = source.shape;
-                made.against = source.against;
-                made.face = std::make_shared<const face::Face>(std::move(source.parts), nullptr);
-                model_.faces.push_back(std::move(made));
+                add_face(place, units, tolerance);
                 if (attempt > 0) {
-                    note(instance, Status::tolerance,
-                         ("the face needs the tolerance " + std::string(Number(tolerance).text)).c_str());
+                    const std::string text = step::label_of(instances_, instance) +
+                                             ": its edges need the tolerance " + Number(tolerance).text;
+                    add_note(instance.number(), Status::tolerance, text.c_str());
                 }
                 return;
             } catch (const Error &error) {
@@ -126,20 +109,47 @@ private:
             }
         }
     }
+    void add_face(int64_t place, const Units &units, double tolerance) {
+        const Instance &instance = instances_[place];
+        Geometry geometry(entities_, units);
+        step::FaceSource source = step::read_face(geometry, sources_, model_.edges, instance, tolerance);
+        entities_.spend(step::Entities::size_of_a_shape +
+                        source.parts.surface->point_count() * source.parts.surface->width());
+        model::ModelFace made;
+        made.name = step::name_of(instances_, instance);
+        made.shape = source.shape;
+        made.against = source.against;
+        made.part = part_of_[static_cast<size_t>(place)];
+        if (const auto colour = colours_.find(instance.number()); colour != colours_.end()) {
+            made.colour = colour->second;
+        }
+        made.face = face_of(std::move(source.parts));
+        model_.faces.push_back(std::move(made));
+    }
+    // Loops as the file has them, or turned where that makes no sense.
+    static face::FacePtr face_of(face::FaceParts parts) {
+        try {
+            return std::make_shared<const face::Face>(parts, nullptr);
+        } catch (const Error &error) {
+            if (error.status() != Status::orientation) {
+                throw;
+            }
+        }
+        parts.as_oriented = false;
+        return std::make_shared<const face::Face>(std::move(parts), nullptr);
+    }
 
-    const Instances &instances_;
-    step::Entities entities_;
-    step::Contexts contexts_;
+    std::vector<int64_t> part_of_;
     step::EdgeSources sources_;
-    std::map<int64_t, int64_t> vertices_;
-    model::Model model_;
+    step::Colours colours_;
+    std::map<int64_t, int64_t> vertices_; // by the numbers of their instances
 };
 
 } // namespace
 
 model::Model read_step_model(std::span<const char> bytes, const ReadSettings &settings) {
     const step::Exchange file = step::read_exchange(bytes);
-    return ModelReader(file.instances, settings).run();
+    return ModelReader(file, settings).run();
 }
 
 } // namespace nrb::io

@@ -79,6 +79,132 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
+    character(len=*), parameter :: loop_bytes_text = &
+        char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
+        char(1)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
+        char(96)//char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(97)//char(220)//char(175)//char(73)//char(171)//char(169)//char(167)//char(134)//&
+        char(1)//char(0)//char(0)//char(0)//char(2)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(6)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(2)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(8)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(16)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(20)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(24)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(28)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(32)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(191)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(191)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(191)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(191)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(191)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)
+    character(len=*), parameter :: list_bytes_text = &
+        char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
+        char(1)//char(0)//char(0)//char(0)//char(2)//char(0)//char(0)//char(0)//&
+        char(128)//char(2)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(115)//char(101)//char(65)//char(29)//char(65)//char(41)//char(203)//char(126)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(2)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(2)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(252)//char(169)//char(241)//char(210)//char(77)//char(98)//char(80)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(2)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(97)//char(98)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(128)//char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
+        char(1)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
+        char(200)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(235)//char(190)//char(19)//char(224)//char(60)//char(109)//char(135)//char(43)//&
+        char(1)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(192)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(20)//char(64)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
     type(nurbs_spline) :: curve
     type(nurbs_spline) :: loop
     type(nurbs_spline) :: surface
@@ -308,6 +434,52 @@ contains
             call curve%knots(axis=1, values=values_found)
             call show('knots', values_found)
         end block
+        call begin('short_knots')
+        block
+            real(c_double), allocatable :: values_found(:)
+            call curve%short_knots(axis=1, values=values_found)
+            call show('knots', values_found)
+        end block
+        call begin('unwrapped_knots')
+        block
+            real(c_double), allocatable :: values_found(:)
+            call loop%unwrapped_knots(axis=1, values=values_found)
+            call show('knots', values_found)
+        end block
+        call begin('unwrapped_points')
+        block
+            real(c_double), allocatable :: values_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            call loop%unwrapped_points(values=values_found, weights=weights_found)
+            call show('points', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+        end block
+        call by_hand('to_bytes')
+        call begin('from_bytes')
+        block
+            type(nurbs_spline) :: found
+            call found%from_bytes(contents=loop_bytes_text)
+            call show('out', found)
+        end block
+        call begin('bytes_kind')
+        block
+            integer(c_int32_t) :: kind_found
+            integer(c_int32_t) :: major_found
+            integer(c_int32_t) :: minor_found
+            call bytes_kind(contents=loop_bytes_text, kind=kind_found, major=major_found, minor=minor_found)
+            call show('kind', kind_found)
+            call show('major', major_found)
+            call show('minor', minor_found)
+        end block
+        call by_hand('list_to_bytes')
+        call begin('list_from_bytes')
+        block
+            type(nurbs_list) :: found
+            call found%from_bytes(contents=list_bytes_text)
+            call show('out', found)
+        end block
+        call by_hand('list_create')
         call begin('distinct_knots')
         block
             real(c_double), allocatable :: values_found(:)
@@ -501,6 +673,14 @@ contains
             call found%create_homogeneous(degrees=[2], counts=[6], knots=[0.0d0, 1.0d0, 2.0d0, 3.0d0, 4.0d0, 5.0d0, &
                 6.0d0, 7.0d0, 8.0d0], points=reshape([1.0d0, 1.0d0, 1.0d0, 2.0d0, -1.0d0, 1.0d0, -1.0d0, -1.0d0, &
                 1.0d0, -1.0d0, 1.0d0, 2.0d0], [6, 2], order=[2, 1]), flags=0)
+            call show('out', found)
+        end block
+        call begin('create_periodic')
+        block
+            type(nurbs_spline) :: found
+            call found%create_periodic(degrees=[2], counts=[4], knots=[2.0d0, 3.0d0, 4.0d0, 5.0d0, 6.0d0], &
+                points=reshape([1.0d0, 1.0d0, -1.0d0, 1.0d0, -1.0d0, -1.0d0, 1.0d0, -1.0d0], [4, 2], order=[2, 1]), &
+                weights=[1.0d0, 2.0d0, 1.0d0, 0.5d0], flags=1)
             call show('out', found)
         end block
         call begin('create_short')
@@ -3818,6 +3998,10 @@ contains
         call begin('derivative_slots')
         block
             call show('slots', derivative_slots(axes=3, order=9))
+        end block
+        call begin('unwrapped_count')
+        block
+            call show('count', loop%unwrapped_count(axis=1))
         end block
         call begin('list_count')
         block

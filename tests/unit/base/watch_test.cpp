@@ -170,6 +170,72 @@ TEST(Watch, the_usual_limit_ends_a_search_and_then_no_more) {
     EXPECT_EQ(end_of({0, nullptr, nullptr}, body), Status::ok);
 }
 
+TEST(Watch, an_attempt_ends_at_the_limit_and_nothing_after_it) {
+    EXPECT_EQ(end_of({100, nullptr, nullptr},
+                     [] {
+                         EXPECT_TRUE(attempted([] { count_work(100); }));
+                         bool went_on = false;
+                         EXPECT_FALSE(attempted([&] {
+                             count_work(1);
+                             went_on = true;
+                         }));
+                         EXPECT_FALSE(went_on);
+                         EXPECT_TRUE(work_ended());
+                         count_work(1000);
+                         EXPECT_FALSE(attempted([&] { went_on = true; }));
+                         EXPECT_FALSE(went_on);
+                     }),
+              Status::ok);
+    static Told told;
+    told = {{}, 1, nullptr, false};
+    EXPECT_EQ(end_of({0, tell, &told},
+                     [] {
+                         (void)attempted([] {
+                             pause();
+                             count_work(look);
+                         });
+                     }),
+              Status::cancelled);
+}
+
+TEST(Watch, half_of_the_work_leaves_the_other_half) {
+    const auto body = [](int64_t more) {
+        return [more] {
+            count_work(20);
+            {
+                const HalfOfWork half;
+                EXPECT_TRUE(attempted([] { count_work(40); }));
+                EXPECT_FALSE(attempted([] { count_work(1); }));
+            }
+            EXPECT_FALSE(work_ended());
+            count_work(more);
+        };
+    };
+    EXPECT_EQ(end_of({100, nullptr, nullptr}, body(39)), Status::ok);
+    EXPECT_EQ(end_of({100, nullptr, nullptr}, body(40)), Status::work);
+    EXPECT_EQ(end_of({0, nullptr, nullptr},
+                     [] {
+                         const HalfOfWork half; // of no limit
+                         count_work(1000000);
+                     }),
+              Status::ok);
+}
+
+TEST(Watch, needed_work_counts_for_a_limit_of_the_caller_alone) {
+    const auto body = [] {
+        const UsualLimit usual(100);
+        {
+            const NeededWork needed;
+            count_work(1000);
+        }
+        count_work(100);
+    };
+    EXPECT_EQ(unwatched_end_of(body), Status::ok);
+    EXPECT_EQ(end_of({0, nullptr, nullptr}, body), Status::ok);
+    EXPECT_EQ(end_of({1000, nullptr, nullptr}, body), Status::work);
+    EXPECT_EQ(end_of({1100, nullptr, nullptr}, body), Status::ok);
+}
+
 TEST(Watch, tables_that_are_kept_do_not_count) {
     EXPECT_EQ(end_of({100, nullptr, nullptr},
                      [] {

@@ -1,5 +1,9 @@
 #include "basis/bspline.h"
 
+#include "support/generators.h"
+
+#include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
@@ -27,6 +31,24 @@ TEST(SoleFunction, is_not_fooled_by_extrapolation) {
     const std::vector<double> knots{0, 1, 2, 3, 4, 5, 6, 7};
     EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 1.0), -1);
     EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 6.0), -1);
+}
+
+TEST(BasisValues, have_the_same_bits_at_a_knot) {
+    support::Random random(930410);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const int p = random.whole(0, 9), span = p + random.whole(0, 3);
+        std::vector<double> knots{random.between(-1, 1)};
+        while (std::ssize(knots) < span + p + 2) {
+            const bool again = std::ssize(knots) != span + 1 && random.whole(0, 2) == 0;
+            knots.push_back(knots.back() + (again ? 0 : std::exp2(random.between(-30, 3))));
+        }
+        const auto functions = static_cast<size_t>(p) + 1;
+        std::vector<double> values(functions), at_knot(functions, -1.0);
+        nrb::basis_values(knots.data(), p, span, knots[static_cast<size_t>(span)], values.data());
+        nrb::basis_values_at_knot(knots.data(), p, span, at_knot.data());
+        ASSERT_EQ(std::memcmp(values.data(), at_knot.data(), functions * sizeof(double)), 0)
+            << "degree " << p;
+    }
 }
 
 TEST(BasisDerivs, row_zero_has_the_bits_of_the_values) {

@@ -13,53 +13,65 @@ using nrb::BandedLu;
 
 namespace {
 
-// 1 4 1 in every row, whose factors are far from 0.
-BandedLu spline_matrix(int64_t rows) {
-    BandedLu matrix(rows, 1, 1);
+// Fills and factors a matrix whose row i has entries from column first(i) on, those that are inside the matrix.
+template <class First, class Entry>
+bool factor(BandedLu &matrix, int64_t rows, int width, First &&first, Entry &&entry) {
     for (int64_t i = 0; i < rows; ++i) {
-        double *const row = matrix.row(i);
-        row[0] = i == 0 ? 0 : 1;
-        row[1] = 4;
-        row[2] = i + 1 == rows ? 0 : 1;
+        double *const row = matrix.next_row(i, first(i));
+        if (row == nullptr) {
+            return false;
+        }
+        for (int64_t c = first(i); c < first(i) + width; ++c) {
+            row[c - first(i)] = c < 0 || c >= rows ? 0 : entry(i, c);
+        }
+        if (!matrix.factor_row(i)) {
+            return false;
+        }
     }
-    return matrix;
+    return true;
 }
 
-bool factor(BandedLu &matrix, int64_t rows) {
-    bool all = true;
-    for (int64_t i = 0; i < rows && all; ++i) {
-        all = matrix.factor_row(i);
-    }
-    return all;
+// 1 4 1 in every row, whose factors are far from 0.
+bool factor_spline_matrix(BandedLu &matrix, int64_t rows) {
+    return factor(
+        matrix, rows, 3, [](int64_t i) { return i - 1; },
+        [](int64_t i, int64_t j) { return i == j ? 4.0 : 1.0; });
 }
 
-// Of every width, and of fewer rows than that.
-TEST(BandedLu, solves_bands_of_every_width) {
+// Of every width, and of fewer rows than that; rows begin at columns that do not fall, and may begin and end with zeros.
+TEST(BandedLu, solves_rows_of_every_reach) {
     support::Random random(930400);
-    for (int i = 0; i < 300; ++i) {
-        const int below = random.whole(0, 4), above = random.whole(0, 4), rows = random.whole(1, 12);
-        BandedLu matrix(rows, below, above);
-        std::vector<double> x(static_cast<size_t>(rows)), y(x.size(), 0.0);
+    for (int trial = 0; trial < 600; ++trial) {
+        const int width = random.whole(1, 6), rows = random.whole(1, 12);
+        std::vector<int64_t> firsts;
+        std::vector<double> x(static_cast<size_t>(rows)), y(x.size(), 0.0), all(x.size() * x.size(), 0.0);
         std::ranges::generate(x, [&] { return random.between(-1, 1); });
-        for (int r = 0; r < rows; ++r) {
-            for (int c = std::max(0, r - below); c <= std::min(rows - 1, r + above); ++c) {
-                const double value = random.between(0, 1) + (r == c ? 10 : 0);
-                matrix.row(r)[c - r + below] = value;
+        for (int64_t r = 0; r < rows; ++r) {
+            const int64_t least = std::max(r - width + 1, firsts.empty() ? -width : firsts.back());
+            firsts.push_back(random.whole(static_cast<int>(least), static_cast<int>(r)));
+            const auto own = static_cast<size_t>(r * rows);
+            for (int64_t c = std::max<int64_t>(0, firsts.back());
+                 c < std::min<int64_t>(rows, firsts.back() + width); ++c) {
+                const double value = r == c ? 10 : random.whole(0, 2) == 0 ? 0 : random.between(0, 1);
+                all[own + static_cast<size_t>(c)] = value;
                 y[static_cast<size_t>(r)] += value * x[static_cast<size_t>(c)];
             }
         }
-        ASSERT_TRUE(factor(matrix, rows));
+        BandedLu matrix(rows, width);
+        ASSERT_TRUE(factor(
+            matrix, rows, width, [&](int64_t i) { return firsts[static_cast<size_t>(i)]; },
+            [&](int64_t i, int64_t j) { return all[static_cast<size_t>(i * rows + j)]; }));
         matrix.solve(y.data(), 1);
         for (size_t r = 0; r < x.size(); ++r) {
-            ASSERT_NEAR(y[r], x[r], 1e-14) << below << ' ' << above << ' ' << rows;
+            ASSERT_NEAR(y[r], x[r], 1e-14) << "rows of " << width << ", " << rows;
         }
     }
 }
 
 TEST(BandedLu, solves_and_treats_every_column_alike) {
     constexpr int64_t rows = 40;
-    BandedLu matrix = spline_matrix(rows);
-    ASSERT_TRUE(factor(matrix, rows));
+    BandedLu matrix(rows, 3);
+    ASSERT_TRUE(factor_spline_matrix(matrix, rows));
     const auto solution = [](int64_t i, int64_t c) { return static_cast<double>((i * 7 + c * 3) % 11) - 5; };
     std::vector<double> narrow;
     for (const int64_t width : {1, 2, 3, 4, 5, 300}) {
@@ -91,13 +103,9 @@ double entry(int64_t i, int64_t j) {
 
 TEST(BandedLu, solves_the_transposed_equations) {
     constexpr int64_t rows = 30, width = 3;
-    BandedLu matrix(rows, 2, 1);
-    for (int64_t i = 0; i < rows; ++i) {
-        for (int64_t j = std::max<int64_t>(0, i - 2); j <= std::min<int64_t>(rows - 1, i + 1); ++j) {
-            matrix.row(i)[j - i + 2] = entry(i, j);
-        }
-    }
-    ASSERT_TRUE(factor(matrix, rows));
+    BandedLu matrix(rows, 4);
+    ASSERT_TRUE(factor(
+        matrix, rows, 4, [](int64_t i) { return i - 2; }, entry));
     const auto solution = [](int64_t i, int64_t c) { return static_cast<double>((i * 7 + c * 3) % 11) - 5; };
     std::vector<double> values;
     for (int64_t j = 0; j < rows; ++j) {
@@ -115,27 +123,28 @@ TEST(BandedLu, solves_the_transposed_equations) {
     }
 }
 
+// Factors of a matrix of two rows and columns.
+bool factor_two(BandedLu &matrix, const double (&entries)[2][2]) {
+    return factor(
+        matrix, 2, 2, [](int64_t) { return 0; }, [&](int64_t i, int64_t j) { return entries[i][j]; });
+}
+
 TEST(BandedLu, refuses_what_it_cannot_solve) {
-    BandedLu zero(2, 1, 1);
-    zero.row(0)[1] = 0;
-    EXPECT_FALSE(factor(zero, 2));
-    BandedLu dependent(2, 1, 1); // 1 1, 1 1
-    dependent.row(0)[1] = dependent.row(0)[2] = dependent.row(1)[0] = dependent.row(1)[1] = 1;
-    EXPECT_FALSE(factor(dependent, 2));
+    BandedLu zero(2, 2), dependent(2, 2), apart(3, 2);
+    EXPECT_FALSE(factor_two(zero, {{0, 1}, {1, 0}}));
+    EXPECT_FALSE(factor_two(dependent, {{1, 1}, {1, 1}}));
+    EXPECT_EQ(apart.next_row(0, 1), nullptr);
+    EXPECT_EQ(apart.next_row(2, 0), nullptr);
+    EXPECT_NE(apart.next_row(2, 1), nullptr);
 }
 
 // 2^-40 1, 1 1: without an exchange of rows nothing is left of the second one.
 TEST(BandedLu, sees_a_growth_that_loses_digits) {
-    const auto make = [] {
-        BandedLu matrix(2, 1, 1);
-        matrix.row(0)[1] = 0x1p-40;
-        matrix.row(0)[2] = matrix.row(1)[0] = matrix.row(1)[1] = 1;
-        return matrix;
-    };
-    BandedLu matrix = make();
-    EXPECT_TRUE(factor(matrix, 2));
-    EXPECT_FALSE(make().factor_checked(16));
-    EXPECT_TRUE(spline_matrix(9).factor_checked(16));
+    BandedLu growing(2, 2), spline(9, 3);
+    ASSERT_TRUE(factor_two(growing, {{0x1p-40, 1}, {1, 1}}));
+    EXPECT_FALSE(growing.grows_little(16));
+    ASSERT_TRUE(factor_spline_matrix(spline, 9));
+    EXPECT_TRUE(spline.grows_little(16));
 }
 
 } // namespace

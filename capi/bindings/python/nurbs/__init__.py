@@ -32,7 +32,9 @@ model_) are left out where the name is clear without.
 - Ctrl-C interrupts all of these, as does what other handlers of signals raise, with progress or without; splines are as
   they were.
 - The interpreter's lock is released during every call, and one spline may be used by many threads at once.
-- Splines and statistics are values: they never change, can be compared, hashed, copied and pickled, bit for bit.
+- Splines and statistics are values: they never change, can be compared, hashed, copied and pickled, bit for bit. Their
+  to_bytes() are the same on every machine; pickles of protocol 5 hold them beside the pickle, so that they can be sent
+  without a copy.
 
 The library is $NURBS_LIBRARY, a path to libnurbs.so, if that is set, else the system's libnurbs.so.1. The C functions
 themselves are attributes of `nurbs.lib`.
@@ -43,6 +45,7 @@ from ._errors import *  # noqa: F403
 from ._library import last_error as last_error, lib as lib, status_name as status_name, version as version
 from ._analysis import *  # noqa: F403
 from ._bounds import *  # noqa: F403
+from ._bytes import *  # noqa: F403
 from ._closest import *  # noqa: F403
 from ._cloud import *  # noqa: F403
 from .constants import *  # noqa: F403 - the names of the header
@@ -55,6 +58,7 @@ from ._edit import *  # noqa: F403
 from ._evaluation import *  # noqa: F403
 from ._faces import *  # noqa: F403
 from ._files import *  # noqa: F403
+from ._files import _restored_list
 from ._fit import *  # noqa: F403
 from ._fitting import *  # noqa: F403
 from ._fitting import _restored_statistics
@@ -67,15 +71,17 @@ from ._reduce import *  # noqa: F403
 from ._refinement import *  # noqa: F403
 from ._segments import *  # noqa: F403
 from ._shapes import *  # noqa: F403
-from ._spline import Spline as Spline, _restored
+from ._spline import Spline as Spline, _restored, _restored_spline
 from ._together import *  # noqa: F403
 
 #: The version of this package; version() is that of the library that is loaded.
 __version__ = "1.1.0"
 
-# Results, exceptions, pickled splines and statistics are known by the names they have here.
+# Results, exceptions, and what is pickled are known by the names they have here.
 for _value in list(globals().values()):
-    if isinstance(_value, type) and issubclass(_value, (tuple, Exception, Statistics, Face, Model)):  # noqa: F405
+    if isinstance(_value, type) and issubclass(  # noqa: F405
+        _value, (tuple, Exception, Spline, SplineList, Statistics, Face, Model)):  # noqa: F405
         _value.__module__ = __name__
-_restored.__module__ = _restored_statistics.__module__ = __name__
+for _value in (_restored, _restored_spline, _restored_list, _restored_statistics):
+    _value.__module__ = __name__
 del _value

@@ -139,6 +139,32 @@ class SplineBase:
         return tuple(self._distinct(axis) for axis in range(self.axes))
 
     @property
+    def short_knots(self) -> Tuple[Floats, ...]:
+        """Knot vector (count + degree - 1,) of each axis without its first and last knot, as openNURBS and Rhino have it.
+        Raises ArgumentError if a degree is 0."""
+        return tuple(self._counted(lib.nurbs_short_knots, axis) for axis in range(self.axes))
+
+    @cached_property
+    def unwrapped_counts(self) -> Tuple[int, ...]:
+        """Number of control points along each axis, each counted once: count - degree where it is periodic."""
+        return tuple(get(ctypes.c_int64, lib.nurbs_unwrapped_count, self._handle, axis) for axis in range(self.axes))
+
+    @property
+    def unwrapped_knots(self) -> Tuple[Floats, ...]:
+        """Knots of each axis as create_periodic() takes them: those of one period with its end where it is periodic."""
+        return tuple(self._counted(lib.nurbs_unwrapped_knots, axis) for axis in range(self.axes))
+
+    @property
+    def unwrapped_points(self) -> Floats:
+        """Cartesian control points (unwrapped_counts..., dimension), each once, as create_periodic() takes them."""
+        return self._unwrapped()[0]
+
+    @property
+    def unwrapped_weights(self) -> Optional[Floats]:
+        """Weights (unwrapped_counts...), each once; None of a polynomial spline."""
+        return self._unwrapped()[1] if self.rational else None
+
+    @property
     def points(self) -> Floats:
         """Cartesian control points (counts..., dimension), bit for bit as they were given. Those built homogeneous are
         divided by their weights, one at infinity has infinite and NaN coordinates."""
@@ -170,6 +196,18 @@ class SplineBase:
         found = DistinctKnots(numpy.empty(size), numpy.empty(size, numpy.int32))
         get(ctypes.c_int64, lib.nurbs_distinct_knots, self._handle, axis, size, *addresses(*found))
         return found
+
+    def _counted(self, function: Any, axis: int) -> Floats:
+        """A vector of an axis that is as long as the function says."""
+        values = numpy.empty(get(ctypes.c_int64, function, self._handle, axis, 0, None))
+        get(ctypes.c_int64, function, self._handle, axis, values.size, values.ctypes.data)
+        return values
+
+    def _unwrapped(self) -> Tuple[Floats, Floats]:
+        points = numpy.empty((*self.unwrapped_counts, self.dimension))
+        weights = numpy.empty(self.unwrapped_counts)
+        get(ctypes.c_int64, lib.nurbs_unwrapped_points, self._handle, weights.size, *addresses(points, weights))
+        return points, weights
 
     def _net(self, function: Any, width: int) -> Floats:
         output = Output(None, (*self.counts, width), width)

@@ -6,13 +6,17 @@ from __future__ import annotations
 import ctypes
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Union, overload
+from typing import (TYPE_CHECKING, Any, Callable, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple, Type, Union,
+                    overload)
 
+from ._base import handles
+from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
 from ._library import call, get, lib, text
 from ._spline import Spline
 
 if TYPE_CHECKING:
+    from ._bytes import Contents
     from ._calls import Progress
 
     _Splines = Sequence[Spline]
@@ -51,7 +55,31 @@ class SplineList(_Splines):
     _handle: Optional[int] = None
 
     def __init__(self, *_: object) -> None:
-        raise TypeError("a SplineList comes from the library; a list of splines is one in brackets")
+        raise TypeError("a SplineList comes from the library, or is made of splines by SplineList.create()")
+
+    @classmethod
+    def create(cls, splines: Iterable[Spline], names: Optional[Iterable[str]] = None, unit: float = 0.0) -> SplineList:
+        """A list of splines with their names, by default "0", "1", ..., and the metres per unit of length, 0 if that is
+        not known."""
+        given = handles(splines)
+        texts = None if names is None else [os.fsencode(name) for name in names]
+        if texts is not None and len(texts) != len(given):
+            raise ValueError(f"{len(texts)} names for {len(given)} splines")
+        if any(b"\0" in text for text in texts or ()):
+            raise ValueError("a name with a zero in it")
+        each = None if texts is None else (ctypes.c_char_p * len(texts))(*texts)
+        return cls._made(lib.nurbs_list_create, len(given), given, each, unit)
+
+    def to_bytes(self) -> bytes:
+        """The list as bytes, to be kept or sent, with names, notes and unit: the same on every machine for the same
+        list."""
+        return written(lib.nurbs_list_to_bytes, self._handle).tobytes()
+
+    @classmethod
+    def from_bytes(cls, contents: Contents) -> SplineList:
+        """The list of what to_bytes() gave. Raises ContentsError for other bytes."""
+        given = given_bytes(contents)
+        return cls._made(lib.nurbs_list_from_bytes, given.ctypes.data, given.size)
 
     @classmethod
     def _made(cls, function: Any, *arguments: Any) -> SplineList:
@@ -87,8 +115,8 @@ class SplineList(_Splines):
     def __repr__(self) -> str:
         return f"<SplineList of {len(self)}: {', '.join(self.names[:4])}{', ...' if len(self) > 4 else ''}>"
 
-    def __reduce__(self) -> Any:
-        raise TypeError("a SplineList cannot be pickled; list(splines) can")
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., SplineList], Tuple[Any, ...]]:
+        return _restored_list, (type(self), pickled(lib.nurbs_list_to_bytes, self._handle, protocol))
 
     @property
     def names(self) -> List[str]:
@@ -110,6 +138,12 @@ class SplineList(_Splines):
         words = text(lib.nurbs_list_note, self._handle, index, ctypes.byref(kind), ctypes.byref(line),
                      ctypes.byref(reason))
         return Note(kind.value, line.value, reason.value, words)
+
+
+# A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.
+def _restored_list(kind: Type[SplineList], contents: Any) -> SplineList:
+    """A pickled list."""
+    return kind.from_bytes(contents)
 
 
 def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,

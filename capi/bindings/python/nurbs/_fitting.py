@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import ctypes
-import operator
-import pickle
 from functools import cached_property
 from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Sequence, SupportsIndex, Tuple,
                     Type, Union)
@@ -13,6 +11,7 @@ from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Op
 import numpy
 
 from ._arrays import address, exactly, if_given, one_each, packed, records, vector
+from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
 from ._library import call, get, int32, lib, uint32
 from ._net import concatenated
@@ -318,15 +317,12 @@ class Statistics:
     def to_bytes(self) -> bytes:
         """The statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever their
         order."""
-        contents = numpy.empty(get(ctypes.c_int64, lib.nurbs_statistics_to_bytes, self._handle, 0, None), numpy.uint8)
-        get(ctypes.c_int64, lib.nurbs_statistics_to_bytes, self._handle, contents.size, contents.ctypes.data)
-        return contents.tobytes()
+        return written(lib.nurbs_statistics_to_bytes, self._handle).tobytes()
 
     @classmethod
     def from_bytes(cls, contents: Union[bytes, bytearray, memoryview]) -> Statistics:
         """Statistics from what to_bytes() gave. Raises ContentsError for other bytes."""
-        view = memoryview(contents)
-        given = numpy.frombuffer(view if view.c_contiguous else view.tobytes(), numpy.uint8)
+        given = given_bytes(contents)
         return cls._made(lib.nurbs_statistics_from_bytes, given.ctypes.data, given.size)
 
     def copy(self) -> Statistics:
@@ -339,9 +335,7 @@ class Statistics:
         return self.copy()
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., Statistics], Tuple[Any, ...]]:
-        contents = self.to_bytes()
-        kept = pickle.PickleBuffer(contents) if operator.index(protocol) >= 5 else contents
-        return _restored_statistics, (type(self), kept)
+        return _restored_statistics, (type(self), pickled(lib.nurbs_statistics_to_bytes, self._handle, protocol))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Statistics):

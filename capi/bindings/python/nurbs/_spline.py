@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Sequence, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Sequence, SupportsIndex, Tuple, Type, Union
 
 import numpy
 
 from ._arrays import vector
 from ._library import lib
 from ._net import Net, concatenated
-from ._state import key_of, state_of
+from ._bytes import given as given_bytes, pickled, written
 from ._analysis import Analysis
 from ._bounds import Bounds
 from ._calculus import Calculus
@@ -31,9 +31,12 @@ from ._reduce import Reduction
 from ._refinement import Refinement
 from ._segments import Segments
 from ._sweeps import Sweeps
+from .constants import NURBS_PERIODIC
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+    from ._bytes import Contents
 
 __all__ = ["Spline"]
 
@@ -112,7 +115,29 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
         return cls._made(lib.nurbs_create_bezier, net.axes, net.degrees.ctypes.data, net.width, *net.points.layout,
                          *net.weight_layout)
 
-    # --- A value: copies, equality, pickles ---
+    @classmethod
+    def create_periodic(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
+                        points: ArrayLike, weights: Optional[ArrayLike] = None, flags: int = NURBS_PERIODIC) -> Spline:
+        """From control points that are given once: along an axis with flag NURBS_PERIODIC the points (m...) do not
+        repeat, and the knots are the m + 1 of one period with its end. Other axes are as Spline() takes them."""
+        net = Net(degrees, points, weights)
+        vectors, _ = concatenated(knots, net.axes)
+        return cls._made(lib.nurbs_create_periodic, *net.sizes, vectors.ctypes.data, vectors.size, net.width,
+                         *net.points.layout, *net.weight_layout, flags)
+
+    # --- A value: bytes, copies, equality, pickles ---
+
+    def to_bytes(self) -> bytes:
+        """The spline as bytes, to be kept or sent: the same on every machine for the same spline. nurbs.h says where
+        in them the control points are."""
+        return written(lib.nurbs_to_bytes, self._handle).tobytes()
+
+    @classmethod
+    def from_bytes(cls, contents: Contents) -> Spline:
+        """The spline of what to_bytes() gave, in bytes or any memory that holds them. Raises ContentsError for other
+        bytes."""
+        given = given_bytes(contents)
+        return cls._made(lib.nurbs_from_bytes, given.ctypes.data, given.size)
 
     def copy(self) -> Spline:
         """Another handle on the same spline, in constant time; copy.copy() and copy.deepcopy() do the same."""
@@ -123,12 +148,12 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
     def __deepcopy__(self, memo: Dict[int, Any]) -> Spline:
         return self.copy()
 
-    def __reduce__(self) -> Tuple[Callable[..., Spline], Tuple[Any, ...]]:
-        return _restored, state_of(self) if type(self) is Spline else (*state_of(self), type(self))
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., Spline], Tuple[Any, ...]]:
+        return _restored_spline, (type(self), pickled(lib.nurbs_to_bytes, self._handle, protocol))
 
     @cached_property
-    def _key(self) -> Tuple[Any, ...]:
-        return key_of(self)
+    def _key(self) -> bytes:
+        return self.to_bytes()
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Spline):
@@ -157,10 +182,17 @@ def _periodic_axes(periodic: Tuple[bool, ...]) -> str:
     return f", periodic{where}" if axes else ""
 
 
+# A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.
+def _restored_spline(kind: Type[Spline], contents: Any) -> Spline:
+    """A pickled spline."""
+    return kind.from_bytes(contents)
+
+
+# Of the pickles of version 1.0.
 def _restored(homogeneous: bool, degrees: Tuple[int, ...], knots: Any, points: Any, weights: Any, flags: int,
               kind: Optional[Type[Spline]] = None) -> Spline:
-    """The spline of a State, of a derived class if there is one: its instances are made without its __init__(), as by
-    all methods."""
+    """The spline that a constructor makes of these arguments, of a derived class if there is one: its instances are made
+    without its __init__(), as by all methods."""
     made = (Spline.create_homogeneous(degrees, knots, points, flags) if homogeneous
             else Spline(degrees, knots, points, weights, flags))
     return made if kind is None else kind._owner(made.__dict__.pop("_handle"))

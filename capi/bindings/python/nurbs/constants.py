@@ -91,6 +91,7 @@ NURBS_ERROR_SYNTAX = 402  # the file breaks the rules of its format
 NURBS_ERROR_UNSUPPORTED = 403  # an entity that this version does not read (only in notes)
 NURBS_ERROR_CHECKSUM = 404  # bytes of a handle are not those that were written
 NURBS_ERROR_VERSION = 405  # bytes of a handle have a later version of the form
+NURBS_ERROR_CYCLE = 406  # entities of a file contain each other (only in notes)
 NURBS_ERROR_INTERNAL = 900  # a defect of the library; please report it
 
 # --- Flags by axis
@@ -171,10 +172,10 @@ NURBS_TREND_CONCAVE = 0x08  # the first derivative does not rise
 
 # --- What nurbs_fit_report tells besides
 NURBS_FIT_TARGET_MISSED = 0x01  # no smoothing leaves as little as the target asks for
-NURBS_FIT_NOT_CONVERGED = 0x02  # the rounds of a robust fit still changed it at their end
+NURBS_FIT_NOT_CONVERGED = 0x02  # rounds of a robust fit, or of a shape, still changed it
 
 # --- What nurbs_cloud_report tells besides
-NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds ended while the sum still fell
+NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds, or the limit of work, ended while the sum still fell
 
 # --- Rules for tangents, for nurbs_tangents()
 NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours
@@ -278,6 +279,11 @@ NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; o
 NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way
 NURBS_CONSTRAIN_NORMAL = 2  # all first derivatives are perpendicular to the target
 NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
+
+# --- Kinds of handles
+NURBS_BYTES_SPLINE = 1  # a spline: nurbs_from_bytes()
+NURBS_BYTES_LIST = 2  # a list: nurbs_list_from_bytes()
+NURBS_BYTES_STATISTICS = 3  # statistics: nurbs_statistics_from_bytes()
 
 
 def on_axis(axis: int, flags: int) -> int:

@@ -157,6 +157,44 @@ impl Spline {
         })
     }
 
+    /// A spline whose periodic axes are given without what they repeat: counts of control points that differ,
+    /// and the knots of one period with its end.
+    pub fn create_periodic<'a>(
+        degrees: &[i32],
+        counts: &[usize],
+        knots: &[f64],
+        dim: i32,
+        points: impl Into<Records<'a>>,
+        weights: Option<&[f64]>,
+        flags: u32,
+    ) -> Result<Spline> {
+        let points = points.into();
+        let counts = counts_of(counts, degrees.len(), "counts")?;
+        let n = product(&counts);
+        // Another dimension is left to the library to name.
+        if dim > 0 {
+            points.require(n, positive(dim), "points")?;
+        }
+        let weights = optional(weights, n, "weights")?;
+        Spline::made(|out| unsafe {
+            sys::nurbs_create_periodic(
+                axes_of(degrees),
+                degrees.as_ptr(),
+                counts.as_ptr(),
+                knots.as_ptr(),
+                knots.len() as i64,
+                dim,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                weights,
+                0,
+                flags,
+                out,
+            )
+        })
+    }
+
     /// A Bezier spline over [0, 1] on every axis.
     pub fn bezier<'a>(
         degrees: &[i32],
@@ -203,6 +241,11 @@ impl Spline {
                 out,
             )
         })
+    }
+
+    /// The spline of what to_bytes() made of it, bit for bit.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out) })
     }
 
     /// Another handle on the same data, in constant time.

@@ -4,10 +4,22 @@
 
 use crate::call::Call;
 use crate::error::{check, value, Result};
-use crate::list::{options_pointer, path_text, written, List, ReadOptions};
-use crate::spline::Spline;
+use crate::list::{options_pointer, path_text, written, List, ReadOptions, Texts};
+use crate::spline::{handles, Spline};
 use crate::sys;
 use std::path::Path;
+
+/// What bytes hold, by their header.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct BytesKind {
+    /// A `NURBS_BYTES_` constant.
+    pub kind: i32,
+    /// Version of the form: a library reads those up to its own.
+    pub major: i32,
+    /// What it has in addition.
+    pub minor: i32,
+}
 
 /// An entity of a file that did not become a spline.
 #[derive(Clone, Debug, Default, Eq, PartialEq)]
@@ -21,6 +33,17 @@ pub struct Note {
     pub reason: i32,
     /// The same in words.
     pub text: String,
+}
+
+/// Of which kind bytes are, and in which version of the form.
+pub fn bytes_kind(bytes: &[u8]) -> Result<BytesKind> {
+    let mut kind = 0;
+    let mut major = 0;
+    let mut minor = 0;
+    check(unsafe {
+        sys::nurbs_bytes_kind(bytes.as_ptr().cast(), bytes.len() as i64, &mut kind, &mut major, &mut minor)
+    })?;
+    Ok(BytesKind { kind, major, minor })
 }
 
 /// Reading files: the splines that a file held, their names, and notes on the rest.
@@ -60,6 +83,17 @@ impl List {
         let path = path_text(path)?;
         List::made(|out| unsafe {
             sys::nurbs_read_file_with(path.as_ptr(), options_pointer(options), call.options(), out)
+        })
+    }
+
+    /// A list of splines, with their names, none for "0", "1", ..., and the metres per unit of length, 0 if
+    /// that is not known.
+    pub fn create(splines: &[&Spline], names: &[&str], metres: f64) -> Result<List> {
+        let splines = handles(splines);
+        let count = splines.len();
+        let names = Texts::new(names, count, "names")?;
+        List::made(|out| unsafe {
+            sys::nurbs_list_create(count as i64, splines.as_ptr(), names.as_ptr(), metres, out)
         })
     }
 
@@ -105,5 +139,12 @@ impl List {
     /// Metres per unit of length; 0 if the file does not say.
     pub fn unit(&self) -> Result<f64> {
         value(|metres| unsafe { sys::nurbs_list_unit(self.raw(), metres) })
+    }
+
+    /// The list of what to_bytes() made of it.
+    pub fn from_bytes(bytes: &[u8]) -> Result<List> {
+        List::made(|out| unsafe {
+            sys::nurbs_list_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out)
+        })
     }
 }

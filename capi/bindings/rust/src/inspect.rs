@@ -18,6 +18,16 @@ pub struct DistinctKnots {
     pub multiplicities: Vec<i32>,
 }
 
+/// Control points, each once.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct UnwrappedPoints {
+    /// Cartesian, `[n][dim]`.
+    pub points: Vec<f64>,
+    /// All 1 for a polynomial spline.
+    pub weights: Vec<f64>,
+}
+
 /// Questions about a spline.
 impl Spline {
     /// Number of parametric axes: 1, 2 or 3.
@@ -81,6 +91,50 @@ impl Spline {
         let mut knots = vec![0.0; size];
         check(unsafe { sys::nurbs_knots(self.raw(), axis, size as i64, knots.as_mut_ptr()) })?;
         Ok(knots)
+    }
+
+    /// The knot vector without its first and last knot.
+    pub fn short_knots(&self, axis: i32) -> Result<Vec<f64>> {
+        let fill = |cap, knots, count| unsafe { sys::nurbs_short_knots(self.raw(), axis, cap, knots, count) };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut knots = vec![0.0; n];
+        check(fill(count, knots.as_mut_ptr(), &mut count))?;
+        Ok(knots)
+    }
+
+    /// Number of control points along an axis, each counted once.
+    pub fn unwrapped_count(&self, axis: i32) -> Result<usize> {
+        let mut count = 0;
+        check(unsafe { sys::nurbs_unwrapped_count(self.raw(), axis, &mut count) })?;
+        Ok(count as usize)
+    }
+
+    /// The knots of one period with its end; of an axis that is not periodic all of them.
+    pub fn unwrapped_knots(&self, axis: i32) -> Result<Vec<f64>> {
+        let fill =
+            |cap, knots, count| unsafe { sys::nurbs_unwrapped_knots(self.raw(), axis, cap, knots, count) };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut knots = vec![0.0; n];
+        check(fill(count, knots.as_mut_ptr(), &mut count))?;
+        Ok(knots)
+    }
+
+    /// Control points and weights, each once.
+    pub fn unwrapped_points(&self) -> Result<UnwrappedPoints> {
+        let fill = |cap, points, weights, count| unsafe {
+            sys::nurbs_unwrapped_points(self.raw(), cap, points, weights, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut points = vec![0.0; n * self.dimension()? as usize];
+        let mut weights = vec![0.0; n];
+        check(fill(count, points.as_mut_ptr(), weights.as_mut_ptr(), &mut count))?;
+        Ok(UnwrappedPoints { points, weights })
     }
 
     /// The knots without repetition, and how often each occurs.

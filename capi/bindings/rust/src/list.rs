@@ -5,10 +5,10 @@ use crate::error::{check, text, value, Error, Result};
 use crate::sys;
 use std::ffi::CString;
 use std::fmt;
-use std::os::raw::c_char;
+use std::os::raw::{c_char, c_void};
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
-use std::ptr::{null_mut, NonNull};
+use std::ptr::{null, null_mut, NonNull};
 
 /// Settings for reading; `ReadOptions::new()` has the defaults.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +91,11 @@ impl List {
         self.handle.as_ptr()
     }
 
+    /// To be kept or sent, with names, notes and unit: the same on every machine for the same list.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        bytes_of(|cap, bytes, length| unsafe { sys::nurbs_list_to_bytes(self.raw(), cap, bytes, length) })
+    }
+
     /// Number of splines.
     pub fn len(&self) -> usize {
         let count = value(|count: *mut i64| unsafe { sys::nurbs_list_count(self.raw(), count) });
@@ -101,6 +106,49 @@ impl List {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+}
+
+/// Texts as the library takes an array of them.
+pub(crate) struct Texts {
+    _owned: Vec<CString>,
+    pointers: Vec<*const c_char>,
+}
+
+impl Texts {
+    /// None, or as many as there have to be.
+    pub(crate) fn new(texts: &[&str], size: usize, what: &str) -> Result<Texts> {
+        if !texts.is_empty() && texts.len() != size {
+            return Err(Error::size(what, texts.len(), size.to_string()));
+        }
+        let owned: Vec<CString> = texts.iter().enumerate().map(|(i, text)| Texts::one(text, i, what)).collect::<Result<_>>()?;
+        let pointers = owned.iter().map(|text| text.as_ptr()).collect();
+        Ok(Texts { _owned: owned, pointers })
+    }
+
+    fn one(text: &str, index: usize, what: &str) -> Result<CString> {
+        CString::new(text).map_err(|_| Error {
+            status: sys::NURBS_ERROR_SYNTAX,
+            message: format!("{}[{}] contains a zero byte", what, index),
+        })
+    }
+
+    /// NULL for none.
+    pub(crate) fn as_ptr(&self) -> *const *const c_char {
+        if self.pointers.is_empty() {
+            null()
+        } else {
+            self.pointers.as_ptr()
+        }
+    }
+}
+
+/// What `write` says of a handle, written to (cap, bytes, length).
+pub(crate) fn bytes_of(write: impl Fn(i64, *mut c_void, *mut i64) -> i32) -> Result<Vec<u8>> {
+    let mut length = 0;
+    check(write(0, null_mut(), &mut length))?;
+    let mut bytes = vec![0u8; length as usize];
+    check(write(length, bytes.as_mut_ptr().cast(), &mut length))?;
+    Ok(bytes)
 }
 
 /// A path as the library takes it.

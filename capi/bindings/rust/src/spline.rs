@@ -2,6 +2,7 @@
 //! Curves, surfaces and volumes: the handle. What can be asked of it is in the modules beside this one.
 
 use crate::error::{check, Result};
+use crate::list::bytes_of;
 use crate::sys;
 use std::fmt;
 use std::ptr::{null_mut, NonNull};
@@ -71,6 +72,11 @@ impl Spline {
     /// The handle, for the functions of [`sys`]. It lives as long as this spline.
     pub fn raw(&self) -> *const sys::nurbs {
         self.handle.as_ptr()
+    }
+
+    /// To be kept or sent: the same on every machine for the same spline.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        bytes_of(|cap, bytes, length| unsafe { sys::nurbs_to_bytes(self.raw(), cap, bytes, length) })
     }
 
     fn same_values(&self, other: &Spline) -> Result<bool> {

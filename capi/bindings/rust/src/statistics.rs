@@ -2,6 +2,7 @@
 //! Statistics of data: the handle. What fits make of it is in the module `fitting`.
 
 use crate::error::{check, Result};
+use crate::list::bytes_of;
 use crate::sys;
 use std::fmt;
 use std::ptr::{null_mut, NonNull};
@@ -59,12 +60,7 @@ impl Statistics {
 
     /// To be kept or sent: the same on every machine for the same data, whatever their order.
     pub fn to_bytes(&self) -> Result<Vec<u8>> {
-        let mut length = 0;
-        check(unsafe { sys::nurbs_statistics_to_bytes(self.raw(), 0, null_mut(), &mut length) })?;
-        let mut bytes = vec![0u8; length as usize];
-        let place = bytes.as_mut_ptr().cast();
-        check(unsafe { sys::nurbs_statistics_to_bytes(self.raw(), length, place, null_mut()) })?;
-        Ok(bytes)
+        bytes_of(|cap, bytes, length| unsafe { sys::nurbs_statistics_to_bytes(self.raw(), cap, bytes, length) })
     }
 }
 

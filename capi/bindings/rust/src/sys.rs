@@ -520,6 +520,8 @@ pub const NURBS_ERROR_UNSUPPORTED: nurbs_status = 403;
 pub const NURBS_ERROR_CHECKSUM: nurbs_status = 404;
 /// bytes of a handle have a later version of the form
 pub const NURBS_ERROR_VERSION: nurbs_status = 405;
+/// entities of a file contain each other (only in notes)
+pub const NURBS_ERROR_CYCLE: nurbs_status = 406;
 /// a defect of the library; please report it
 pub const NURBS_ERROR_INTERNAL: nurbs_status = 900;
 
@@ -642,11 +644,11 @@ pub const NURBS_TREND_CONCAVE: i32 = 0x08;
 // --- What nurbs_fit_report tells besides
 /// no smoothing leaves as little as the target asks for
 pub const NURBS_FIT_TARGET_MISSED: i32 = 0x01;
-/// the rounds of a robust fit still changed it at their end
+/// rounds of a robust fit, or of a shape, still changed it
 pub const NURBS_FIT_NOT_CONVERGED: i32 = 0x02;
 
 // --- What nurbs_cloud_report tells besides
-/// the rounds ended while the sum still fell
+/// the rounds, or the limit of work, ended while the sum still fell
 pub const NURBS_CLOUD_NOT_CONVERGED: i32 = 0x01;
 
 // --- Rules for tangents, for nurbs_tangents()
@@ -825,6 +827,14 @@ pub const NURBS_CONSTRAIN_NORMAL: i32 = 2;
 /// the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 pub const NURBS_CONSTRAIN_CURVATURE: i32 = 3;
 
+// --- Kinds of handles
+/// a spline: nurbs_from_bytes()
+pub const NURBS_BYTES_SPLINE: i32 = 1;
+/// a list: nurbs_list_from_bytes()
+pub const NURBS_BYTES_LIST: i32 = 2;
+/// statistics: nurbs_statistics_from_bytes()
+pub const NURBS_BYTES_STATISTICS: i32 = 3;
+
 #[link(name = "nurbs")]
 extern "C" {
     // --- Version and errors
@@ -901,6 +911,25 @@ extern "C" {
         distinct_counts: *const i64,
         distinct_knots: *const f64,
         multiplicities: *const i32,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// A spline whose periodic axes are given without what they repeat: each control point once, and the
+    /// knots of one period.
+    ///
+    /// May be null: `weights`.
+    pub fn nurbs_create_periodic(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
         dim: i32,
         points: *const f64,
         point_stride: i64,
@@ -1012,6 +1041,17 @@ extern "C" {
     pub fn nurbs_is_homogeneous(g: *const nurbs, homogeneous: *mut i32) -> nurbs_status;
     /// The full knot vector of an axis.
     pub fn nurbs_knots(g: *const nurbs, axis: i32, knot_count: i64, knots: *mut f64) -> nurbs_status;
+    /// The knots of an axis without the first and the last one, as nurbs_create_short() takes them and
+    /// openNURBS, Rhino and Maya keep them.
+    ///
+    /// May be null: `knots`, `count`.
+    pub fn nurbs_short_knots(
+        g: *const nurbs,
+        axis: i32,
+        cap: i64,
+        knots: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
     /// The distinct knots of an axis and how often each occurs; those outside the domain are included.
     ///
     /// May be null: `knots`, `multiplicities`.
@@ -1047,6 +1087,31 @@ extern "C" {
         points: *mut f64,
         point_stride: i64,
         point_component_stride: i64,
+    ) -> nurbs_status;
+    /// Number of control points along an axis, each counted once: count - degree on a periodic axis, count on
+    /// any other.
+    pub fn nurbs_unwrapped_count(g: *const nurbs, axis: i32, count: *mut i64) -> nurbs_status;
+    /// The knots of an axis as nurbs_create_periodic() takes them: those from the start to the end of the
+    /// domain of a periodic axis, knots\[degree\] to knots\[count\], and all knots of any other.
+    ///
+    /// May be null: `knots`, `count`.
+    pub fn nurbs_unwrapped_knots(
+        g: *const nurbs,
+        axis: i32,
+        cap: i64,
+        knots: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// Control points and weights, each once, as nurbs_create_periodic() takes them: along periodic axes
+    /// without the last `degree` ones, which repeat others.
+    ///
+    /// May be null: `points`, `weights`, `count`.
+    pub fn nurbs_unwrapped_points(
+        g: *const nurbs,
+        cap: i64,
+        points: *mut f64,
+        weights: *mut f64,
+        count: *mut i64,
     ) -> nurbs_status;
     /// Local hull size: the largest |coordinate| among the active control points of positive weight at each
     /// parameter, the `hull` of the accuracy contract.
@@ -3962,6 +4027,16 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// A list of given splines.
+    ///
+    /// May be null: `names`.
+    pub fn nurbs_list_create(
+        count: i64,
+        splines: *const *const nurbs,
+        names: *const *const c_char,
+        metres: f64,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
     /// Number of splines in a list.
     pub fn nurbs_list_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
     /// A new handle on spline `index`; it outlives the list.
@@ -3999,6 +4074,36 @@ extern "C" {
     ///
     /// May be null: `list`.
     pub fn nurbs_list_destroy(list: *mut nurbs_list);
+    // --- Handles as bytes
+    /// A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
+    /// each part to a multiple of 64.
+    ///
+    /// May be null: `bytes`, `length`.
+    pub fn nurbs_to_bytes(g: *const nurbs, cap: i64, bytes: *mut c_void, length: *mut i64) -> nurbs_status;
+    /// The spline of the bytes of nurbs_to_bytes(): the same stored values, bit for bit, and the same
+    /// periodic axes.
+    pub fn nurbs_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs) -> nurbs_status;
+    /// A list as bytes, with names, notes and unit.
+    ///
+    /// May be null: `bytes`, `length`.
+    pub fn nurbs_list_to_bytes(
+        list: *const nurbs_list,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// The list of the bytes of nurbs_list_to_bytes().
+    pub fn nurbs_list_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs_list) -> nurbs_status;
+    /// Of which kind bytes are, and in which version of the form, from their first 64.
+    ///
+    /// May be null: `kind`, `major`, `minor`.
+    pub fn nurbs_bytes_kind(
+        bytes: *const c_void,
+        size: i64,
+        kind: *mut i32,
+        major: *mut i32,
+        minor: *mut i32,
+    ) -> nurbs_status;
     // --- Models
     /// Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242).
     ///

@@ -77,6 +77,12 @@ enum class Kind : uint16_t {
     shape_representation,
     definitional_representation,
     placed_part,
+    mapped_item,
+    shape_relationship,
+    placed_relationship,
+    shape_definition,
+    styled_item,
+    colour,
 };
 
 Kind kind_of(std::string_view keyword) noexcept;

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "numeric/solvers/banded/banded_lu.h"
 
+#include "base/small_width.h"
 #include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace nrb::inline numeric {
 
 namespace {
 
-constexpr int64_t work_of_a_pivot = 8;
 // Right-hand sides that are solved together: as many as keep a band of layers in the cache.
 constexpr int64_t most_together = 256;
-
-// Bands of two beside the diagonal, of cubic splines, have loops of their own.
-using Two = std::integral_constant<int64_t, 2>;
 
 // target -= factor * source
 template <class Size>
@@ -28,61 +24,61 @@ void subtract(double *target, double factor, const double *source, Size n) noexc
 
 } // namespace
 
-BandedLu::BandedLu(int64_t rows, int below, int above) : rows_(rows), below_(below), above_(above) {
-    grow_watched(band_, static_cast<size_t>(rows * stride()));
+BandedLu::BandedLu(int64_t rows, int width) : rows_(rows), width_(width) {
+    grow_watched(entries_, static_cast<size_t>(rows * width));
+    grow_watched(places_, static_cast<size_t>(rows));
+    grow_watched(reaches_, static_cast<size_t>(rows));
+}
+
+double *BandedLu::next_row(int64_t i, int64_t first_column) noexcept {
+    const int64_t place = i - first_column;
+    places_[static_cast<size_t>(i)] = static_cast<int8_t>(place);
+    return place < 0 || place >= width_ ? nullptr : entries_.data() + i * width_;
+}
+
+// What the row above has after its diagonal may become an entry of this one.
+void BandedLu::set_reach(int64_t i) noexcept {
+    const int place = places_[static_cast<size_t>(i)];
+    const double *const row = entries_.data() + i * width_;
+    int begin = 0, end = width_;
+    while (begin < place && row[begin] == 0) {
+        ++begin;
+    }
+    const int least = place + (i > 0 ? std::max<int>(1, reach(i - 1).after) : 1);
+    while (end > least && row[end - 1] == 0) {
+        --end;
+    }
+    reaches_[static_cast<size_t>(i)] = {static_cast<int8_t>(place - begin),
+                                        static_cast<int8_t>(end - 1 - place)};
 }
 
 bool BandedLu::factor_row(int64_t i) noexcept {
-    const bool shorter = i < below_ || i + above_ > rows_; // than the band is wide
-    return shorter || below_ != Two() || above_ != Two() ? eliminate(i) : eliminate_within(i, Two(), Two());
-}
-
-template <class Below, class Above>
-bool BandedLu::eliminate_within(int64_t i, Below below, Above above) noexcept {
-    double *const target = band_.data() + i * (below + above + 1) + below;
-    for (int64_t k = -below; k < 0; ++k) {
-        const double *const pivot = target + k * (below + above + 1);
+    set_reach(i);
+    double *const target = diagonal(i);
+    for (int64_t k = -reach(i).before; k < 0; ++k) {
+        const double *const pivot = diagonal(i + k);
         target[k] *= *pivot;
-        subtract(target + k + 1, target[k], pivot + 1, above);
-    }
-    *target = 1 / *target;
-    return std::isfinite(*target);
-}
-
-// Row i of both factors; false if the pivot is 0 or not finite.
-bool BandedLu::eliminate(int64_t i) noexcept {
-    double *const target = row(i) + below_; // its diagonal
-    for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
-        const double *const pivot = row(k) + below_;
-        double &factor = target[k - i];
-        if (factor != 0) {
-            factor *= *pivot;
-            subtract(target + (k - i) + 1, factor, pivot + 1, std::min<int64_t>(above_, rows_ - 1 - k));
-        }
+        subtract(target + k + 1, target[k], pivot + 1, int64_t{reach(i + k).after});
     }
     *target = 1 / *target;
     return std::isfinite(*target);
 }
 
 double BandedLu::largest_of_upper(int64_t i) const noexcept {
-    const double *const diagonal = band_.data() + i * stride() + below_;
-    double largest = std::abs(1 / *diagonal);
-    for (int64_t j = 1; j <= std::min<int64_t>(above_, rows_ - 1 - i); ++j) {
-        largest = std::max(largest, std::abs(diagonal[j]));
+    const double *const entries = diagonal(i);
+    double largest = std::abs(1 / *entries);
+    for (int j = 1; j <= reach(i).after; ++j) {
+        largest = std::max(largest, std::abs(entries[j]));
     }
     return largest;
 }
 
-bool BandedLu::factor_checked(double most) {
+bool BandedLu::grows_little(double most) const {
     std::vector<double> largest(static_cast<size_t>(rows_));
     for (int64_t i = 0; i < rows_; ++i) {
-        count_work(2 * (int64_t{below_} * above_ + work_of_a_pivot));
-        if (!eliminate(i)) {
-            return false;
-        }
         double product = largest[static_cast<size_t>(i)] = largest_of_upper(i);
-        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
-            product += std::abs(row(i)[below_ + k - i]) * largest[static_cast<size_t>(k)];
+        for (int64_t k = -reach(i).before; k < 0; ++k) {
+            product += std::abs(diagonal(i)[k]) * largest[static_cast<size_t>(i + k)];
         }
         if (!(product <= most)) {
             return false;
@@ -91,73 +87,48 @@ bool BandedLu::factor_checked(double most) {
     return true;
 }
 
-// Records of points of few coordinates have loops of their own.
 void BandedLu::solve(double *values, int64_t width) const {
-    const auto all_at_once = [&]<int64_t n>(std::integral_constant<int64_t, n> size) {
-        count_work(rows_ * (below_ + above_ + 1) * n);
-        solve_some(values, n, size);
-    };
-    switch (width) {
-    case 1:
-        return all_at_once(std::integral_constant<int64_t, 1>());
-    case 2:
-        return all_at_once(std::integral_constant<int64_t, 2>());
-    case 3:
-        return all_at_once(std::integral_constant<int64_t, 3>());
-    case 4:
-        return all_at_once(std::integral_constant<int64_t, 4>());
-    default:
-        break;
-    }
     for (int64_t first = 0; first < width; first += most_together) {
-        solve_some(values + first, width, std::min(most_together, width - first));
-        count_work(rows_ * (below_ + above_ + 1) * std::min(most_together, width - first));
+        const int64_t some = std::min(most_together, width - first);
+        count_work(rows_ * width_ * some);
+        with_width(some, [&](auto size) { solve_some(values + first, width, size); });
     }
 }
 
 template <class Size>
 void BandedLu::solve_some(double *values, int64_t width, Size some) const noexcept {
-    if (below_ == Two() && above_ == Two()) {
-        return solve_band(values, width, some, Two(), Two());
-    }
-    solve_band(values, width, some, int64_t{below_}, int64_t{above_});
-}
-
-template <class Below, class Above, class Size>
-void BandedLu::solve_band(double *values, int64_t width, Size some, Below below, Above above) const noexcept {
-    const int64_t stride = below + above + 1;
     for (int64_t i = 0; i < rows_; ++i) {
-        const double *const from = band_.data() + i * stride + below;
-        for (int64_t k = std::max<int64_t>(i - below, 0); k < i; ++k) {
-            subtract(values + i * width, from[k - i], values + k * width, some);
+        const double *const from = diagonal(i);
+        double *const target = values + i * width;
+        for (int64_t k = -reach(i).before; k < 0; ++k) {
+            subtract(target, from[k], target + k * width, some);
         }
     }
     for (int64_t i = rows_; i-- > 0;) {
-        const double *const from = band_.data() + i * stride + below;
+        const double *const from = diagonal(i);
         double *const target = values + i * width;
-        const int64_t last = std::min<int64_t>(i + above, rows_ - 1);
-        for (int64_t k = i + 1; k <= last; ++k) {
-            subtract(target, from[k - i], values + k * width, some);
+        for (int64_t k = 1; k <= reach(i).after; ++k) {
+            subtract(target, from[k], target + k * width, some);
         }
-        const double inverse = *from;
-        std::for_each_n(target, static_cast<int64_t>(some), [inverse](double &x) { x *= inverse; });
+        std::for_each_n(target, static_cast<int64_t>(some), [inverse = *from](double &x) { x *= inverse; });
     }
 }
 
 void BandedLu::solve_transposed(double *values, int64_t width) const {
-    count_work(rows_ * (below_ + above_ + 1) * width);
+    count_work(rows_ * width_ * width);
     for (int64_t i = 0; i < rows_; ++i) {
-        const double *const from = band_.data() + i * stride() + below_;
+        const double *const from = diagonal(i);
         double *const source = values + i * width;
         std::for_each_n(source, width, [inverse = *from](double &x) { x *= inverse; });
-        for (int64_t k = i + 1; k <= std::min(i + above_, rows_ - 1); ++k) {
-            subtract(values + k * width, from[k - i], source, width);
+        for (int64_t k = 1; k <= reach(i).after; ++k) {
+            subtract(source + k * width, from[k], source, width);
         }
     }
     for (int64_t i = rows_; i-- > 0;) {
-        const double *const from = band_.data() + i * stride() + below_;
-        for (int64_t k = std::max<int64_t>(i - below_, 0); k < i; ++k) {
-            subtract(values + k * width, from[k - i], values + i * width, width);
+        const double *const from = diagonal(i);
+        double *const source = values + i * width;
+        for (int64_t k = -reach(i).before; k < 0; ++k) {
+            subtract(source + k * width, from[k], source, width);
         }
     }
 }

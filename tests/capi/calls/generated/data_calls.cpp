@@ -144,6 +144,47 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_knots(in.curve, 0, 12, o.values);
      }},
+    {"short_knots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_short_knots(in.curve, 0, 10, o.values, o.spans);
+     }},
+    {"unwrapped_knots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_unwrapped_knots(in.loop, 0, 5, o.values, o.spans);
+     }},
+    {"unwrapped_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_unwrapped_points(in.loop, 4, o.values, o.values + 8, o.spans);
+     }},
+    {"to_bytes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_to_bytes(in.loop, 0, o.text, o.spans);
+     }},
+    {"from_bytes",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_from_bytes(texts::loop_bytes, 352, &o.out);
+     }},
+    {"bytes_kind",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_bytes_kind(texts::loop_bytes, 352, o.states, o.states + 1, o.states + 2);
+     }},
+    {"list_to_bytes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         return nurbs_list_to_bytes(made_edges, 0, o.text, o.spans);
+     }},
+    {"list_from_bytes",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_list_from_bytes(texts::list_bytes, 640, &o.list);
+     }},
+    {"list_create",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const splines[] = {in.curve, in.loop, in.curve};
+         return nurbs_list_create(3, splines, nullptr, 0.001, &o.list);
+     }},
     {"distinct_knots",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_distinct_knots(in.curve, 0, 5, o.values, o.states, o.spans);
@@ -257,6 +298,16 @@ const Call group[] = {
          static constexpr double knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
          static constexpr double points[] = {1, 1, 1, 2, -1, 1, -1, -1, 1, -1, 1, 2};
          return nurbs_create_homogeneous(1, degrees, counts, knots, 9, 1, points, 0, 0, 0, &o.out);
+     }},
+    {"create_periodic",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         static constexpr int32_t degrees[] = {2};
+         static constexpr int64_t counts[] = {4};
+         static constexpr double knots[] = {2, 3, 4, 5, 6};
+         static constexpr double points[] = {1, 1, -1, 1, -1, -1, 1, -1};
+         static constexpr double weights[] = {1, 2, 1, 0.5};
+         return nurbs_create_periodic(1, degrees, counts, knots, 5, 2, points, 0, 0, weights, 0,
+             NURBS_PERIODIC, &o.out);
      }},
     {"create_short",
      [](const Inputs &, Output &o) -> nurbs_status {

@@ -48,6 +48,10 @@ const Call group[] = {
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_derivative_slots(3, 9, o.spans);
      }},
+    {"unwrapped_count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_unwrapped_count(in.loop, 0, o.spans);
+     }},
     {"list_count",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_list_count(in.list, o.spans);

@@ -1,7 +1,9 @@
 // Entities 126 and 128: order of the values, polynomial and rational, periodic axes, parameter ranges.
+#include "eval/evaluate.h"
 #include "support/iges_reading.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace spline_test {
 
@@ -117,8 +119,8 @@ TEST(IgesCurve, ranges_that_are_not_filled_in) {
 
 // Closed cubic over [3, 7] with uniform knots; the last three points repeat the first three.
 std::string loop(const std::string &prop4, double last_x = 1, const std::string &range = "3,7",
-                 double last_knot = 10) {
-    return "6,3,0,1,1," + prop4 + "," + list({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, last_knot}) + "," +
+                 double last_knot = 10, double before_it = 9) {
+    return "6,3,0,1,1," + prop4 + "," + list({0, 1, 2, 3, 4, 5, 6, 7, 8, before_it, last_knot}) + "," +
            list(std::vector<double>(7, 1)) + "," +
            list({0, 0, 0, 4, 0, 0, 1, 1, 0, 0, 4, 1, 0, 0, 0, 4, 0, 0, last_x, 1, 0}) + "," + range +
            ",0,0,1";
@@ -134,8 +136,95 @@ TEST(IgesCurve, periodic_where_flag_and_values_agree) {
 TEST(IgesCurve, the_periodic_flag_is_only_advice) {
     EXPECT_FALSE(read_one(126, loop("0"))->axis(0).periodic());
     EXPECT_FALSE(read_one(126, loop("1", std::nextafter(1.0, 2.0)))->axis(0).periodic());
-    EXPECT_FALSE(read_one(126, loop("1", 1, "3,7", 10.5))->axis(0).periodic());
+    EXPECT_FALSE(read_one(126, loop("1", 1, "3,7", 10, 9.5))->axis(0).periodic());
     EXPECT_FALSE(read_one(126, cubic(ones, "0", "0,3", "1"))->axis(0).periodic());
+}
+
+// The outermost knots have no influence, and are often wrong in files.
+TEST(IgesCurve, the_outermost_knot_does_not_count) {
+    const nrb::SplinePtr spline = read_one(126, loop("1", 1, "3,7", 10.5));
+    EXPECT_TRUE(spline->axis(0).periodic());
+    EXPECT_EQ(knots_of(*spline), (std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+}
+
+// A closed curve, as an entity with given knots, points (x, y, 0) and weights.
+std::string closed(int degree, const std::vector<double> &knots, const std::vector<double> &plane,
+                   const std::vector<double> &weights, const std::string &prop4) {
+    const size_t count = plane.size() / 2;
+    std::vector<double> points;
+    for (size_t i = 0; i < count; ++i) {
+        points.insert(points.end(), {plane[2 * i], plane[2 * i + 1], 0});
+    }
+    const auto degree_at = static_cast<size_t>(degree);
+    return std::to_string(count - 1) + "," + std::to_string(degree) + ",1,1,0," + prop4 + "," + list(knots) +
+           "," + list(weights) + "," + list(points) + "," + list({knots[degree_at], knots[count]}) + ",0,0,1";
+}
+
+std::vector<double> places(const nrb::Spline &spline) {
+    std::vector<double> found;
+    const nrb::Interval domain = spline.axis(0).domain();
+    for (int i = 0; i <= 64; ++i) {
+        const double t = std::lerp(domain.lower, domain.upper, i / 64.0);
+        double point[3];
+        nrb::eval::evaluate_points(spline, {}, 0, {&t, 1, 1, 1, 1}, {point, 1, 3, 3, 1});
+        found.insert(found.end(), point, point + 3);
+    }
+    return found;
+}
+
+// Whether the file's word makes the curve periodic; its points and its domain never change.
+bool becomes_periodic(int degree, const std::vector<double> &knots, const std::vector<double> &plane,
+                      const std::vector<double> &weights) {
+    const nrb::SplinePtr made = read_one(126, closed(degree, knots, plane, weights, "1"));
+    const nrb::SplinePtr plain = read_one(126, closed(degree, knots, plane, weights, "0"));
+    EXPECT_FALSE(plain->axis(0).periodic());
+    EXPECT_EQ(places(*made), places(*plain));
+    return made->axis(0).periodic();
+}
+
+const std::vector<double> quarters{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+const std::vector<double> octagon{1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+const double half_root = std::sqrt(0.5);
+const std::vector<double> of_circle{1, half_root, 1, half_root, 1, half_root, 1, half_root, 1};
+
+TEST(IgesCurve, closed_curves_become_periodic_where_the_file_says_so) {
+    const std::vector<double> even(9, 1);
+    EXPECT_TRUE(becomes_periodic(2, quarters, octagon, of_circle));
+    EXPECT_TRUE(becomes_periodic(2, {0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 7, 7}, octagon, even));
+    EXPECT_TRUE(becomes_periodic(1, {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 8}, octagon, even));
+    EXPECT_TRUE(
+        becomes_periodic(2, {-9, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 7}, octagon, of_circle)); // of no influence
+    EXPECT_TRUE(becomes_periodic(8, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1}, octagon, even));
+}
+
+TEST(IgesCurve, closed_curves_are_wrapped_with_the_seam_as_a_knot) {
+    const nrb::SplinePtr spline = read_one(126, closed(2, quarters, octagon, of_circle, "1"));
+    EXPECT_EQ(spline->count(0), 10);
+    EXPECT_EQ(knots_of(*spline), (std::vector<double>{-1, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}));
+    EXPECT_EQ(spline->weights()[9], half_root);
+    EXPECT_EQ(spline->axis(0).distinct_layers(), 8);
+}
+
+TEST(IgesCurve, curves_that_are_not_closed_bit_for_bit_do_not) {
+    std::vector<double> open = octagon, heavy = of_circle;
+    open.back() = 0x1p-60;
+    heavy.back() = 1.5;
+    EXPECT_FALSE(becomes_periodic(2, quarters, open, of_circle));
+    EXPECT_FALSE(becomes_periodic(2, quarters, octagon, heavy));
+    EXPECT_FALSE(becomes_periodic(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 5, 6}, octagon, of_circle));
+}
+
+// A seam of multiplicity 2 in degree 3: two layers wrap, and knots beyond the domain repeat, or do not.
+TEST(IgesCurve, partly_wrapped_curves) {
+    const std::vector<double> plane{0, 0, 2, 1, 3, 4, 0, 5, -2, 2, 0, 0, 2, 1}, even(7, 1);
+    EXPECT_TRUE(becomes_periodic(3, {-1, -0.5, 0, 0, 1, 2, 3.5, 4, 4, 5, 6}, plane, even));
+    EXPECT_FALSE(becomes_periodic(3, {-1, -0.25, 0, 0, 1, 2, 3.5, 4, 4, 5, 6}, plane, even));
+    EXPECT_FALSE(becomes_periodic(3, {-1, -0.5, 0, 0, 1, 2, 3.5, 4, 4, 5.5, 6}, plane, even));
+}
+
+// Knots whose copies a period away overflow, so that they cannot be wrapped.
+TEST(IgesCurve, closed_curves_that_cannot_be_wrapped) {
+    EXPECT_FALSE(becomes_periodic(1, {-8e307, -8e307, 0, 8e307, 8e307}, {0, 0, 1, 1, 0, 0}, {1, 2, 1}));
 }
 
 TEST(IgesCurve, a_cut_curve_is_not_periodic) {
@@ -208,6 +297,32 @@ TEST(IgesSurface, periodic_by_axis) {
     EXPECT_FALSE(read_one(128, tube("0,1,0,1,0"))->axis(1).periodic());
     EXPECT_FALSE(read_one(128, tube("0,1,0,0,1", 1.5))->axis(1).periodic());
     EXPECT_FALSE(read_one(128, tube("0,1,0,1,1"))->axis(0).periodic());
+}
+
+// A square tube of degrees (1, 1), clamped and closed along v, and along u if its rings are equal.
+std::string box(double height, const std::string &properties) {
+    const double ring[][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    std::vector<double> points;
+    for (const auto &corner : ring) {
+        for (const double z : {0.0, height, 0.0}) {
+            points.insert(points.end(), {corner[0], corner[1], z});
+        }
+    }
+    return "2,4,1,1," + properties + "," + list({0, 0, 1, 2, 2}) + "," + list({0, 0, 1, 2, 3, 4, 4}) + "," +
+           list(std::vector<double>(15, 1)) + "," + list(points) + ",0,2,0,4";
+}
+
+TEST(IgesSurface, closed_axes_become_periodic_one_by_one) {
+    for (const auto &[flags, u, v] :
+         {std::tuple("1,1,0,1,1", true, true), std::tuple("1,1,0,1,0", true, false),
+          std::tuple("1,1,0,0,1", false, true)}) {
+        const nrb::SplinePtr spline = read_one(128, box(3, flags));
+        EXPECT_EQ(spline->axis(0).periodic(), u) << flags;
+        EXPECT_EQ(spline->axis(1).periodic(), v) << flags;
+        EXPECT_EQ(points_of(*spline), points_of(*read_one(128, box(3, "1,1,0,0,0")))) << flags;
+        EXPECT_EQ(knots_of(*spline, 0),
+                  u ? (std::vector<double>{-1, 0, 1, 2, 3}) : (std::vector<double>{0, 0, 1, 2, 2}));
+    }
 }
 
 struct Bad {

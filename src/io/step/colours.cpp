@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/colours.h"
+
+#include "base/error.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace nrb::io::step {
+namespace {
+
+using Colour = std::array<double, 3>;
+
+constexpr int deepest_style = 10;
+
+struct NamedColour {
+    std::string_view name;
+    Colour colour;
+};
+// draughting_pre_defined_colour of ISO 10303-46.
+constexpr NamedColour named_colours[] = {{"red", {1, 0, 0}},    {"green", {0, 1, 0}},   {"blue", {0, 0, 1}},
+                                         {"yellow", {1, 1, 0}}, {"magenta", {1, 0, 1}}, {"cyan", {0, 1, 1}},
+                                         {"black", {0, 0, 0}},  {"white", {1, 1, 1}}};
+
+class ColourReader {
+public:
+    explicit ColourReader(Entities &entities) : entities_(entities), instances_(entities.instances()) {}
+
+    Colours read() {
+        for (const Instance &instance : instances_.all()) {
+            if (instance.kind() == Kind::styled_item) {
+                try {
+                    read_item(instance);
+                } catch (const Error &) { // has no colour
+                    continue;
+                }
+            }
+        }
+        // Items with many faces first: those below them overrule.
+        std::stable_sort(styled_.begin(), styled_.end(),
+                         [](const Styled &a, const Styled &b) { return a.faces.size() > b.faces.size(); });
+        Colours result;
+        for (const Styled &styled : styled_) {
+            for (const int64_t face : styled.faces) {
+                result[face] = styled.colour;
+            }
+        }
+        return result;
+    }
+
+private:
+    struct Styled {
+        Colour colour;
+        std::vector<int64_t> faces;
+    };
+
+    void read_item(const Instance &instance) {
+        Attributes attributes(instances_, instance);
+        attributes.part("REPRESENTATION_ITEM");
+        attributes.skip("name");
+        attributes.part("STYLED_ITEM");
+        std::optional<Colour> colour;
+        attributes.open("styles");
+        while (attributes.more("styles")) {
+            const int64_t style = attributes.reference("styles");
+            colour = colour ? colour : colour_below(style, deepest_style);
+        }
+        const int64_t item = attributes.reference("item");
+        if (colour) {
+            styled_.push_back({*colour, faces_below(item)});
+        }
+    }
+    // Through what presents surfaces; curves have colours of their own.
+    std::optional<Colour> colour_below(int64_t number, int depth) {
+        const int64_t place = instances_.find(number);
+        if (place < 0 || depth == 0) {
+            return std::nullopt;
+        }
+        const Instance &instance = instances_[place];
+        if (instance.kind() == Kind::colour) {
+            return colour_of(instance);
+        }
+        const std::string_view keyword = instances_.keyword(instance);
+        if (instance.kind() != Kind::other || keyword.find("CURVE_STYLE") != std::string_view::npos ||
+            keyword.find("POINT_STYLE") != std::string_view::npos) {
+            return std::nullopt;
+        }
+        std::optional<Colour> found;
+        for_each_reference(instances_.text(), instance,
+                           [&](int64_t next) { found = found ? found : colour_below(next, depth - 1); });
+        count_work(16);
+        return found;
+    }
+    std::optional<Colour> colour_of(const Instance &instance) const {
+        Attributes attributes(instances_, instance);
+        if (instances_.keyword(instance) != "COLOUR_RGB") {
+            attributes.part("PRE_DEFINED_ITEM");
+            const std::string name = attributes.string("name");
+            const auto *const known = std::ranges::find(named_colours, name, &NamedColour::name);
+            return known == std::end(named_colours) ? std::nullopt : std::optional(known->colour);
+        }
+        attributes.part("COLOUR_SPECIFICATION");
+        attributes.skip("name");
+        attributes.part("COLOUR_RGB");
+        Colour colour;
+        for (double &part : colour) {
+            part = std::clamp(attributes.real("red, green, blue"), 0.0, 1.0);
+        }
+        return colour;
+    }
+    // The faces that an item consists of; edges and surfaces below faces are not looked at.
+    std::vector<int64_t> faces_below(int64_t item) {
+        std::vector<int64_t> faces, waiting{item};
+        std::set<int64_t> seen;
+        while (!waiting.empty()) {
+            const int64_t number = waiting.back();
+            waiting.pop_back();
+            const int64_t place = instances_.find(number);
+            if (place < 0 || !seen.insert(number).second) {
+                continue;
+            }
+            entities_.spend(1); // many items may share many faces
+            const Instance &instance = instances_[place];
+            if (instance.kind() == Kind::face) {
+                faces.push_back(number);
+            } else if (instance.kind() == Kind::topology || instance.kind() == Kind::shape_representation) {
+                for_each_reference(instances_.text(), instance,
+                                   [&](int64_t next) { waiting.push_back(next); });
+            }
+            count_work(16);
+        }
+        return faces;
+    }
+
+    Entities &entities_;
+    const Instances &instances_;
+    std::vector<Styled> styled_;
+};
+
+} // namespace
+
+Colours read_colours(Entities &entities) {
+    return ColourReader(entities).read();
+}
+
+} // namespace nrb::io::step
