@@ -91,6 +91,7 @@ enum class Status : nurbs_status {
     unsupported = NURBS_ERROR_UNSUPPORTED,
     checksum = NURBS_ERROR_CHECKSUM,
     version = NURBS_ERROR_VERSION,
+    cycle = NURBS_ERROR_CYCLE,
     internal = NURBS_ERROR_INTERNAL
 };
 
