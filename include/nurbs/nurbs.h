@@ -6012,7 +6012,7 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * \param[in] surface a surface.
  * \param[in] loops number of loops; 0: the whole surface, bounded by those of its boundaries that neither meet
  *   nor are poles, from the lower left corner on.
- * \param[in] sizes [loops] number of curves of each loop, at least 1.
+ * \param[in] sizes [loops] or NULL when loops is 0: number of curves of each loop, at least 1.
  * \param[in] curves [size] or NULL for none, size being the sum of the sizes: curves of dimension 2 in the
  *   domain of the surface, with positive weights, in the direction of their loops, loop by loop; NULL for a
  *   curve that is missing, where there is an edge.

@@ -291,20 +291,24 @@ TEST(Face, boxes_contain_the_inside_and_touch_it) {
             const Box box = box_of(face.get(), 1e-3);
             const Vec places = places_in(random, ground, 10000);
             const std::vector<int32_t> found = sides(face.get(), places);
-            const Vec points = eval(ground.surface.get(), places), border = polygon_of(curve.get());
-            Vec lower(3, 1e300), upper(3, -1e300);
-            for (size_t i = 0; i < found.size(); ++i) {
-                for (size_t c = 0; found[i] > 0 && c < 3; ++c) {
-                    lower[c] = std::min(lower[c], points[3 * i + c]);
-                    upper[c] = std::max(upper[c], points[3 * i + c]);
+            const Vec points = eval(ground.surface.get(), places);
+            Vec all = eval(ground.surface.get(), polygon_of(curve.get()), NURBS_ON_ALL_AXES(2, NURBS_WRAP));
+            for (size_t i = 0; i < points.size(); ++i) {
+                if (found[i / 3] > 0) {
+                    all.push_back(points[i]);
                 }
+            }
+            Vec lower(3, 1e300), upper(3, -1e300);
+            for (size_t i = 0; i < all.size(); ++i) {
+                lower[i % 3] = std::min(lower[i % 3], all[i]);
+                upper[i % 3] = std::max(upper[i % 3], all[i]);
             }
             for (size_t c = 0; c < 3; ++c) {
                 const double size = std::max({1e-3, std::fabs(box.lower[c]), std::fabs(box.upper[c])});
                 EXPECT_GE(lower[c], box.lower[c] - 1e-12 * size);
                 EXPECT_LE(upper[c], box.upper[c] + 1e-12 * size);
-                EXPECT_LE(lower[c] - box.lower[c], box.gap + 0.08 * size);
-                EXPECT_LE(box.upper[c] - upper[c], box.gap + 0.08 * size);
+                EXPECT_LE(lower[c] - box.lower[c], box.gap + 0.03 * size);
+                EXPECT_LE(box.upper[c] - upper[c], box.gap + 0.03 * size);
             }
         }
     }

@@ -3138,9 +3138,8 @@ module nurbs_c
             import
             type(c_ptr), value :: surface
             integer(c_int64_t), value :: loops
-            integer(c_int64_t), intent(in) :: sizes(*)
+            integer(c_int64_t), intent(in), optional :: sizes(*), keys(*)
             type(c_ptr), intent(in), optional :: curves(*), edges(*)
-            integer(c_int64_t), intent(in), optional :: keys(*)
             real(c_double), value :: tolerance
             integer(c_int32_t), value :: flags
             real(c_double), intent(inout), optional :: gaps(*)
@@ -3153,9 +3152,8 @@ module nurbs_c
             import
             type(c_ptr), value :: surface
             integer(c_int64_t), value :: loops
-            integer(c_int64_t), intent(in) :: sizes(*)
+            integer(c_int64_t), intent(in), optional :: sizes(*), keys(*)
             type(c_ptr), intent(in), optional :: curves(*), edges(*)
-            integer(c_int64_t), intent(in), optional :: keys(*)
             real(c_double), value :: tolerance
             integer(c_int32_t), value :: flags
             real(c_double), intent(inout), optional :: gaps(*)

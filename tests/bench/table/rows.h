@@ -31,5 +31,6 @@ void add_first_calls(Rows &rows);
 void add_forms(Rows &rows);
 void add_operations(Rows &rows);
 void add_fits(Rows &rows);
+void add_faces(Rows &rows);
 
 } // namespace bench

@@ -14,16 +14,19 @@ sys.path.insert(0, str(TOP / "cmake/interface"))
 
 import calls  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
+import shapes  # noqa: E402 - from the project
 from calls_model import (Bytes, Handle, Handles, Items, NewHandle, NewStruct, Null, Number, Numbers, Packed, Path as FilePath,  # noqa: E402
                          Slot, Struct, StructSize)
 
 INTEGERS = {"int64_t": "integer", "int32_t": "small_integer", "nurbs_status": "small_integer"}
 
 
-def lengths_of_handles(arguments):
-    """The numbers that say how many handles or bytes there are, which the library cannot check."""
+def lengths_of_handles(arguments, where=()):
+    """The numbers that say how many handles or bytes there are, which the library cannot check; `where` defines some."""
     fixed = (Handles, Items, Bytes)
-    return {name for entry, value in arguments if isinstance(value, fixed) for name in re.findall(r"[a-z_]+", entry.shape)}
+    names = {name for entry, value in arguments if isinstance(value, fixed) for name in re.findall(r"[a-z_]+", entry.shape)}
+    names = names.union(*(re.findall(r"[a-z_]+", where[name]) for name in names if name in where))
+    return names.union(*(re.findall(r"[a-z_]+", entry.shape) for entry, _ in arguments if entry.name in names))
 
 
 class Writer:
@@ -50,11 +53,13 @@ class Writer:
             return f"r.flags({calls.number(value)})"
         return f'r.{INTEGERS[entry.base]}("{entry.name}", {calls.number(value)})'
 
-    def numbers(self, entry, value):
+    def numbers(self, entry, value, fixed):
         if not value.values or entry.base not in ("double", "int64_t", "int32_t"):
             return calls.argument(self.model, entry, value, "o.")
         usual = ", ".join(map(calls.number, value.values))
         self.declare(f"static constexpr {entry.base} usual_{entry.name}[] = {{{usual}}};")
+        if entry.name in fixed:
+            return f"usual_{entry.name}"
         return f'r.array("{entry.name}", std::span<const {entry.base}>(usual_{entry.name}))'
 
     def handle(self, entry, value):
@@ -94,7 +99,7 @@ class Writer:
             case Number():
                 return self.number(entry, value, fixed)
             case Numbers():
-                return self.numbers(entry, value)
+                return self.numbers(entry, value, fixed)
             case Handle():
                 return self.handle(entry, value)
             case Handles():
@@ -126,7 +131,8 @@ class Writer:
 
 def function(model, call, number):
     writer = Writer(model)
-    fixed = lengths_of_handles(call.arguments)
+    where = shapes.definitions().get(call.function.name.removesuffix("_with"), {})
+    fixed = lengths_of_handles(call.arguments, where)
     lines = []
     for index, (entry, value) in enumerate(call.arguments):
         text = writer.argument(entry, value, fixed)

@@ -3823,7 +3823,7 @@ extern "C" {
     // --- Trimmed faces
     /// A face of a surface and loops of curves.
     ///
-    /// May be null: `curves`, `edges`, `keys`, `gaps`.
+    /// May be null: `sizes`, `curves`, `edges`, `keys`, `gaps`.
     pub fn nurbs_face_create(
         surface: *const nurbs,
         loops: i64,
@@ -3838,7 +3838,7 @@ extern "C" {
     ) -> nurbs_status;
     /// nurbs_face_create() as a call that can be watched and ended.
     ///
-    /// May be null: `curves`, `edges`, `keys`, `gaps`, `call`.
+    /// May be null: `sizes`, `curves`, `edges`, `keys`, `gaps`, `call`.
     pub fn nurbs_face_create_with(
         surface: *const nurbs,
         loops: i64,
