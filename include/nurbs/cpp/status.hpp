@@ -91,6 +91,7 @@ enum class Status : nurbs_status {
     unsupported = NURBS_ERROR_UNSUPPORTED,
     checksum = NURBS_ERROR_CHECKSUM,
     version = NURBS_ERROR_VERSION,
+    cycle = NURBS_ERROR_CYCLE,
     internal = NURBS_ERROR_INTERNAL
 };
 
@@ -126,7 +127,6 @@ inline constexpr std::uint32_t two_sheets = NURBS_TWO_SHEETS;
 inline constexpr std::uint32_t equal_chords = NURBS_EQUAL_CHORDS;
 inline constexpr std::uint32_t reversed = NURBS_REVERSED;
 inline constexpr std::uint32_t nan_points = NURBS_NAN_POINTS;
-inline constexpr std::uint32_t as_oriented = NURBS_AS_ORIENTED;
 inline constexpr std::int32_t start_of_axis = NURBS_START;
 inline constexpr std::int32_t end_of_axis = NURBS_END;
 

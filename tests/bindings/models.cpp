@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Models through the C++ wrapper: bushing.step, the path of which is the argument.
+#include "expect.hpp"
+
+#include <string>
+
+using namespace libnurbs;
+
+static void is_the_bushing(const Model &model) {
+    const ModelCounts n = model.counts();
+    EXPECT(n.faces == 4 && n.edges == 6 && n.vertices == 4);
+    const ModelFace bore = model.face(1);
+    EXPECT(model.face_name(1) == "bore" && bore.shape == shape_cylinder && bore.against);
+    EXPECT(near({bore.face.area(1e-12).value}, {24 * pi}));
+    const ModelEdge seam = model.edge(4);
+    EXPECT(seam.shape == shape_line && (seam.vertices == std::array<std::int64_t, 2>{0, 1}));
+    EXPECT((model.edge_uses(4) == std::vector<std::int64_t>{0, 0, 1, 0, 0, 3}));
+    EXPECT((model.vertex(1) == std::array<double, 3>{5, 0, 4}));
+    const ModelUse whole = model.use(0);
+    EXPECT(whole.parent == -1 && whole.part == 0 && whole.placement[0][0] == 1 && whole.placement[0][3] == 0);
+    EXPECT(model.splines().unit() == 0.001 && model.splines().size() == 0);
+    EXPECT(status_of([&] { (void)model.face(4); }) == Status::index);
+}
+
+static void copies(const Model &model) {
+    const Model copy = model; // NOLINT: the copy is what is tested
+    is_the_bushing(copy);
+    const Face faces[] = {ModelFace(model.face(0)).face, ModelFace(model.face(1)).face};
+    const Model two = Model::create(faces, 0.001);
+    EXPECT(two.counts().faces == 2 && two.face_name(1) == "1" && two.part(0).empty());
+    EXPECT(status_of([&] { (void)Model::create(faces, -1); }) == Status::factor);
+}
+
+int main(int count, char **arguments) {
+    EXPECT(count == 2);
+    if (count == 2) {
+        const Model model = Model::read_file(arguments[1]);
+        is_the_bushing(model);
+        copies(model);
+    }
+    EXPECT(status_of([] { (void)Model::read_file("/no/such/file"); }) == Status::file);
+    return failures == 0 ? 0 : 1;
+}

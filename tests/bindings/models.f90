@@ -1,0 +1,62 @@
+! SPDX-License-Identifier: MIT
+! Models in Fortran: bushing.step, the path of which is the argument. Everything counts from 1.
+program models
+    use, intrinsic :: iso_c_binding
+    use nurbs
+    use expectations
+    implicit none
+    type(nurbs_model) :: model, copy, two
+    type(nurbs_face) :: faces(2)
+    character(len=:), allocatable :: path, text
+    integer(c_int64_t) :: n, parent, part
+    integer(c_int32_t) :: code
+    integer :: length, i
+
+    call get_command_argument(1, length=length)
+    allocate (character(len=length) :: path)
+    call get_command_argument(1, path)
+    call model%read_file(path)
+    copy = model
+    call is_the_bushing(model)
+    call is_the_bushing(copy)
+    do i = 1, 2
+        call model%face(i, faces(i))
+    end do
+    call two%create(faces, 0.001d0)
+    call two%counts(faces=n)
+    call expect(n == 2, 'two faces')
+    call two%face_name(2, text)
+    call expect(text == '1', 'a number as a name')
+    call two%get_use(1, parent, part)
+    call expect(parent == 0 .and. part == 1, 'the part in the whole')
+    call two%read_file('/no/such/file', status=code)
+    call expect(code == NURBS_ERROR_FILE, 'a file that is not there')
+    call finish()
+
+contains
+
+    subroutine is_the_bushing(bushing)
+        type(nurbs_model), intent(in) :: bushing
+        type(nurbs_face) :: bore
+        type(nurbs_spline) :: seam
+        integer(c_int64_t) :: edges, vertices, ends(2)
+        integer(c_int64_t), allocatable :: places(:, :)
+        integer(c_int32_t) :: shape
+        real(c_double) :: area, point(3)
+        logical :: against
+        call bushing%counts(edges=edges, vertices=vertices)
+        call expect(edges == 6 .and. vertices == 4, 'its numbers')
+        call bushing%face(2, bore, shape=shape, against=against)
+        call expect(shape == NURBS_SHAPE_CYLINDER .and. against, 'its bore')
+        call bore%get_area(area)
+        call expect(near([area], [24 * pi]), 'the area of the bore')
+        call bushing%edge(5, seam, end_vertices=ends)
+        call expect(all(ends == [1, 2]), 'the ends of the seam')
+        call bushing%edge_uses(5, places)
+        call expect(all(places(1, :) == [1, 1, 2]) .and. all(places(2, :) == [1, 1, 4]), 'the uses of the seam')
+        call bushing%vertex(2, point)
+        call expect(near(point, [5d0, 0d0, 4d0]), 'a vertex')
+        call bushing%face(5, bore, status=code)
+        call expect(code == NURBS_ERROR_INDEX, 'no fifth face')
+    end subroutine is_the_bushing
+end program models

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//! Models in Rust: bushing.step, the path of which is the argument.
+
+mod common;
+
+use common::{near, status_of};
+use nurbs::{sys, Model, Result};
+use std::f64::consts::PI;
+use std::path::Path;
+
+fn is_the_bushing(model: &Model) -> Result<()> {
+    let n = model.counts()?;
+    assert_eq!((n.faces, n.edges, n.vertices), (4, 6, 4));
+    let bore = model.face(1)?;
+    assert_eq!((model.face_name(1)?, bore.shape, bore.against), ("bore".to_string(), sys::NURBS_SHAPE_CYLINDER, true));
+    assert!(near(&[bore.face.area(1e-12)?.value], &[24.0 * PI]));
+    let seam = model.edge(4)?;
+    assert_eq!((seam.shape, seam.vertices), (sys::NURBS_SHAPE_LINE, [0, 1]));
+    assert_eq!(model.edge_uses(4)?, [[0, 0, 1], [0, 0, 3]]);
+    assert_eq!(model.vertex(1)?, [5.0, 0.0, 4.0]);
+    let whole = model.part_use(0)?;
+    assert_eq!((whole.parent, whole.part, whole.placement[0]), (-1, 0, [1.0, 0.0, 0.0, 0.0]));
+    assert_eq!((model.splines()?.unit()?, model.splines()?.len()), (0.001, 0));
+    assert_eq!(status_of(model.face(4)), sys::NURBS_ERROR_INDEX);
+    Ok(())
+}
+
+fn main() -> Result<()> {
+    let path = std::env::args_os().nth(1).expect("the path of bushing.step");
+    let model = Model::read_file(Path::new(&path), None)?;
+    is_the_bushing(&model)?;
+    is_the_bushing(&model.clone())?;
+    let faces = [model.face(0)?.face, model.face(1)?.face.clone()];
+    let two = Model::create(&[&faces[0], &faces[1]], 0.001)?;
+    assert_eq!((two.counts()?.faces, two.face_name(1)?, two.part(0)?), (2, "1".to_string(), String::new()));
+    assert_eq!(status_of(Model::create(&[], -1.0)), sys::NURBS_ERROR_FACTOR);
+    assert_eq!(status_of(Model::read_file("/no/such/file", None)), sys::NURBS_ERROR_FILE);
+    assert!(format!("{two:?}").contains("faces: 2"));
+    Ok(())
+}

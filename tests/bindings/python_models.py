@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""Models in Python: sequences of faces and edges, copies, and what is wrong is said."""
+
+import copy
+import math
+import pathlib
+import pickle
+import unittest
+
+import nurbs
+from helpers import np, status_of
+
+BUSHING = pathlib.Path(__file__).resolve().parents[2] / "capi/examples/models/bushing.step"
+
+
+class Models(unittest.TestCase):
+    def setUp(self):
+        self.model = nurbs.Model.read_file(BUSHING)
+
+    def test_faces_are_a_sequence_of_faces(self):
+        faces = self.model.faces
+        self.assertEqual([face.name for face in faces], ["outside", "bore", "bottom", "top"])
+        self.assertEqual((len(faces), faces[-1].name, [face.name for face in faces[1:3]]), (4, "top", ["bore", "bottom"]))
+        for face, area in zip(faces, (40, 24, 16, 16)):
+            self.assertIsInstance(face, nurbs.Face)
+            self.assertAlmostEqual(face.area(1e-12).value, area * math.pi, 9)
+        bore = faces[1]
+        self.assertEqual((bore.shape, bore.against, bore.colour, bore.part), (nurbs.NURBS_SHAPE_CYLINDER, True, None, 0))
+        self.assertEqual((copy.copy(bore).name, repr(bore)), ("bore", "<ModelFace 'bore' of 1 loop with 4 curves>"))
+        with self.assertRaises(IndexError):
+            faces[4]
+        with self.assertRaises(TypeError):
+            nurbs.ModelFace()
+
+    def test_edges_know_their_vertices_and_uses(self):
+        seam = self.model.edges[4]
+        self.assertEqual((seam.vertices, seam.shape, seam.part), ((0, 1), nurbs.NURBS_SHAPE_LINE, 0))
+        self.assertEqual(seam.uses, (nurbs.EdgeUse(0, 0, 1), nurbs.EdgeUse(0, 0, 3)))
+        np.testing.assert_array_equal(self.model.vertices, [[5, 0, 0], [5, 0, 4], [3, 0, 0], [3, 0, 4]])
+        np.testing.assert_array_equal(self.model.vertex(1), [5, 0, 4])
+        self.assertEqual(seam.spline([0, 1]).shape, (2, 3))
+
+    def test_parts_and_the_rest(self):
+        model = self.model
+        self.assertEqual(model.counts, nurbs.ModelCounts(1, 1, 4, 6, 4))
+        self.assertEqual(list(model.parts), [model.part(0)])
+        self.assertEqual((model.uses[0].parent, model.uses[0].part), (-1, 0))
+        np.testing.assert_array_equal(model.uses[0].placement, np.eye(3, 4))
+        self.assertEqual((model.unit, model.notes, len(model.splines)), (0.001, [], 0))
+
+    def test_the_same_from_bytes_and_in_metres(self):
+        model = nurbs.Model.read(bytearray(BUSHING.read_bytes()), unit=1.0)
+        self.assertAlmostEqual(model.faces[1].area(1e-12).value, 24e-6 * math.pi, 15)
+
+    def test_models_of_faces(self):
+        two = nurbs.Model(self.model.faces[:2], 0.001)
+        self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))
+        self.assertEqual(nurbs.Model().counts.faces, 0)
+        self.assertEqual(repr(two), "<Model of 2 faces, 6 edges and 4 vertices>")
+        del self.model
+        self.assertEqual(copy.deepcopy(two).counts, two.copy().counts)
+
+    def test_what_is_wrong_is_said(self):
+        self.assertEqual(status_of(lambda: nurbs.Model.read(b"solid")), nurbs.NURBS_ERROR_FORMAT)
+        self.assertEqual(status_of(lambda: nurbs.Model([], -1)), nurbs.NURBS_ERROR_FACTOR)
+        self.assertEqual(status_of(lambda: self.model.face(4)), nurbs.NURBS_ERROR_INDEX)
+        with self.assertRaises(OSError):
+            nurbs.Model.read_file("/no/such/file")
+        with self.assertRaises(TypeError):
+            nurbs.Model([BUSHING])
+        with self.assertRaises(TypeError):
+            pickle.dumps(self.model)
+        with self.assertRaises(AttributeError):
+            self.model.faces = []
+
+
+if __name__ == "__main__":
+    unittest.main()
