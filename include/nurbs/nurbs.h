@@ -5995,9 +5995,10 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * cylinder; what lies to their left is inside. A boundary no larger than the tolerance is a pole. Two curves
  * that end and begin at a pole are joined along it, the inside to the left.
  *
- * Edges are the curves in space that belong to the curves of the loops. Either may be missing. A missing curve
- * of the domain is made under its edge, a missing edge over its curve; both then have equal parameters
- * (opposite ones if the edge runs against the curve), and nurbs_face_deviation() tells how far apart they are.
+ * Edges are the curves in space that belong to the curves of the loops. Either may be missing. A missing
+ * curve of the domain is made under its edge, a missing edge over its curve; both then have equal parameters
+ * (opposite ones if the edge runs against the curve), and nurbs_face_deviation() tells how far apart they
+ * are.
  *
  * Answers are exact for the stored curves, and for the segments that join ends which do not meet. Faces never
  * change, are counted as splines are, and may be used by any number of threads at once.
@@ -6010,8 +6011,8 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * curves in the opposite order and each of them reversed, t -> -t. Costs: curves that are made take a nearest
  * point for each place that they go through, the rest is linear in the number of spans.
  * \param[in] surface a surface.
- * \param[in] loops number of loops; 0: the whole surface, bounded by those of its boundaries that neither meet
- *   nor are poles, from the lower left corner on.
+ * \param[in] loops number of loops; 0: the whole surface, bounded by those of its boundaries that neither
+ *   meet nor are poles, from the lower left corner on.
  * \param[in] sizes [loops] or NULL when loops is 0: number of curves of each loop, at least 1.
  * \param[in] curves [size] or NULL for none, size being the sum of the sizes: curves of dimension 2 in the
  *   domain of the surface, with positive weights, in the direction of their loops, loop by loop; NULL for a
@@ -6025,11 +6026,11 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  *   edges from the surface, of curves beyond the domain.
  * \param[in] flags NURBS_AS_ORIENTED; NURBS_KEEP_GAPS: gaps larger than the tolerance are closed by segments,
  *   too.
- * \param[out] gaps [loops] or NULL: the largest distance in space of two ends that are to meet, for each loop;
- *   written in case of NURBS_ERROR_GAP, too, where curves do not meet.
+ * \param[out] gaps [loops] or NULL: the largest distance in space of two ends that are to meet, for each
+ *   loop; written in case of NURBS_ERROR_GAP, too, where curves do not meet.
  * \param[out] out the new face.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _FLAGS, _OVERLAP; _GAP
- *   naming the loop if curves do not meet, or the edge that is off the surface; _OUTSIDE_DOMAIN naming a
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _FLAGS, _OVERLAP;
+ *   _GAP naming the loop if curves do not meet, or the edge that is off the surface; _OUTSIDE_DOMAIN naming a
  *   curve that leaves the domain on an axis that is not closed; _WEIGHT_SIGN; _ORIENTATION naming a loop that
  *   encloses nothing, or has its left side where another one has its right side; _NOT_CONVERGED for an edge
  *   without a curve under it.
@@ -6088,10 +6089,10 @@ NURBS_API nurbs_status nurbs_face_loops(const nurbs_face *face, int64_t cap, int
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_curve(const nurbs_face *face, int64_t loop, int64_t index, nurbs **out);
 
-/** \brief The edge in space that belongs to a curve of a loop: the one that was given, in its own direction, or
- * one that is made. That is the surface composed with the curve where its degree is at most NURBS_MAX_DEGREE
- * and the curve stays in the domain (nurbs_compose()), else a curve through as many places as the tolerance of
- * the face takes.
+/** \brief The edge in space that belongs to a curve of a loop: the one that was given, in its own direction,
+ * or one that is made. That is the surface composed with the curve where its degree is at most
+ * NURBS_MAX_DEGREE and the curve stays in the domain (nurbs_compose()), else a curve through as many places
+ * as the tolerance of the face takes.
  * \param[in] face a face.
  * \param[in] loop 0-based.
  * \param[in] index 0-based, in the loop.
@@ -6103,9 +6104,9 @@ NURBS_API nurbs_status nurbs_face_curve(const nurbs_face *face, int64_t loop, in
 NURBS_API nurbs_status nurbs_face_edge(const nurbs_face *face, int64_t loop, int64_t index, int64_t *key,
                                        nurbs **out);
 
-/** \brief How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if that
- * is within the tolerance of the face, else from each to the nearest point of the other. The largest of these
- * is the true tolerance of a face.
+/** \brief How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if
+ * that is within the tolerance of the face, else from each to the nearest point of the other. The largest of
+ * these is the true tolerance of a face.
  * \param[in] face a face.
  * \param[in] loop 0-based.
  * \param[in] index 0-based, in the loop.
@@ -6125,8 +6126,8 @@ NURBS_API nurbs_status nurbs_face_deviation(const nurbs_face *face, int64_t loop
 NURBS_API nurbs_status nurbs_face_tolerance(const nurbs_face *face, double *tolerance);
 
 /** \brief On which side of the boundary of a face parameters lie. Curves are cut into pieces on which both
- * parameters run one way; of the pieces in the column above a place each says by its direction from which side
- * it is passed, so that the answer is exact for the stored curves. It is 0 where rounding would have to
+ * parameters run one way; of the pieces in the column above a place each says by its direction from which
+ * side it is passed, so that the answer is exact for the stored curves. It is 0 where rounding would have to
  * decide, which takes a distance of some units of rounding. On closed axes parameters outside of the domain
  * are wrapped; on others they are outside.
  * \param[in] face a face.
@@ -6137,7 +6138,8 @@ NURBS_API nurbs_status nurbs_face_tolerance(const nurbs_face *face, double *tole
  * \param[in] tolerance the distance in space from the boundary within which a place counts as on it, >= 0,
  *   measured by the first derivatives of the surface at the place.
  * \param[out] sides [n] 1 inside, 0 on the boundary, -1 outside.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _PARAMETER_NOT_FINITE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE,
+ *   _PARAMETER_NOT_FINITE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_classify(const nurbs_face *face, int64_t n, const double *params,
                                            int64_t param_stride, int64_t param_component_stride,
@@ -6160,8 +6162,8 @@ NURBS_API nurbs_status nurbs_face_classify_with(const nurbs_face *face, int64_t 
  * \param[in] relative_tolerance >= 0; 0 asks for the best that double precision and a limit of work give.
  * \param[out] area the area.
  * \param[out] error or NULL: estimate of the error.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED naming the error reached, _ORIENTATION if loops cross or coincide,
- *   _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED naming the error reached,
+ *   _ORIENTATION if loops cross or coincide, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_area(const nurbs_face *face, double relative_tolerance, double *area,
                                        double *error);

@@ -93,7 +93,7 @@ inline int64_t product(int32_t axes, const int64_t *counts) {
     return all;
 }
 
-inline int64_t sum(int32_t axes, const int64_t *counts) {
+inline int64_t sum(int64_t axes, const int64_t *counts) {
     int64_t all = 0;
     for (int32_t k = 0; k < axes; ++k) {
         all += counts[k];
