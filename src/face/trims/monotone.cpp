@@ -86,8 +86,8 @@ public:
         }
     }
     std::vector<Joint> close(const Point2 &turn) {
-        if (first_) {
-            join({(*first_)[0] + turn[0], (*first_)[1] + turn[1]});
+        if (begun_) {
+            join({first_[0] + turn[0], first_[1] + turn[1]});
         }
         return std::move(joints_);
     }
@@ -101,24 +101,25 @@ private:
         step_to(piece);
         for (size_t i = 0; i + 1 < places.size(); ++i) {
             const Point2 end = places[i + 1] == 1 ? piece.end : whole.point(piece, places[i + 1]);
-            out_.add_part(whole, piece, {places[i], places[i + 1]}, *last_, end, {0, 0});
+            out_.add_part(whole, piece, {places[i], places[i + 1]}, last_, end, {0, 0});
             last_ = end;
         }
     }
     // What rounding alone sets apart is one place.
     void step_to(const TrimPiece &piece) {
-        if (!first_) {
+        if (!begun_) {
             first_ = last_ = piece.start;
+            begun_ = true;
         }
-        if (std::abs((*last_)[0] - piece.start[0]) > 2 * piece.noise[0] ||
-            std::abs((*last_)[1] - piece.start[1]) > 2 * piece.noise[1]) {
+        if (std::abs(last_[0] - piece.start[0]) > 2 * piece.noise[0] ||
+            std::abs(last_[1] - piece.start[1]) > 2 * piece.noise[1]) {
             join(piece.start);
         }
     }
     void join(const Point2 &next) {
-        if (*last_ != next) {
-            joints_.push_back({*last_, next});
-            out_.add_line(number_, *last_, next);
+        if (last_ != next) {
+            joints_.push_back({last_, next});
+            out_.add_line(number_, last_, next);
             last_ = next;
         }
     }
@@ -155,7 +156,8 @@ private:
 
     int32_t number_;
     TrimPieces &out_;
-    std::optional<Point2> first_, last_;
+    bool begun_ = false;
+    Point2 first_{}, last_{};
     std::vector<Joint> joints_;
 };
 
