@@ -2,7 +2,11 @@
 // Boxes of faces.
 #include "face/face_box.h"
 
+#include "eval/evaluate.h"
+#include "face/deviation.h"
 #include "face_shapes.h"
+#include "refine/degree/elevate.h"
+#include "spline/part.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +44,69 @@ TEST(FaceBox, OfCapsAndHoles) {
     EXPECT_LE(box.lower[2], rim);
     const Face whole({s, {}, 1e-9}, nullptr);
     EXPECT_NEAR(face::bounding_box(whole, 1e-6).lower[0], -1, 1.1e-6);
+}
+
+// z = 1 at a control point whose layer a jump begins and ends.
+TEST(FaceBox, OfSurfacesThatJump) {
+    const KnotVectorPtr u = make_knot_vector(1, {0, 0, 0.5, 0.5, 1, 1}),
+                        v = make_knot_vector(1, {0, 0, 0.5, 1, 1});
+    std::vector<double> points;
+    const double heights[4][3] = {{0, 0, 0}, {0.001, 10, 0.001}, {0.001, -5, 0.001}, {0.002, 5, 0.002}};
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            points.insert(points.end(), {i / 3.0, j / 2.0, heights[i][j]});
+        }
+    }
+    const Face face({make_spline({u, v}, 3, Form::polynomial, points), {}, 1e-9}, nullptr);
+    const bounds::Box box = face::bounding_box(face, 1e-3);
+    EXPECT_GE(box.upper[2], 10);
+    EXPECT_LE(box.lower[2], -5);
+    EXPECT_LE(box.upper[2] - box.gap, 10);
+}
+
+// Edges of degree (3 + 3) 6 have no spline; a ridge between the places at which a first line is looked at.
+TEST(FaceBox, OfEdgesThatCannotBeComposed) {
+    const int n = 120;
+    std::vector<double> knots(4, 0), points;
+    for (int i = 1; i < n - 3; ++i) {
+        knots.push_back(i);
+    }
+    knots.insert(knots.end(), 4, n - 3);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            points.insert(points.end(), {i * 1.0, j * 1.0, i == 40 ? 1 - 0.1 * j : 0});
+        }
+    }
+    const SplinePtr s =
+        make_spline({make_knot_vector(3, knots), make_knot_vector(3, {0, 0, 0, 0, 1, 1, 1, 1})}, 3,
+                    Form::polynomial, points);
+    const auto high = [&](const Point2 &a, const Point2 &b) {
+        return refine::elevate(segment(*s, a, b), 0, 5);
+    };
+    const Face face({s,
+                     {loop_of({high({0.05, 0.1}, {0.95, 0.1}), high({0.95, 0.1}, {0.95, 0.9}),
+                               high({0.95, 0.9}, {0.05, 0.9}), high({0.05, 0.9}, {0.05, 0.1})})},
+                     1e-6},
+                    nullptr);
+    const bounds::Box box = face::bounding_box(face, 1e-3);
+    double highest = 0;
+    for (int i = 0; i <= 20000; ++i) {
+        const double u = (0.05 + 0.9 * i / 20000) * (n - 3);
+        highest = std::max(highest, face::point_at(*s, {u, 0.1})[2]);
+    }
+    EXPECT_GT(highest, 0.6);
+    EXPECT_GE(box.upper[2], highest);
+    EXPECT_LE(box.upper[2], highest + 2e-3);
+    const SplinePtr edge = face::edge_of(face, face.loops()[0][0]);
+    double made = 0;
+    for (int i = 0; i <= 20000; ++i) {
+        const Interval range = edge->axis(0).domain();
+        const double t = parameter_in(range, i / 20000.0);
+        std::vector<double> x(3);
+        eval::evaluate_points(*edge, {}, 0, {&t, 1}, {x.data(), 1, 3, 3});
+        made = std::max(made, x[2]);
+    }
+    EXPECT_NEAR(made, highest, 1e-5);
 }
 
 } // namespace

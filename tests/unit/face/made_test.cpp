@@ -132,4 +132,23 @@ TEST(MadeCurves, RefuseEdgesOffTheSurface) {
     }
 }
 
+// An edge without number runs with its loop, also after the loop was turned.
+TEST(MadeCurves, EdgesWithoutNumbersTurnWithTheirLoops) {
+    const SplinePtr s = plane(1);
+    const auto side = [&](Point2 a, Point2 b) {
+        return build::polyline(3, {a[0], a[1], 0, b[0], b[1], 0}, {0, 1});
+    };
+    const Face face({s,
+                     {edges({{side({0.1, 0.1}, {0.1, 0.9}), false},
+                             {side({0.1, 0.9}, {0.9, 0.9}), false},
+                             {side({0.9, 0.9}, {0.9, 0.1}), false},
+                             {side({0.9, 0.1}, {0.1, 0.1}), false}})},
+                     1e-9},
+                    nullptr);
+    for (const Coedge &coedge : face.loops()[0]) {
+        EXPECT_FALSE(coedge.against);
+        EXPECT_LE(largest_distance(face, coedge), 1e-15);
+    }
+}
+
 } // namespace

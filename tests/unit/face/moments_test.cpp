@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,6 +71,66 @@ TEST(FaceMoments, PartsAddUp) {
         sum += found.content;
     }
     EXPECT_NEAR(sum, total, 1e-11 * total);
+}
+
+// As writers of files have them: the pole has a curve of its own, and no way around it is added.
+TEST(FaceMoments, OfLoopsWithCurvesAlongPoles) {
+    const SplinePtr s = sphere();
+    struct Case {
+        std::vector<Point2> corners;
+        double area;
+    };
+    const Case cases[] = {{{{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, 2 * pi},
+                          {{{0.5, 1}, {0.25, 1}, {0.25, 0.5}, {0.5, 0.5}}, pi / 2},
+                          {{{0.25, 0.5}, {0.5, 0.5}, {0.5, 1}, {0.25, 1}}, pi / 2},
+                          {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 4 * pi}};
+    for (const Case &one : cases) {
+        for (const bool as_oriented : {false, true}) {
+            std::vector<SplinePtr> curves;
+            for (size_t i = 0; i < 4; ++i) {
+                curves.push_back(segment(*s, one.corners[i], one.corners[(i + 1) % 4]));
+            }
+            const Face face({s, {loop_of(curves)}, 1e-9, as_oriented}, nullptr);
+            EXPECT_NEAR(face::moments(face, MomentOrder::content, 1e-10).content, one.area, 1e-8);
+        }
+    }
+}
+
+// Up a meridian and down another one, begun at either pole and in between.
+TEST(FaceMoments, OfLunesHoweverTheLoopBegins) {
+    const SplinePtr s = sphere();
+    const std::vector<SplinePtr> curves{
+        segment(*s, {0.75, 0}, {0.75, 0.5}), segment(*s, {0.75, 0.5}, {0.75, 1}),
+        segment(*s, {0.125, 1}, {0.125, 0.5}), segment(*s, {0.125, 0.5}, {0.125, 0})};
+    for (size_t first = 0; first < 4; ++first) {
+        std::vector<SplinePtr> loop = curves;
+        std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
+        const Face face({s, {loop_of(loop)}, 1e-9, true}, nullptr);
+        const double area = face::moments(face, MomentOrder::content, 1e-10).content;
+        EXPECT_GT(area, 0);
+        EXPECT_LT(area, 4 * pi);
+        if (first > 0) {
+            const Face same({s, {loop_of(curves)}, 1e-9, true}, nullptr);
+            EXPECT_NEAR(area, face::moments(same, MomentOrder::content, 1e-10).content, 1e-8) << first;
+        }
+    }
+}
+
+TEST(FaceMoments, CoincidingLoopsAreToldOnce) {
+    const auto triangle = [] {
+        return loop_of(
+            {line({0.1, 0.1}, {0.9, 0.2}), line({0.9, 0.2}, {0.5, 0.8}), line({0.5, 0.8}, {0.1, 0.1})});
+    };
+    const auto status = [&] {
+        try {
+            const Face face({plane(10), {triangle(), triangle()}, 1e-9}, nullptr);
+            (void)face::moments(face, MomentOrder::content, 1e-9);
+            return Status::ok;
+        } catch (const Error &error) {
+            return error.status();
+        }
+    };
+    EXPECT_EQ(status(), Status::orientation);
 }
 
 } // namespace

@@ -221,5 +221,46 @@ TEST(StepAssembly, ColoursOfFacesOverruleThoseOfTheWhole) {
     EXPECT_EQ(*found.faces[1].colour, (std::array<double, 3>{0.25, 0.5, 0.75}));
 }
 
+// 20^10 ways through the styles.
+TEST(StepAssembly, StylesThatShareStylesAreReadOnce) {
+    PartsFile file;
+    std::string next = file.add("FILL_AREA_STYLE_COLOUR('',$)");
+    for (int level = 0; level < 10; ++level) {
+        std::string all;
+        for (int i = 0; i < 20; ++i) {
+            all += (i == 0 ? "" : ",") + next;
+        }
+        next = file.add("PRESENTATION_STYLE_ASSIGNMENT((" + all + "))");
+    }
+    const std::string edge = file.straight_edge("0.,0.,0.", "1.,0.,0.", "1.,0.,0.");
+    file.add("STYLED_ITEM('',(" + next + ")," + edge + ")");
+    EXPECT_EQ(model_of(file).edges.size(), 1U);
+}
+
+// Faces of a few bytes each that share bounds for which curves are made: they end where the file has used up its memory.
+TEST(StepAssembly, FacesThatShareBoundsAreLimited) {
+    PartsFile file;
+    const std::string frame = file.frame("0.,0.,0."),
+                      cylinder = file.add("CYLINDRICAL_SURFACE(''," + frame + ",1.)");
+    std::vector<std::string> bounds;
+    for (const char *height : {"0.", "1."}) {
+        const std::string at = file.frame(std::string("0.,0.,") + height),
+                          circle = file.add("CIRCLE(''," + at + ",1.)");
+        const std::string edge =
+            file.edge(std::string("1.,0.,") + height, std::string("1.,0.,") + height, circle);
+        const std::string used =
+            file.add("ORIENTED_EDGE('',*,*," + edge + (bounds.empty() ? ",.T.)" : ",.F.)"));
+        const std::string loop = file.add("EDGE_LOOP('',(" + used + "))");
+        bounds.push_back(file.add("FACE_BOUND(''," + loop + ",.T.)"));
+    }
+    for (int i = 0; i < 3000; ++i) {
+        file.add("ADVANCED_FACE('',(" + bounds[0] + "," + bounds[1] + ")," + cylinder + ",.T.)");
+    }
+    const model::Model found = model_of(file);
+    EXPECT_GT(found.faces.size(), 100U);
+    EXPECT_LT(found.faces.size(), 2000U);
+    EXPECT_EQ(found.notes.size() + found.faces.size(), 3000U);
+}
+
 } // namespace
 } // namespace step_assembly_test
