@@ -93,9 +93,9 @@ inline int64_t product(int32_t axes, const int64_t *counts) {
     return all;
 }
 
-inline int64_t sum(int32_t axes, const int64_t *counts) {
+inline int64_t sum(int64_t n, const int64_t *counts) {
     int64_t all = 0;
-    for (int32_t k = 0; k < axes; ++k) {
+    for (int64_t k = 0; k < n; ++k) {
         all += counts[k];
     }
     return all;
