@@ -42,6 +42,20 @@ void names_and_bytes(const calls::Inputs &in) {
     nurbs_list_destroy(list);
 }
 
+// The gaps of loops, which the good calls leave out.
+void gaps_of_loops(const calls::Inputs &in) {
+    const int64_t size = 1;
+    const nurbs *const curves[] = {in.outline};
+    double gap = -1;
+    nurbs_face *face = nullptr;
+    CHECK_OK(nurbs_face_create(in.surface, 1, &size, curves, nullptr, nullptr, 1e-3, 0, &gap, &face));
+    nurbs_face_destroy(face);
+    CHECK_OK(nurbs_face_create_with(in.surface, 1, &size, curves, nullptr, nullptr, 1e-3, 0, &gap, nullptr,
+                                    &face));
+    nurbs_face_destroy(face);
+    CHECK(gap == 0);
+}
+
 void all_calls() {
     const calls::Inputs in = calls::make_inputs();
     calls::for_each_allocating([&](const calls::Call &call) { run(call, in); });
@@ -51,6 +65,7 @@ void all_calls() {
     evaluate_nothing(in);
     evaluate_batches();
     names_and_bytes(in);
+    gaps_of_loops(in);
     calls::check_intact(in);
     calls::destroy(in);
 }

@@ -693,6 +693,13 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("read_model_file in millimetres");
+        n::ReadOptions options;
+        options.unit = 0.001;
+        const auto found = n::Model::read_file(solid_path(), options);
+        show("out", found);
+    }
+    {
         begin("model_create");
         const auto found = n::Model::create(std::vector<n::Face>{in.face, in.face}, 0.001);
         show("out", found);
@@ -893,6 +900,13 @@ void data(const Inputs &in) {
     {
         begin("read_model_file_with");
         const auto found = n::Model::read_file(solid_path(), {}, watched());
+        show("out", found);
+    }
+    {
+        begin("read_model_file_with in millimetres");
+        n::ReadOptions options;
+        options.unit = 0.001;
+        const auto found = n::Model::read_file(solid_path(), options, watched());
         show("out", found);
     }
 }

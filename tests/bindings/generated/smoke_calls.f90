@@ -1143,6 +1143,15 @@ contains
             call found%read_file(path=written('smoke_calls_fortran.solid', solid_text))
             call show('out', found)
         end block
+        call begin('read_model_file in millimetres')
+        block
+            type(nurbs_read_options) :: options_given
+            type(nurbs_model) :: found
+            call default_read_options(options_given)
+            options_given%unit = 0.001d0
+            call found%read_file(path=written('smoke_calls_fortran.solid', solid_text), options=options_given)
+            call show('out', found)
+        end block
         call begin('model_create')
         block
             type(nurbs_face) :: faces_given(2)
@@ -1464,6 +1473,17 @@ contains
             type(nurbs_call) :: watching
             type(nurbs_model) :: found
             call found%read_file(path=written('smoke_calls_fortran.solid', solid_text), call=watching)
+            call show('out', found)
+        end block
+        call begin('read_model_file_with in millimetres')
+        block
+            type(nurbs_read_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call default_read_options(options_given)
+            options_given%unit = 0.001d0
+            call found%read_file(path=written('smoke_calls_fortran.solid', solid_text), options=options_given, &
+                call=watching)
             call show('out', found)
         end block
     end subroutine calls_of_data

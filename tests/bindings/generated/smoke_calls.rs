@@ -51,7 +51,8 @@ DATA;
 #20=MANIFOLD_SOLID_BREP('',#19);
 #21=BLOCK('',#4,1.,1.,1.);
 #22=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
-#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('',''));
+#23=(GEOMETRIC_REPRESENTATION_CONTEXT(3)
+GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('',''));
 #24=SHAPE_REPRESENTATION('',(#20,#21),#23);
 ENDSEC;
 END-ISO-10303-21;
@@ -1149,6 +1150,14 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::read_file(written("smoke_calls_rust.solid", SOLID), None)?;
         show("out", &found);
     }
+    begin("read_model_file in millimetres");
+    {
+        let found = Model::read_file(
+            written("smoke_calls_rust.solid", SOLID),
+            Some(&nurbs::ReadOptions::new()?.unit(0.001)),
+        )?;
+        show("out", &found);
+    }
     begin("model_create");
     {
         let found = Model::create(&[&given.face, &given.face], 0.001)?;
@@ -1443,6 +1452,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::read_file_with(
             written("smoke_calls_rust.solid", SOLID),
             None,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("read_model_file_with in millimetres");
+    {
+        let found = Model::read_file_with(
+            written("smoke_calls_rust.solid", SOLID),
+            Some(&nurbs::ReadOptions::new()?.unit(0.001)),
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

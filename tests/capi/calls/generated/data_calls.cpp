@@ -719,17 +719,24 @@ const Call group[] = {
     {"read_model",
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_read_model(texts::solid, 963, nullptr, &o.model);
-     }},
+     }, true},
     {"read_model in millimetres",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_read_options options;
          (void)nurbs_read_options_init(&options, sizeof options);
          options.unit = 0.001;
          return nurbs_read_model(texts::solid, 963, &options, &o.model);
-     }},
+     }, true},
     {"read_model_file",
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_read_model_file(solid_path, nullptr, &o.model);
+     }, true},
+    {"read_model_file in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         return nurbs_read_model_file(solid_path, &options, &o.model);
      }, true},
     {"model_create",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1003,7 +1010,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_model_with(texts::solid, 963, nullptr, &call, &o.model);
-     }},
+     }, true},
     {"read_model_with in millimetres",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_read_options options;
@@ -1012,12 +1019,21 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_model_with(texts::solid, 963, &options, &call, &o.model);
-     }},
+     }, true},
     {"read_model_file_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_model_file_with(solid_path, nullptr, &call, &o.model);
+     }, true},
+    {"read_model_file_with in millimetres",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         nurbs_read_options options;
+         (void)nurbs_read_options_init(&options, sizeof options);
+         options.unit = 0.001;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_read_model_file_with(solid_path, &options, &call, &o.model);
      }, true},
 };
 
