@@ -2,6 +2,7 @@
 #include "face/trims/trim_map.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "face/trims/nesting.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ void TrimMap::fill_buckets() {
 // Adds what is passed on the way from x; true if x lies on a piece. The columns of a piece reach from its left end to before its
 // right one, so that each column meets one of two neighbours that go on.
 template <class Add>
-bool TrimMap::walk(const Point2 &x, size_t except, Add &&add) const noexcept {
+bool TrimMap::walk(const Point2 &x, size_t except, Add &&add) const {
     bool on = false;
     const size_t b = bucket(x[0]);
     for (size_t i = starts_[b]; i < starts_[b + 1]; ++i) {
@@ -150,18 +151,18 @@ std::optional<PassedSums> TrimMap::sums(const Point2 &x, size_t except) const {
     return result;
 }
 
-PassedSums TrimMap::sums_left_of(int32_t loop) const {
+std::optional<PassedSums> TrimMap::sums_left_of(int32_t loop) const {
     for (const size_t k : {size_t{0}, size_t{1}}) { // loops that stay in a column may go around axis 1
         const std::vector<size_t> own = longest_pieces(loop, k);
         for (int probe = 0; probe < most_probes && !own.empty(); ++probe) {
             const size_t i = own[static_cast<size_t>(probe) % own.size()];
             const double share = (probe + 1) * 0.381966 - std::floor((probe + 1) * 0.381966);
             if (auto found = sums_left_of(i, k, share)) {
-                return *found;
+                return found;
             }
         }
     }
-    fail(Status::orientation, "loop %d encloses nothing, or lies on others", static_cast<int>(loop));
+    return std::nullopt;
 }
 
 std::vector<size_t> TrimMap::longest_pieces(int32_t loop, size_t k) const {
@@ -201,34 +202,117 @@ std::optional<PassedSums> TrimMap::sums_left_of(size_t i, size_t k, double share
     return found;
 }
 
-// Of the loop as it is turned.
-int TrimMap::value_left_of(size_t loop, const PassedSums &sums) const {
-    int result =
-        turned_[loop] ? 1 : 0; // its right side has one less of it, and it counts the other way round
-    for (const PassedSum &sum : sums) {
-        result += turned_[static_cast<size_t>(sum.loop)] ? -sum.value : sum.value;
-    }
-    return result;
-}
-
 void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
-    std::vector<PassedSums> left;
     for (size_t i = 0; i < loops.size(); ++i) {
         if (!loops[i].around && std::abs(loops[i].area) <= loops[i].noise) {
             fail(Status::orientation, "loop %zu encloses nothing", i);
         }
-        left.push_back(sums_left_of(static_cast<int32_t>(i)));
     }
     if (turn) {
-        turned_ = Nesting(loops, left).loops_to_turn();
+        turn_loops(loops);
     }
+    if (!loops.empty()) {
+        set_corner();
+    }
+}
+
+// On a surface that closes a loop may run along both sides of a seam; it stays as it is.
+void TrimMap::turn_loops(std::vector<LoopShape> loops) {
+    std::vector<PassedSums> left;
     for (size_t i = 0; i < loops.size(); ++i) {
-        const int corner = 1 - value_left_of(i, left[i]);
-        if (i > 0 && corner != corner_) {
-            fail(Status::orientation, "loop %d has its left side where loop 0 has its right side",
-                 static_cast<int>(i));
+        const auto found = sums_left_of(static_cast<int32_t>(i));
+        if (!found && !covering_->closed(0) && !covering_->closed(1)) {
+            fail(Status::orientation, "loop %zu lies on others", i);
         }
-        corner_ = corner;
+        loops[i].around = loops[i].around || !found;
+        left.push_back(found.value_or(PassedSums{}));
+    }
+    turned_ = Nesting(loops, left).loops_to_turn();
+}
+
+// What is passed says how much values differ; loops that run along each other, as both sides of a seam do, leave slivers between
+// them in which rounding decides.
+void TrimMap::set_corner() {
+    corner_ = 0;
+    const std::vector<double> columns = probe_columns();
+    std::optional<Values> values;
+    const Interval domain = covering_->domain(1);
+    const double sliver = 64 * eps * std::max(std::abs(domain.lower), std::abs(domain.upper));
+    for (const double height : {sliver, 0.0}) {
+        for (size_t i = 0; i < columns.size() && (height > 0 || !values); ++i) {
+            widen(columns[i], height, values);
+        }
+    }
+    if (!values) {
+        fail(Status::orientation, "the loops enclose nothing");
+    }
+    if (values->most - values->least > 1) {
+        fail(Status::orientation,
+             "the loops go around some places %d times more often than around others: they cross, "
+             "coincide, or have the inside on different sides",
+             values->most - values->least);
+    }
+    corner_ = 1 - values->most;
+}
+
+std::vector<double> TrimMap::probe_columns() const {
+    constexpr size_t most_loops = 64, most_gaps = 16;
+    std::vector<double> ends{covering_->domain(0).lower, covering_->domain(0).upper}, columns;
+    std::vector<const TrimPiece *> widest(std::min(turned_.size(), most_loops), nullptr);
+    const auto width = [](const TrimPiece &piece) { return piece.upper[0] - piece.lower[0]; };
+    for (const TrimPiece &piece : pieces_.all()) {
+        ends.push_back(piece.lower[0]);
+        ends.push_back(piece.upper[0]);
+        const auto loop = static_cast<size_t>(piece.loop);
+        if (loop < widest.size() && (widest[loop] == nullptr || width(piece) > width(*widest[loop]))) {
+            widest[loop] = &piece;
+        }
+    }
+    for (const TrimPiece *piece : widest) {
+        if (piece != nullptr && width(*piece) > 0) {
+            columns.push_back(piece->lower[0] + 0.381966 * width(*piece));
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<Interval> gaps;
+    for (size_t i = 0; i + 1 < ends.size(); ++i) {
+        gaps.push_back({ends[i], ends[i + 1]});
+    }
+    const size_t count = std::min(gaps.size(), most_gaps);
+    std::partial_sort(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(count), gaps.end(),
+                      [](Interval a, Interval b) { return a.upper - a.lower > b.upper - b.lower; });
+    for (size_t i = 0; i < count; ++i) {
+        columns.push_back(gaps[i].lower / 2 + gaps[i].upper / 2);
+    }
+    return columns;
+}
+
+void TrimMap::widen(double u, double height, std::optional<Values> &values) const {
+    struct Crossing {
+        double v;
+        int passed;
+    };
+    std::vector<Crossing> crossings;
+    const size_t b = bucket(u);
+    for (size_t i = starts_[b]; i < starts_[b + 1]; ++i) {
+        const TrimPiece &piece = pieces_.all()[items_[i].piece];
+        if (piece.lower[0] <= u && u < piece.upper[0]) {
+            const double v = pieces_.point(piece, pieces_.place_of(piece, 0, u))[1];
+            crossings.push_back({v, passed(piece)});
+        }
+    }
+    std::sort(crossings.begin(), crossings.end(),
+              [](const Crossing &x, const Crossing &y) { return x.v > y.v; });
+    crossings.push_back({covering_->domain(1).lower, 0});
+    int value = value_at_top(u);
+    double above = covering_->domain(1).upper;
+    for (const Crossing &crossing : crossings) {
+        if (above - crossing.v > height) {
+            values = {values ? std::min(values->least, value) : value,
+                      values ? std::max(values->most, value) : value};
+        }
+        value += crossing.passed;
+        above = crossing.v;
     }
 }
 

@@ -17,8 +17,8 @@ namespace nrb::face {
 // closed axis, and there is no first loop. Pieces are found by their columns.
 class TrimMap {
 public:
-    // The value at the corner is that which puts the left side of every loop inside. Throws Status::orientation if there is
-    // none. With `turn` loops that do not run around an axis are turned where that is needed.
+    // The value at the corner is that for which all places are 1 or 0, and some are 1. Throws Status::orientation if there is none,
+    // as far as columns through the first loops and between them tell. With `turn` loops that do not run around an axis are turned where that is needed.
     TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops, bool turn);
 
     // 1 inside, 0 on a curve to rounding, -1 outside.
@@ -59,15 +59,23 @@ private:
     void fill_buckets();
     [[nodiscard]] size_t bucket(double u) const noexcept;
     template <class Add>
-    bool walk(const Point2 &x, size_t except, Add &&add) const noexcept;
+    bool walk(const Point2 &x, size_t except, Add &&add) const;
     [[nodiscard]] std::optional<PassedSums> sums(const Point2 &x, size_t except) const;
-    // What is passed from the left side of a loop on, at some place of it.
-    [[nodiscard]] PassedSums sums_left_of(int32_t loop) const;
+    // What is passed from the left side of a loop on, at some place of it; none if it lies on others everywhere.
+    [[nodiscard]] std::optional<PassedSums> sums_left_of(int32_t loop) const;
     [[nodiscard]] std::optional<PassedSums> sums_left_of(size_t i, size_t k, double share) const;
     // Of a loop, those that are upright (k = 1) or not (k = 0), the longest along axis k first.
     [[nodiscard]] std::vector<size_t> longest_pieces(int32_t loop, size_t k) const;
     void orient(const std::vector<LoopShape> &loops, bool turn);
-    [[nodiscard]] int value_left_of(size_t loop, const PassedSums &sums) const;
+    void turn_loops(std::vector<LoopShape> loops);
+    void set_corner();
+    // Columns through loops, and through the widest parts of the domain between ends of pieces.
+    [[nodiscard]] std::vector<double> probe_columns() const;
+    struct Values {
+        int least, most;
+    };
+    // Widened by the values in a column where they hold over more than a height.
+    void widen(double u, double height, std::optional<Values> &values) const;
 
     TrimPieces pieces_;
     std::vector<SeamPassage> passages_;

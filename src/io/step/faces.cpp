@@ -122,6 +122,10 @@ private:
         } else if (loop.kind() == Kind::poly_loop) {
             add_polygon(loop, made);
         } else if (loop.kind() == Kind::vertex_loop) {
+            Attributes vertex = item(entities_.instances(), loop);
+            vertex.part("VERTEX_LOOP");
+            const Point at = read_vertex(geometry_, vertex.reference("loop_vertex"), vertex, "loop_vertex");
+            poles_.push_back({at.x[0], at.x[1], at.x[2]});
             return; // a pole, which has no curve
         } else {
             entities_.fail_kind(loop, attributes, "bound", "a loop");
@@ -180,7 +184,7 @@ private:
         if (model::bounded(shape)) {
             return model::surface_spline(shape, model::natural_range(shape));
         }
-        std::vector<Vector3> points;
+        std::vector<Vector3> points = poles_;
         for (const Bound &bound : bounds_) {
             for (const face::Coedge &coedge : bound.loop) {
                 for (int64_t i = 0; i < coedge.edge->point_count(); ++i) {
@@ -252,6 +256,7 @@ private:
     double tolerance_;
     int64_t surface_number_ = 0;
     std::vector<Bound> bounds_;
+    std::vector<Vector3> poles_; // vertices that bound the face alone
 };
 
 } // namespace

@@ -133,4 +133,24 @@ TEST(FaceMoments, CoincidingLoopsAreToldOnce) {
     EXPECT_EQ(status(), Status::orientation);
 }
 
+// Both sides of a seam: in the one case of a band that goes all around, in the other of the whole torus.
+TEST(FaceMoments, OfLoopsAlongBothSidesOfASeam) {
+    const SplinePtr s = torus();
+    const double total = 4 * pi * pi * 3;
+    const auto area = [&](const std::vector<Point2> &corners, bool as_oriented) {
+        std::vector<SplinePtr> curves;
+        for (size_t i = 0; i < corners.size(); ++i) {
+            curves.push_back(segment(*s, corners[i], corners[(i + 1) % corners.size()]));
+        }
+        const Face face({s, {loop_of(curves)}, 1e-9, as_oriented}, nullptr);
+        return face::moments(face, MomentOrder::content, 1e-10).content;
+    };
+    for (const bool as_oriented : {false, true}) {
+        EXPECT_NEAR(area({{0.125, 0.1}, {0.625, 0.1}, {0.625, 1.1}, {0.125, 1.1}}, as_oriented), total / 2,
+                    1e-7);
+        EXPECT_NEAR(area({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, as_oriented), total, 1e-7);
+        EXPECT_NEAR(area({{0.3, 0.7}, {1.3, 0.7}, {1.3, 1.7}, {0.3, 1.7}}, as_oriented), total, 1e-7);
+    }
+}
+
 } // namespace
