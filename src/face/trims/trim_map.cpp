@@ -236,9 +236,7 @@ void TrimMap::set_corner() {
     corner_ = 0;
     const std::vector<double> columns = probe_columns();
     std::optional<Values> values;
-    const Interval domain = covering_->domain(1);
-    const double sliver = 64 * eps * std::max(std::abs(domain.lower), std::abs(domain.upper));
-    for (const double height : {sliver, 0.0}) {
+    for (const double height : {sliver(1), 0.0}) {
         for (size_t i = 0; i < columns.size() && (height > 0 || !values); ++i) {
             widen(columns[i], height, values);
         }
@@ -253,6 +251,11 @@ void TrimMap::set_corner() {
              values->most - values->least);
     }
     corner_ = 1 - values->most;
+}
+
+double TrimMap::sliver(int k) const noexcept {
+    const Interval domain = covering_->domain(k);
+    return 64 * eps * std::max(std::abs(domain.lower), std::abs(domain.upper));
 }
 
 std::vector<double> TrimMap::probe_columns() const {
@@ -276,7 +279,9 @@ std::vector<double> TrimMap::probe_columns() const {
     std::sort(ends.begin(), ends.end());
     std::vector<Interval> gaps;
     for (size_t i = 0; i + 1 < ends.size(); ++i) {
-        gaps.push_back({ends[i], ends[i + 1]});
+        if (ends[i + 1] - ends[i] > sliver(0)) {
+            gaps.push_back({ends[i], ends[i + 1]});
+        }
     }
     const size_t count = std::min(gaps.size(), most_gaps);
     std::partial_sort(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(count), gaps.end(),

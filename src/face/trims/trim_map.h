@@ -69,6 +69,8 @@ private:
     void orient(const std::vector<LoopShape> &loops, bool turn);
     void turn_loops(std::vector<LoopShape> loops);
     void set_corner();
+    // What rounding may set apart along axis k.
+    [[nodiscard]] double sliver(int k) const noexcept;
     // Columns through loops, and through the widest parts of the domain between ends of pieces.
     [[nodiscard]] std::vector<double> probe_columns() const;
     struct Values {
