@@ -2,7 +2,6 @@
 #include "face/trims/trim_map.h"
 
 #include "base/error.h"
-#include "base/numbers.h"
 #include "face/trims/nesting.h"
 
 #include <algorithm>
@@ -212,7 +211,7 @@ void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
         turn_loops(loops);
     }
     if (!loops.empty()) {
-        set_corner();
+        set_corner(loops);
     }
 }
 
@@ -230,32 +229,43 @@ void TrimMap::turn_loops(std::vector<LoopShape> loops) {
     turned_ = Nesting(loops, left).loops_to_turn();
 }
 
-// What is passed says how much values differ; loops that run along each other, as both sides of a seam do, leave slivers between
-// them in which rounding decides.
-void TrimMap::set_corner() {
+// What is passed says how much values differ. Loops that run along each other, as both sides of a seam do, leave slivers between
+// them, so that what holds over most of the columns decides.
+void TrimMap::set_corner(const std::vector<LoopShape> &loops) {
+    constexpr double sliver = 0x1p-20, most_astray = 0x1p-7; // of all columns
     corner_ = 0;
-    const std::vector<double> columns = probe_columns();
-    std::optional<Values> values;
-    for (const double height : {sliver(1), 0.0}) {
-        for (size_t i = 0; i < columns.size() && (height > 0 || !values); ++i) {
-            widen(columns[i], height, values);
+    Heights heights;
+    for (const double u : probe_columns()) {
+        add_column(u, heights);
+    }
+    double total = 0;
+    int dominant = 0, lower = 0;
+    const auto height = [&](int value) { return heights.contains(value) ? heights.at(value) : 0.0; };
+    for (const auto &[value, own] : heights) {
+        total += own;
+        dominant = own > height(dominant) ? value : dominant;
+        for (const int below : {value - 1, value}) {
+            lower = height(below) + height(below + 1) > height(lower) + height(lower + 1) ? below : lower;
         }
     }
-    if (!values) {
-        fail(Status::orientation, "the loops enclose nothing");
-    }
-    if (values->most - values->least > 1) {
+    if (height(dominant) >= (1 - sliver) * total) {
+        lower = mostly_inside(loops) ? dominant - 1 : dominant;
+    } else if (total - height(lower) - height(lower + 1) > most_astray * total) {
         fail(Status::orientation,
-             "the loops go around some places %d times more often than around others: they cross, "
-             "coincide, or have the inside on different sides",
-             values->most - values->least);
+             "the loops go around some places twice or against each other: they cross, coincide, or have "
+             "their left sides in different parts");
     }
-    corner_ = 1 - values->most;
+    corner_ = -lower;
 }
 
-double TrimMap::sliver(int k) const noexcept {
-    const Interval domain = covering_->domain(k);
-    return 64 * eps * std::max(std::abs(domain.lower), std::abs(domain.upper));
+// Where one value holds nearly everywhere: whether loops that do not run around enclose more than half of the domain, or nothing
+// but holes.
+bool TrimMap::mostly_inside(const std::vector<LoopShape> &loops) const {
+    double area = 0;
+    for (size_t i = 0; i < loops.size(); ++i) {
+        area += loops[i].around ? 0 : turned_[i] ? -loops[i].area : loops[i].area;
+    }
+    return !(area > 0) || area > covering_->period(0) * covering_->period(1) / 2;
 }
 
 std::vector<double> TrimMap::probe_columns() const {
@@ -279,20 +289,18 @@ std::vector<double> TrimMap::probe_columns() const {
     std::sort(ends.begin(), ends.end());
     std::vector<Interval> gaps;
     for (size_t i = 0; i + 1 < ends.size(); ++i) {
-        if (ends[i + 1] - ends[i] > sliver(0)) {
-            gaps.push_back({ends[i], ends[i + 1]});
-        }
+        gaps.push_back({ends[i], ends[i + 1]});
     }
     const size_t count = std::min(gaps.size(), most_gaps);
     std::partial_sort(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(count), gaps.end(),
                       [](Interval a, Interval b) { return a.upper - a.lower > b.upper - b.lower; });
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count && gaps[i].upper - gaps[i].lower > 0x1p-20 * covering_->period(0); ++i) {
         columns.push_back(gaps[i].lower / 2 + gaps[i].upper / 2);
     }
     return columns;
 }
 
-void TrimMap::widen(double u, double height, std::optional<Values> &values) const {
+void TrimMap::add_column(double u, Heights &heights) const {
     struct Crossing {
         double v;
         int passed;
@@ -312,10 +320,7 @@ void TrimMap::widen(double u, double height, std::optional<Values> &values) cons
     int value = value_at_top(u);
     double above = covering_->domain(1).upper;
     for (const Crossing &crossing : crossings) {
-        if (above - crossing.v > height) {
-            values = {values ? std::min(values->least, value) : value,
-                      values ? std::max(values->most, value) : value};
-        }
+        heights[value] += std::max(above - crossing.v, 0.0);
         value += crossing.passed;
         above = crossing.v;
     }

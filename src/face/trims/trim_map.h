@@ -6,6 +6,7 @@
 #include "face/trims/loop_shape.h"
 #include "face/trims/passed.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace nrb::face {
 // closed axis, and there is no first loop. Pieces are found by their columns.
 class TrimMap {
 public:
-    // The value at the corner is that for which all places are 1 or 0, and some are 1. Throws Status::orientation if there is none,
-    // as far as columns through the first loops and between them tell. With `turn` loops that do not run around an axis are turned where that is needed.
+    // The value at the corner is that for which places are 1 or 0, but for slivers. Throws Status::orientation if there is none, as
+    // far as columns through the first loops and between them tell. With `turn` loops that do not run around an axis are turned where that is needed.
     TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops, bool turn);
 
     // 1 inside, 0 on a curve to rounding, -1 outside.
@@ -68,16 +69,13 @@ private:
     [[nodiscard]] std::vector<size_t> longest_pieces(int32_t loop, size_t k) const;
     void orient(const std::vector<LoopShape> &loops, bool turn);
     void turn_loops(std::vector<LoopShape> loops);
-    void set_corner();
-    // What rounding may set apart along axis k.
-    [[nodiscard]] double sliver(int k) const noexcept;
+    void set_corner(const std::vector<LoopShape> &loops);
     // Columns through loops, and through the widest parts of the domain between ends of pieces.
     [[nodiscard]] std::vector<double> probe_columns() const;
-    struct Values {
-        int least, most;
-    };
-    // Widened by the values in a column where they hold over more than a height.
-    void widen(double u, double height, std::optional<Values> &values) const;
+    // Over how much of a column each value holds.
+    using Heights = std::map<int, double>;
+    void add_column(double u, Heights &heights) const;
+    [[nodiscard]] bool mostly_inside(const std::vector<LoopShape> &loops) const;
 
     TrimPieces pieces_;
     std::vector<SeamPassage> passages_;
