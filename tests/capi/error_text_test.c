@@ -94,6 +94,8 @@ static void names(void) {
                NAME(NURBS_ERROR_UNSUPPORTED),
                NAME(NURBS_ERROR_CHECKSUM),
                NAME(NURBS_ERROR_VERSION),
+               NAME(NURBS_ERROR_CYCLE),
+               NAME(NURBS_ERROR_ORIENTATION),
                NAME(NURBS_ERROR_INTERNAL)};
     const size_t count = sizeof all / sizeof *all;
     size_t known = 0;

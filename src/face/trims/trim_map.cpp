@@ -250,12 +250,27 @@ void TrimMap::set_corner(const std::vector<LoopShape> &loops) {
     }
     if (height(dominant) >= (1 - sliver) * total) {
         lower = mostly_inside(loops) ? dominant - 1 : dominant;
-    } else if (total - height(lower) - height(lower + 1) > most_astray * total) {
-        fail(Status::orientation,
-             "the loops go around some places twice or against each other: they cross, coincide, or have "
-             "their left sides in different parts");
     }
     corner_ = -lower;
+    if (total - height(lower) - height(lower + 1) > most_astray * total) {
+        fail_astray();
+    }
+}
+
+// Names a loop that has its right side where others have the left one, if there is one.
+void TrimMap::fail_astray() const {
+    for (int32_t loop = 0; loop < static_cast<int32_t>(turned_.size()); ++loop) {
+        const bool turned = turned_[static_cast<size_t>(loop)];
+        int value = corner_ + (turned ? 1 : 0);
+        for (const PassedSum &sum : sums_left_of(loop).value_or(PassedSums{})) {
+            value += turned_[static_cast<size_t>(sum.loop)] ? -sum.value : sum.value;
+        }
+        if (value != 1) {
+            fail(Status::orientation,
+                 "loop %d has its left side where other loops have their right side, or crosses one", loop);
+        }
+    }
+    fail(Status::orientation, "the loops go around some places twice: they cross or coincide");
 }
 
 // Where one value holds nearly everywhere: whether loops that do not run around enclose more than half of the domain, or nothing

@@ -70,6 +70,7 @@ private:
     void orient(const std::vector<LoopShape> &loops, bool turn);
     void turn_loops(std::vector<LoopShape> loops);
     void set_corner(const std::vector<LoopShape> &loops);
+    [[noreturn]] void fail_astray() const;
     // Columns through loops, and through the widest parts of the domain between ends of pieces.
     [[nodiscard]] std::vector<double> probe_columns() const;
     // Over how much of a column each value holds.
