@@ -20,6 +20,11 @@ double likely_error(double difference, double magnitude) noexcept {
     return std::min(difference, magnitude * std::pow(200 * difference / magnitude, 1.5));
 }
 
+// The weight of a place in the rule of a level, which higher rules may have more places than.
+double weight_at(int level, size_t place) noexcept {
+    return place < static_cast<size_t>(rule_size(level)) ? rule_weights(level)[place] : 0;
+}
+
 } // namespace
 
 PanelRule::PanelRule(const Spline &surface, const TrimMap &trims, const pieces::Frame &frame,
@@ -83,8 +88,8 @@ PanelRule::Sums PanelRule::evaluate(const Panel &panel, const std::array<int, 2>
     std::vector<double> magnitudes(values_, 0);
     for (size_t i = 0; i < nodes_.size(); ++i) {
         const auto [a, b] = nodes_[i];
-        const double x = rule_weights(levels[0])[a], y = rule_weights(levels[1])[b];
-        const double lower_x = rule_weights(levels[0] - 1)[a], lower_y = rule_weights(levels[1] - 1)[b];
+        const double x = weight_at(levels[0], a), y = weight_at(levels[1], b);
+        const double lower_x = weight_at(levels[0] - 1, a), lower_y = weight_at(levels[1] - 1, b);
         for (size_t j = 0; j < values_; ++j) {
             const double value = out_[i * values_ + j];
             sums.values[j] += x * y * value;
