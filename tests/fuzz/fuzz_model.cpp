@@ -247,7 +247,7 @@ Face any_face(Input &in) {
     int64_t keys[4];
     for (size_t i = 0; i < 4; ++i) {
         curves[i] = sides[i].get();
-        keys[i] = in.rarely() ? -in.bad_size() / 2 : in.below(9) - 4;
+        keys[i] = in.rarely() ? -(in.bad_size() / 2) : in.below(9) - 4;
     }
     const int64_t four = 4;
     FUZZ_OK(nurbs_face_create_with(surface.get(), 1, &four, curves, nullptr, keys, 1e-9, 0, nullptr, &call,
