@@ -108,4 +108,17 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
     return point;
 }
 
+double extent(const Spline &spline) noexcept {
+    double largest = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        double low = spline.coordinate(0, c), high = low;
+        for (int64_t i = 1; i < spline.point_count(); ++i) {
+            low = std::min(low, spline.coordinate(i, c));
+            high = std::max(high, spline.coordinate(i, c));
+        }
+        largest = std::max(largest, high - low);
+    }
+    return largest;
+}
+
 } // namespace nrb::bounds

@@ -18,6 +18,9 @@ struct Box {
 // of pieces, and the halvings of the pieces that reach the faces.
 Box bounding_box(const Spline &spline, const Part &part, double tolerance);
 
+// The largest side of the box of the control points.
+double extent(const Spline &spline) noexcept;
+
 struct OrientedBox {
     std::vector<double> center;
     std::vector<double> axes; // row by row

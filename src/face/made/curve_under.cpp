@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "bounds/box.h"
 #include "bounds/deviation.h"
 #include "closest/closest.h"
 #include "eval/evaluate.h"
@@ -181,16 +182,7 @@ std::vector<double> breaks_of(const Spline &curve) {
 
 // Steps along each axis that move points by less than a share of the tolerance, in the mean over the domain.
 std::array<double, 2> same_places(const Spline &surface, const Covering &covering, double tolerance) {
-    double square = 0;
-    for (int c = 0; c < surface.dim(); ++c) {
-        double lower = infinity, upper = -infinity;
-        for (int64_t i = 0; i < surface.point_count(); ++i) {
-            lower = std::min(lower, surface.coordinate(i, c));
-            upper = std::max(upper, surface.coordinate(i, c));
-        }
-        square += (upper - lower) * (upper - lower);
-    }
-    const double size = std::sqrt(square);
+    const double size = bounds::extent(surface);
     const double share = size > 0 ? std::min(share_of_same * tolerance / size, 1e-3) : 0;
     return {share * covering.period(0), share * covering.period(1)};
 }

@@ -2,9 +2,9 @@
 #include "io/step/assembly.h"
 
 #include "base/error.h"
-#include "io/step/geometry.h"
+#include "io/step/geometry/geometry.h"
+#include "io/step/geometry/placements.h"
 #include "io/step/motion.h"
-#include "io/step/placements.h"
 #include "model/cycles.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "io/iges/text.h"
-#include "io/step/placements.h"
+#include "io/step/geometry/placements.h"
 #include "model/shapes/curve_spline.h"
 #include "model/shapes/surface_spline.h"
 

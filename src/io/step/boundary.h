@@ -2,8 +2,8 @@
 // Edges, and what bounds a face.
 #pragma once
 
-#include "io/step/geometry.h"
-#include "io/step/placements.h"
+#include "io/step/geometry/geometry.h"
+#include "io/step/geometry/placements.h"
 
 #include <string>
 #include <vector>

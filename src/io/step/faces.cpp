@@ -2,7 +2,7 @@
 #include "io/step/faces.h"
 
 #include "base/error.h"
-#include "base/numbers.h"
+#include "bounds/box.h"
 #include "build/polylines.h"
 #include "eval/evaluate.h"
 #include "io/step/boundary.h"
@@ -21,19 +21,6 @@ namespace {
 constexpr double share_of_precision = 0x1p-22;
 // What files may state but not hold: coordinates are written with fewer digits.
 constexpr double share_of_rounding = 0x1p-36;
-
-double size_of(const Spline &surface) {
-    double size = 0;
-    for (int c = 0; c < surface.dim(); ++c) {
-        double lower = infinity, upper = -infinity;
-        for (int64_t i = 0; i < surface.point_count(); ++i) {
-            lower = std::min(lower, surface.coordinate(i, c));
-            upper = std::max(upper, surface.coordinate(i, c));
-        }
-        size = std::max(size, upper - lower);
-    }
-    return size;
-}
 
 Attributes item(const Instances &instances, const Instance &instance) {
     Attributes attributes(instances, instance);
@@ -97,7 +84,7 @@ public:
             source.parts.loops.push_back(std::move(bound.loop));
         }
         source.parts.as_oriented = true;
-        const double size = size_of(*source.parts.surface);
+        const double size = bounds::extent(*source.parts.surface);
         source.parts.tolerance = std::max(tolerance_, share_of_rounding * size);
         source.parts.precision =
             std::max(std::min(tolerance_ / 2, share_of_precision * size), share_of_rounding * size);

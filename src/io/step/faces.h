@@ -2,7 +2,7 @@
 // Faces with the edges and loops that bound them.
 #pragma once
 
-#include "io/step/geometry.h"
+#include "io/step/geometry/geometry.h"
 #include "model/model.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/step/motion.h"
 
-#include "io/step/placements.h"
+#include "io/step/geometry/placements.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "base/watch.h"
 #include "io/read_settings.h"
 #include "io/step/contexts.h"
-#include "io/step/geometry.h"
+#include "io/step/geometry/geometry.h"
 #include "io/step/structure/exchange.h"
 #include "model/model.h"
 

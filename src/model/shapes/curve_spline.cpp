@@ -2,6 +2,7 @@
 #include "model/shapes/curve_spline.h"
 
 #include "base/error.h"
+#include "bounds/box.h"
 #include "build/conics/conic_curves.h"
 #include "refine/forms/parametrization.h"
 #include "refine/parts/cut.h"
@@ -19,24 +20,11 @@ bool is_conic(const CurveShape &curve) noexcept {
 }
 
 // The largest extent of the control points along an axis.
-double extent(const Spline &spline) {
-    double largest = 0;
-    for (int c = 0; c < spline.dim(); ++c) {
-        double low = spline.coordinate(0, c), high = low;
-        for (int64_t i = 1; i < spline.point_count(); ++i) {
-            low = std::min(low, spline.coordinate(i, c));
-            high = std::max(high, spline.coordinate(i, c));
-        }
-        largest = std::max(largest, high - low);
-    }
-    return largest;
-}
-
 double size_of(const CurveShape &curve) {
     switch (curve.kind) {
     case CurveKind::spline:
     case CurveKind::composite:
-        return extent(*curve.spline);
+        return bounds::extent(*curve.spline);
     case CurveKind::trimmed:
         return size_of(*curve.pieces.front().curve);
     default:
@@ -139,7 +127,8 @@ SplinePtr part_of_spline(const SplinePtr &spline, Interval range) {
              Number(range.lower).text, Number(range.upper).text, Number(domain.lower).text,
              Number(domain.upper).text);
     }
-    if (range.upper <= domain.upper || period(*curve_of_spline(spline), 1e-6 * extent(*spline)) == 0) {
+    if (range.upper <= domain.upper ||
+        period(*curve_of_spline(spline), 1e-6 * bounds::extent(*spline)) == 0) {
         return refine::restrict_axis(spline, 0, range.lower, std::min(range.upper, domain.upper));
     }
     const double more = range.upper - domain.upper;
@@ -235,7 +224,7 @@ CurveShapePtr composite_curve(std::vector<CurvePiece> pieces, double tolerance) 
     }
     const Interval first = splines.front()->axis(0).domain();
     splines.front() = over(splines.front(), {0, first.upper - first.lower});
-    const double gap = tolerance > 0 ? tolerance : 1e-6 * extent(*splines.front());
+    const double gap = tolerance > 0 ? tolerance : 1e-6 * bounds::extent(*splines.front());
     SplinePtr all = refine::join(splines, 0, {gap, false}).spline;
     return curve_of_pieces(std::move(pieces), std::move(all));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/trims.h"
+#include "io/step/geometry/trims.h"
 
 namespace nrb::io::step {
 

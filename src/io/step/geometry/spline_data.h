@@ -2,7 +2,7 @@
 // B-spline curves and surfaces with and without stated knots.
 #pragma once
 
-#include "io/step/placements.h"
+#include "io/step/geometry/placements.h"
 #include "spline/spline.h"
 
 namespace nrb::io::step {

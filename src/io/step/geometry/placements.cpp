@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/placements.h"
+#include "io/step/geometry/placements.h"
 
 #include "base/error.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
 #include "build/polylines.h"
-#include "io/step/geometry.h"
-#include "io/step/placements.h"
-#include "io/step/spline_data.h"
-#include "io/step/trims.h"
+#include "io/step/geometry/geometry.h"
+#include "io/step/geometry/placements.h"
+#include "io/step/geometry/spline_data.h"
+#include "io/step/geometry/trims.h"
 #include "model/shapes/curve_spline.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "io/step/entities.h"
 
-#include "io/step/placements.h"
+#include "io/step/geometry/placements.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
-#include "io/step/geometry.h"
-#include "io/step/placements.h"
-#include "io/step/spline_data.h"
+#include "io/step/geometry/geometry.h"
+#include "io/step/geometry/placements.h"
+#include "io/step/geometry/spline_data.h"
 
 #include <algorithm>
 #include <cmath>

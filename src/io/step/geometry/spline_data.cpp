@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/spline_data.h"
+#include "io/step/geometry/spline_data.h"
 
 #include "base/error.h"
 #include "basis/generators.h"
