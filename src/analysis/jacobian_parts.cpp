@@ -38,7 +38,7 @@ JacobianPart split_off_lower(JacobianPart &part, int axes, int k) {
 }
 
 int64_t halvings_for(const RoundedPolynomial &f) noexcept {
-    constexpr int64_t room = int64_t{1} << 25; // doubles
+    constexpr int64_t room = int64_t{7} << 22; // doubles, of which the errors take as many again
     return std::min(pieces::default_budget, room / std::max<int64_t>(1, f.shape.values()));
 }
 

@@ -98,7 +98,7 @@ void grow_watched(std::vector<T> &values, size_t size) {
     values.reserve(size);
     while (Watch::current() != nullptr && values.size() + part < size) {
         values.resize(values.size() + part);
-        count_work(part / 4);
+        count_work(part);
     }
     values.resize(size);
 }

@@ -29,31 +29,40 @@ struct Numerators {
     std::vector<double> weights; // empty: 1
 };
 
-Numerators mapped(const Spline &sampled, size_t dim, bool rational, const PointMap &map) {
-    const std::span<const double> samples = sampled.points();
-    const size_t width = dim + (rational ? 1 : 0), count = samples.size() / width;
-    Numerators result;
-    std::vector<double> points;
-    grow_watched(points, count * dim);
-    for (size_t i = 0; i < count; ++i) {
-        if (i % points_between_counts == 0) {
-            count_work(points_between_counts * work_of_a_point);
+// Those of records, with a weight each if `width` is more than dim.
+void append_mapped(std::span<const double> samples, size_t dim, size_t width, const PointMap &map,
+                   Numerators &result) {
+    std::vector<double> points, images;
+    for (size_t i = 0; i < samples.size(); i += width) {
+        const double w = width > dim ? samples[i + dim] : 1;
+        for (size_t c = 0; c < dim; ++c) {
+            points.push_back(samples[i + c] / w);
         }
-        const double *const record = samples.data() + i * width;
-        const double w = rational ? record[dim] : 1;
-        std::transform(record, record + dim, points.begin() + static_cast<int64_t>(i * dim),
-                       [w](double x) { return x / w; });
-        if (rational) {
+        if (width > dim) {
             result.weights.push_back(w);
         }
     }
     require_representable(points, "points of g");
-    grow_watched(result.values, points.size());
-    map(points, result.values);
-    require_representable(result.values, "the image");
-    count_work(std::ssize(result.values));
-    for (size_t i = 0; i < result.values.size() && rational; ++i) {
-        result.values[i] *= result.weights[i / dim];
+    images.resize(points.size());
+    map(points, images);
+    require_representable(images, "the image");
+    for (size_t i = 0; i < images.size(); ++i) {
+        result.values.push_back(width > dim ? images[i] * samples[i / dim * width + dim] : images[i]);
+    }
+}
+
+// Of a block at a time, because there may be many.
+Numerators mapped(const Spline &sampled, size_t dim, bool rational, const PointMap &map) {
+    constexpr size_t block = 4096;
+    const std::span<const double> samples = sampled.points();
+    const size_t width = dim + (rational ? 1 : 0), count = samples.size() / width;
+    Numerators result;
+    result.values.reserve(count * dim);
+    result.weights.reserve(rational ? count : 0);
+    for (size_t first = 0; first < count; first += block) {
+        const size_t some = std::min(block, count - first);
+        append_mapped(samples.subspan(first * width, some * width), dim, width, map, result);
+        count_work(static_cast<int64_t>(some) * (work_of_a_point + static_cast<int64_t>(dim)));
     }
     return result;
 }

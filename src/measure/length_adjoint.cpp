@@ -19,7 +19,7 @@ namespace {
 
 constexpr int low_level = 2, high_level = 3; // 15 and 31 nodes
 constexpr int most_halvings = 60;
-constexpr int64_t parts_at_least = 20000, parts_for_a_span = 256;
+constexpr int64_t halvings_for_a_span = 2; // beyond those that take a second
 constexpr double rounding = 64 * eps;
 // Of a tolerance below rounding, which asks for the best.
 constexpr double loosest = 1e-3;
@@ -45,11 +45,15 @@ public:
 
     [[nodiscard]] int64_t count() const noexcept { return count_; }
     [[nodiscard]] double weight(int64_t i) const noexcept { return curve_->weight(i); }
+    // Of both rules.
+    [[nodiscard]] int64_t work_of_a_part() const noexcept {
+        return work_of(rule_size(low_level) + rule_size(high_level) + 4);
+    }
 
     // The integral over [a, b], by the nodes of a level.
     [[nodiscard]] RuleGradient rule(Interval part, int level) const {
         const int n = rule_size(level), all = n + 2; // with the ends, whose tangents are looked at
-        count_work(int64_t{all} * count_ * (dim_ + 1) * 16);
+        count_work(work_of(all));
         std::vector<double> params(static_cast<size_t>(all), part.lower);
         params.back() = part.upper;
         for (int i = 0; i < n; ++i) {
@@ -88,6 +92,9 @@ public:
     }
 
 private:
+    [[nodiscard]] int64_t work_of(int64_t places) const noexcept {
+        return places * (256 + count_ * ((dim_ + 1) * 16 + 8 * count_));
+    }
     // Between neighbouring derivatives; one that vanishes has no direction.
     [[nodiscard]] double least_cosine(const std::vector<double> &derivs) const noexcept {
         double least = 1;
@@ -154,16 +161,19 @@ private:
     // The sizes that errors are compared with, roughly.
     void find_sizes() {
         std::vector<double> points(result_.points.size());
+        int64_t work_of_a_part = 1;
         for_each_span([&](int64_t span, Interval part) {
-            const RuleGradient found = SpanGradients(curve_, span).rule(part, low_level);
+            const SpanGradients gradients(curve_, span);
+            const RuleGradient found = gradients.rule(part, low_level);
             add(found.points, (span - curve_.axis(0).degree()) * curve_.dim(), points);
             length_ += found.length;
-            ++spans_;
+            budget_ += halvings_for_a_span;
+            work_of_a_part = gradients.work_of_a_part();
         });
         for (int64_t i = 0; i < curve_.point_count(); ++i) {
             longest_ = std::max(longest_, norm(points.data() + i * curve_.dim(), curve_.dim()));
         }
-        budget_ = parts_at_least + parts_for_a_span * spans_;
+        budget_ += usual_work(0) / work_of_a_part;
     }
 
     static void add(const std::vector<double> &from, int64_t first, std::vector<double> &to) noexcept {
@@ -230,8 +240,7 @@ private:
     LengthGradient result_;
     double longest_ = 0;
     double length_ = 0;
-    int64_t spans_ = 0;
-    int64_t budget_ = 0;
+    int64_t budget_ = 0; // halvings that are left
 };
 
 } // namespace

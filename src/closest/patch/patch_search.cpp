@@ -14,9 +14,10 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr int deepest = 48;    // halvings of an axis
-constexpr int most_rounds = 8; // of improvements by one item
-constexpr int64_t turn = 12;   // items of a leaf, or of a part that was put off, that are looked at in a row
+constexpr int deepest = 48;              // halvings of an axis
+constexpr int most_rounds = 8;           // of improvements by one item
+constexpr int64_t work_of_a_look = 1000; // besides that of its products: descents, mostly
+constexpr int64_t turn = 12; // items of a leaf, or of a part that was put off, that are looked at in a row
 
 } // namespace
 
@@ -24,7 +25,7 @@ PatchSearch::PatchSearch(const PieceGrid &pieces, const PatchTree &tree, const Q
     : PatchMinima(pieces, query), tree_(tree) {
     const int64_t count = pieces.shape().coefficients();
     cost_ = std::max<int64_t>(1, count * count / 65536);
-    work_ = 2 * count * std::min(count, pieces::most_squared) * pieces.shape().lanes;
+    work_ = work_of_a_look + 2 * count * std::min(count, pieces::most_squared) * pieces.shape().lanes;
 }
 
 void PatchSearch::spend() {

@@ -52,7 +52,7 @@ std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix,
     for (int64_t j = 0; j < matrix.size(); ++j) {
         const int64_t first = matrix.starts[static_cast<size_t>(j)],
                       end = matrix.starts[static_cast<size_t>(j) + 1];
-        count_work(12 * width * (end - first));
+        count_work(24 * width * (end - first));
         DoubleDouble *const out = y.data() + j * width;
         for (int64_t p = first; p < end; ++p) {
             const DoubleDouble value = matrix.values[static_cast<size_t>(p)];

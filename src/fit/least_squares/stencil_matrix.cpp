@@ -51,6 +51,8 @@ struct Element {
     auto operator<=>(const Element &) const = default;
 };
 
+constexpr int64_t work_of_a_sort = 128; // of an element
+
 struct Elements {
     std::vector<size_t> starts; // of columns
     std::vector<Element> all;
@@ -89,6 +91,7 @@ ColumnsOf<DoubleDouble> StencilMatrix::columns(const std::vector<int64_t> &order
     result.rows.reserve(elements.all.size());
     result.values.reserve(elements.all.size());
     result.starts.push_back(0);
+    count_work(work_of_a_sort * std::ssize(elements.all));
     for (size_t j = 0; j < order.size(); ++j) {
         const std::span column =
             std::span(elements.all).subspan(elements.starts[j], elements.starts[j + 1] - elements.starts[j]);

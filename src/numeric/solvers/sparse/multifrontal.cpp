@@ -130,7 +130,7 @@ private:
         for (const int32_t child : children_[at(s)]) {
             add_update(child);
         }
-        count_work(front_.size() * front_.size() / 4);
+        count_work(front_.size() * front_.size());
     }
 
     void add_update(int32_t child) {
@@ -144,12 +144,13 @@ private:
                 target[place_[at(rows[at(i)])]] += from[i];
             }
         }
-        count_work(size * size / 2);
+        count_work(size * size);
         update = std::vector<double>(); // which gives its memory back
     }
 
     void keep_update(int64_t s) {
         const int64_t columns = supernodes_.columns(s), size = front_.size() - columns;
+        count_work(size * size);
         std::vector<double> &update = updates_[at(s)];
         update.reserve(at(size * size));
         for (int64_t j = 0; j < size; ++j) {
