@@ -121,18 +121,21 @@ private:
         if (near != nullptr) {
             const Point2 guess = covering_.in_domain({near[0], near[1]});
             const closest::Foot foot = locator_.local(point, guess.data());
-            if (foot.distance <= precision_ / 4) {
+            if (foot.distance <= std::max(precision_ / 4, 2 * least_off_)) {
                 return foot;
             }
         }
-        return locator_.nearest({point, nullptr, precision_ / 16, budget_, false, true});
+        const closest::Foot foot = locator_.nearest({point, nullptr, precision_ / 16, budget_, false, true});
+        least_off_ = std::max(least_off_, foot.distance);
+        return foot;
     }
 
     const Spline &surface_;
     const Covering &covering_;
     const Spline &edge_;
     double tolerance_, precision_;
-    mutable double off_ = 0; // the largest distance of a place of the edge from the surface
+    mutable double off_ = 0;       // the largest distance of a place of the edge from the surface
+    mutable double least_off_ = 0; // of those than which no other part of the surface is nearer
     int64_t budget_;
     const closest::Locator &locator_;
 };
