@@ -127,20 +127,25 @@ Point2 TrimPieces::point(const TrimPiece &piece, double place) const noexcept {
     return jet(piece, place).point;
 }
 
+// Newton's method, halving where it leaves what is left or does not halve it; until steps are lost in rounding.
 double TrimPieces::place_of(const TrimPiece &piece, int k, double value) const noexcept {
     const auto at = static_cast<size_t>(k);
     const bool rising = piece.start[at] < piece.end[at];
     double from = 0, to = 1;
+    double place = std::clamp((value - piece.start[at]) / (piece.end[at] - piece.start[at]), 0.0, 1.0);
     for (;;) {
-        const double middle = from + (to - from) / 2;
+        const double middle = from + (to - from) / 2, size = to - from;
         if (!(from < middle && middle < to)) {
             return middle;
         }
-        const double x = point(piece, middle)[at];
-        if (x == value) {
-            return middle;
+        place = from < place && place < to ? place : middle;
+        const Jet jet = this->jet(piece, place);
+        const double step = (value - jet.point[at]) / jet.derivative[at], next = place + step;
+        if (jet.point[at] == value || next == place) {
+            return place;
         }
-        ((x < value) == rising ? from : to) = middle;
+        ((jet.point[at] < value) == rising ? from : to) = place;
+        place = to - from <= size / 2 || std::abs(step) < size / 4 ? next : from + (to - from) / 2;
     }
 }
 
