@@ -164,13 +164,16 @@ std::optional<PassedSums> TrimMap::sums_left_of(int32_t loop) const {
     return std::nullopt;
 }
 
+// The pieces of a loop follow one another.
 std::vector<size_t> TrimMap::longest_pieces(int32_t loop, size_t k) const {
     const auto &all = pieces_.all();
+    const auto first = std::lower_bound(all.begin(), all.end(), loop,
+                                        [](const TrimPiece &piece, int32_t i) { return piece.loop < i; });
     std::vector<size_t> own;
-    for (size_t i = 0; i < all.size(); ++i) {
-        const bool column = all[i].lower[0] == all[i].upper[0];
-        if (all[i].loop == loop && column == (k == 1) && all[i].lower[k] < all[i].upper[k]) {
-            own.push_back(i);
+    for (auto piece = first; piece != all.end() && piece->loop == loop; ++piece) {
+        const bool column = piece->lower[0] == piece->upper[0];
+        if (column == (k == 1) && piece->lower[k] < piece->upper[k]) {
+            own.push_back(static_cast<size_t>(piece - all.begin()));
         }
     }
     const auto length = [&](size_t i) { return all[i].upper[k] - all[i].lower[k]; };
