@@ -107,10 +107,19 @@ private:
         const int64_t first = groups_[0].place[member_] + own(0) - a, end = groups_[last].place[member_] + b;
         sums_.assign(static_cast<size_t>(foreign) + 1, {});
         sums_[0][0] = DoubleDouble(1);
+        const auto most_of = [&](int i) {
+            const int used = used_of(i, a, b);
+            return used < own(i) ? 0 : copies(i) - used;
+        };
+        int least = foreign, reached = 0; // what rows that end with all foreign arguments have by now
         for (int i = 0; i <= last; ++i) {
-            const int used = i == 0 ? a : i == last ? b : own(i);
-            const int most = used < own(i) ? 0 : copies(i) - used;
-            take(i, used, most, knots + first, knots + end);
+            least -= most_of(i);
+        }
+        for (int i = 0; i <= last; ++i) {
+            const int most = most_of(i);
+            take(i, used_of(i, a, b), most, {least, reached}, knots + first, knots + end);
+            least += most;
+            reached = std::min(reached + most, foreign);
         }
         count_work(int64_t{16} * window_.size * (foreign + 1) * (foreign + 1));
         Row row{first - foreign - 1 - joint_.members_[member_].shift, foreign + 1, {}};
@@ -118,24 +127,34 @@ private:
         return row;
     }
 
+    // Copies of knot i that are knots of the member.
+    [[nodiscard]] int used_of(int i, int a, int b) const noexcept {
+        return i == 0 ? a : i == window_.size - 1 ? b : own(i);
+    }
+
+    // How many foreign arguments a row may have: `least`, if others are to follow, and no more than were there.
+    struct Foreign {
+        int least, reached;
+    };
     // Up to `most` more copies of knot i, beside those used as knots of the member.
-    void take(int i, int used, int most, const double *first, const double *end) {
+    void take(int i, int used, int most, Foreign now, const double *first, const double *end) {
         const int foreign = static_cast<int>(sums_.size()) - 1;
-        std::vector<std::array<DoubleDouble, max_basis>> next(sums_.size());
-        for (int d = 0; d <= foreign; ++d) {
-            auto sum = sums_[static_cast<size_t>(d)];
+        next_.assign(sums_.size(), {});
+        for (int d = std::max(now.least, 0); d <= now.reached; ++d) {
+            std::array<DoubleDouble, max_basis> sum;
+            std::copy_n(sums_[static_cast<size_t>(d)].begin(), d + 1, sum.begin());
             for (int more = 0; more <= std::min(most, foreign - d); ++more) {
                 if (more > 0) {
                     append_exactly(first, end, d + more, groups_[i].knot, sum.data());
                 }
-                auto &target = next[static_cast<size_t>(d + more)];
+                auto &target = next_[static_cast<size_t>(d + more)];
                 const DoubleDouble ways(binomial(copies(i), used + more));
                 for (size_t r = 0; r <= static_cast<size_t>(d + more); ++r) {
                     target[r] = target[r] + ways * sum[r];
                 }
             }
         }
-        sums_ = std::move(next);
+        sums_.swap(next_);
     }
 
     const CommonKnots &joint_;
@@ -143,7 +162,7 @@ private:
     const Window &window_;
     const Group *groups_;
     int degree_;
-    std::vector<std::array<DoubleDouble, max_basis>> sums_; // by the number of foreign arguments
+    std::vector<std::array<DoubleDouble, max_basis>> sums_, next_; // by the number of foreign arguments
 };
 
 int64_t CommonKnots::mean_by_knots(int member, const Window &window,
