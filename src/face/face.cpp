@@ -99,7 +99,8 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
         loops_ = natural_loops(covering_);
         parts.as_oriented = true;
     }
-    make_curves(parts.precision > 0 ? parts.precision : share_of_fit * tolerance_, parts.prove);
+    make_curves({tolerance_, parts.precision > 0 ? parts.precision : share_of_fit * tolerance_, parts.prove,
+                 parts.nearest});
     const TrimPieces plane = pieces(gaps, parts.keep_gaps);
     const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
     trims_ = std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, !parts.as_oriented);
@@ -111,22 +112,22 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
 }
 
 // Errors say which edge they are about.
-MadeCurve Face::named_curve_under(const SplinePtr &edge, size_t loop, size_t index, double precision,
-                                  bool prove) const {
+MadeCurve Face::named_curve_under(const SplinePtr &edge, size_t loop, size_t index,
+                                  const UnderRule &rule) const {
     try {
-        return curve_under(surface_, covering_, edge, {tolerance_, precision, prove});
+        return curve_under(surface_, covering_, edge, rule);
     } catch (const Error &error) {
         fail(error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
     }
 }
 
 // Those that are missing, in the direction of their loop.
-void Face::make_curves(double precision, bool prove) {
+void Face::make_curves(const UnderRule &rule) {
     for (size_t i = 0; i < loops_.size(); ++i) {
         for (size_t j = 0; j < loops_[i].size(); ++j) {
             Coedge &coedge = loops_[i][j];
             if (coedge.curve == nullptr) {
-                const MadeCurve made = named_curve_under(coedge.edge, i, j, precision, prove);
+                const MadeCurve made = named_curve_under(coedge.edge, i, j, rule);
                 coedge.curve = coedge.against ? refine::reverse(*made.curve, 0, false) : made.curve;
                 if (made.proven) {
                     coedge.deviation = {made.distance, true};

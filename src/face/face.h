@@ -5,6 +5,7 @@
 #include "base/records.h"
 #include "face/loop.h"
 #include "face/made/curve_under.h"
+#include "face/nearest_place.h"
 #include "face/trims/trim_map.h"
 
 #include <memory>
@@ -24,6 +25,7 @@ struct FaceParts {
     double precision = 0;
     bool prove =
         true; // that curves which are made are within the tolerance; else deviation_of() proves it later
+    NearestPlace nearest{}; // of the surface, if it is known
 };
 
 // Immutable: any number of threads may ask at once.
@@ -46,8 +48,8 @@ public:
 
 private:
     [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index,
-                                              double precision, bool prove) const;
-    void make_curves(double precision, bool prove);
+                                              const UnderRule &rule) const;
+    void make_curves(const UnderRule &rule);
     [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep);
 
     SplinePtr surface_;

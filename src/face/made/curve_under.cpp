@@ -72,18 +72,16 @@ int64_t spans_between(const Spline &surface, const Covering &covering, const dou
 class Projection : public CurveModel {
 public:
     Projection(const Spline &surface, const Covering &covering, const Spline &edge, const UnderRule &rule)
-        : surface_(surface), covering_(covering), edge_(edge), tolerance_(rule.tolerance),
-          precision_(rule.precision), budget_(closest::usual_budget(surface)),
-          locator_(closest::locator_of(surface)) {}
+        : surface_(surface), covering_(covering), edge_(edge), rule_(rule) {}
 
     [[nodiscard]] int dim() const noexcept override { return 2; }
     void place(double t, const double *near, double *out) const override {
         const std::vector<double> point = points_at(edge_, {&t, 1});
         const closest::Foot foot = foot_of(point.data(), near);
-        if (!(foot.distance <= tolerance_)) {
+        if (!(foot.distance <= rule_.tolerance)) {
             fail(Status::gap,
                  "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
-                 Number(foot.distance).text, Number(t).text, Number(tolerance_).text);
+                 Number(foot.distance).text, Number(t).text, Number(rule_.tolerance).text);
         }
         off_ = std::max(off_, foot.distance);
         Point2 x{foot.params[0], foot.params[1]};
@@ -113,19 +111,33 @@ public:
 private:
     // Along a pole one parameter is as good as another.
     [[nodiscard]] int open_at(const double *point) const {
-        const Covering::Pole pole = covering_.pole_near(point, tolerance_);
+        const Covering::Pole pole = covering_.pole_near(point, rule_.tolerance);
         return pole.axis < 0 ? -1 : 1 - pole.axis;
     }
-    // Near the neighbour first: the surface may come near itself.
     [[nodiscard]] closest::Foot foot_of(const double *point, const double *near) const {
-        if (near != nullptr) {
-            const Point2 guess = covering_.in_domain({near[0], near[1]});
-            const closest::Foot foot = locator_.local(point, guess.data());
-            if (foot.distance <= std::max(precision_ / 4, 2 * least_off_)) {
+        if (rule_.nearest) {
+            closest::Foot foot;
+            const Point2 x = rule_.nearest(point);
+            std::copy(x.begin(), x.end(), foot.params.begin());
+            foot.distance = distance(point_at(surface_, x).data(), point, edge_.dim());
+            if (foot.distance <= rule_.tolerance) {
                 return foot;
             }
         }
-        const closest::Foot foot = locator_.nearest({point, nullptr, precision_ / 16, budget_, false, true});
+        return searched_foot(point, near);
+    }
+    // Near the neighbour first: the surface may come near itself.
+    [[nodiscard]] closest::Foot searched_foot(const double *point, const double *near) const {
+        const closest::Locator &locator = closest::locator_of(surface_);
+        if (near != nullptr) {
+            const Point2 guess = covering_.in_domain({near[0], near[1]});
+            const closest::Foot foot = locator.local(point, guess.data());
+            if (foot.distance <= std::max(rule_.precision / 4, 2 * least_off_)) {
+                return foot;
+            }
+        }
+        const closest::Foot foot = locator.nearest(
+            {point, nullptr, rule_.precision / 16, closest::usual_budget(surface_), false, true});
         least_off_ = std::max(least_off_, foot.distance);
         return foot;
     }
@@ -133,11 +145,9 @@ private:
     const Spline &surface_;
     const Covering &covering_;
     const Spline &edge_;
-    double tolerance_, precision_;
+    const UnderRule &rule_;
     mutable double off_ = 0;       // the largest distance of a place of the edge from the surface
     mutable double least_off_ = 0; // of those than which no other part of the surface is nearer
-    int64_t budget_;
-    const closest::Locator &locator_;
 };
 
 // The points over a curve.

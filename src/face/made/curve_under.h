@@ -3,6 +3,7 @@
 #pragma once
 
 #include "face/covering.h"
+#include "face/nearest_place.h"
 #include "spline/spline.h"
 
 namespace nrb::face {
@@ -23,6 +24,7 @@ struct UnderRule {
     double tolerance;
     double precision;
     bool prove;
+    NearestPlace nearest{}; // of the surface, if it is known
 };
 
 // The curve in the plane that covers the domain which the surface maps to an edge. On a bilinear surface that is a plane

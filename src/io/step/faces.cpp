@@ -7,6 +7,7 @@
 #include "eval/evaluate.h"
 #include "io/step/boundary.h"
 #include "model/shapes/curve_spline.h"
+#include "model/shapes/nearest_place.h"
 #include "model/shapes/surface_spline.h"
 #include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
@@ -77,6 +78,7 @@ public:
                       source.against);
         }
         source.parts.surface = spline_of(*source.shape);
+        source.parts.nearest = model::nearest_place(*source.shape, source.parts.surface);
         if (source.shape->kind == model::SurfaceKind::spline) {
             add_parameter_curves(*source.parts.surface);
         }
