@@ -45,9 +45,8 @@ static void pin_write_options(void) {
         return;
     }
     PIN((size_t)options.struct_size, 24);
-    PIN((size_t)options.max_bytes, (size_t)1 << 30);
-    if (options.unit != 0) {
-        fprintf(stderr, "unit is not 0 by default\n");
+    if (options.unit != 0 || options.tolerance != 0) {
+        fprintf(stderr, "unit and tolerance are not 0 by default\n");
         ++failures;
     }
 }

@@ -32,11 +32,11 @@ Returned<std::vector<std::byte>> bytes_of(Write &&write, const Handle *handle) {
 template <class Write, class Handle, class... More>
 Returned<std::vector<std::byte>> file_of(Write &&write, const Handle *handle, std::int32_t format,
                                          const nurbs_write_options *options, const More &...more) {
-    return bytes_of(
-        [&](const Handle *given, std::int64_t cap, void *bytes, std::int64_t *length) {
-            return write(given, format, options, cap, bytes, length, more...);
-        },
-        handle);
+    std::int64_t length = 0;
+    call(write, handle, format, options, std::int64_t{0}, nullptr, &length, more...);
+    std::vector<std::byte> bytes(static_cast<std::size_t>(length));
+    call(write, handle, format, options, length, bytes.data(), nullptr, more...);
+    return bytes;
 }
 
 /// A handle that is copied in constant time and freed by its destructor.
