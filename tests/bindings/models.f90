@@ -42,7 +42,6 @@ contains
         type(nurbs_write_options) :: options
         type(nurbs_model) :: again
         type(nurbs_list) :: splines, list
-        real(c_double) :: metres
         call default_write_options(options)
         call model%write(NURBS_FORMAT_STEP, bytes, options)
         call again%read(bytes)
@@ -54,8 +53,7 @@ contains
         call model%splines(splines)
         call splines%write(NURBS_FORMAT_STEP, bytes, options)
         call list%read(bytes)
-        call list%unit(metres)
-        call expect(near([metres], [1d0]), 'the unit of the file')
+        call expect(near([list%unit()], [1d0]), 'the unit of the file')
         call splines%write_file('models_fortran.step', NURBS_FORMAT_STEP, options)
         call model%write(99, bytes, status=code)
         call expect(code == NURBS_ERROR_FORMAT .and. len(bytes) == 0, 'no such format')
