@@ -6750,12 +6750,12 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
 /** @} */
 
 /** \brief Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
- * are only ever appended, and struct_size is at most 4096. */
+ * are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one of
+ * its faces, since readers take more where edges need it, and 1e-7 metres if it has none. */
 typedef struct nurbs_write_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
-    double unit;         /**< unit of the file in metres; 0 keeps the model's own, 0.001 (millimetres) if it has none */
-    double tolerance;    /**< distances that count as none, in units of the file; 0: the least tolerance of the faces of
-                              each part (readers take more where edges need it), 1e-7 metres without faces */
+    double unit;         /**< unit of the file in metres; 0: that of the model, millimetres if it has none */
+    double tolerance;    /**< distance that counts as none, in units of the file; 0: that of the faces */
 } nurbs_write_options;
 
 /** \brief Fills an options struct with the defaults.

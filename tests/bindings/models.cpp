@@ -34,7 +34,8 @@ static void copies(const Model &model) {
 // The same again of what is written, to memory and to a file.
 static void written(const Model &model) {
     WriteOptions options;
-    const std::vector<std::byte> bytes = model.write(format_step), again = model.write(format_step, options, {});
+    const std::vector<std::byte> bytes = model.write(format_step),
+                                 again = model.write(format_step, options, {});
     EXPECT(bytes.size() > 1000 && bytes == again);
     is_the_bushing(Model::read(bytes));
     model.write_file("models_cpp.step", format_step);

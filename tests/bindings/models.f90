@@ -55,6 +55,8 @@ contains
         call list%read(bytes)
         call expect(near([list%unit()], [1d0]), 'the unit of the file')
         call splines%write_file('models_fortran.step', NURBS_FORMAT_STEP, options)
+        call model%write(NURBS_FORMAT_STEP, bytes, status=code, call=nurbs_call(work=1))
+        call expect(code == NURBS_ERROR_WORK, 'a limit of work')
         call model%write(99, bytes, status=code)
         call expect(code == NURBS_ERROR_FORMAT .and. len(bytes) == 0, 'no such format')
         call model%write_file('/no/such/file', NURBS_FORMAT_STEP, status=code)

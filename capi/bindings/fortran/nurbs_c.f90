@@ -189,13 +189,12 @@ module nurbs_c
     end type nurbs_read_options
 
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
-    !> are only ever appended, and struct_size is at most 4096.
+    !> are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least
+    !> one of its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
     type, bind(c) :: nurbs_write_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        ! unit of the file in metres; 0 keeps the model's own, 0.001 (millimetres) if it has none
-        real(c_double) :: unit
-        ! distances that count as none, in units of the file; 0: the least tolerance of the faces of each part
-        ! (readers take more where edges need it), 1e-7 metres without faces
+        real(c_double) :: unit  ! unit of the file in metres; 0: that of the model, millimetres if it has none
+        ! distance that counts as none, in units of the file; 0: that of the faces
         real(c_double) :: tolerance
     end type nurbs_write_options
 

@@ -5,10 +5,12 @@ module nurbs_handles
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
-        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, nurbs_model_clone, &
-        nurbs_model_destroy, nurbs_model_write, nurbs_read_options, nurbs_read_options_init, &
+        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, nurbs_list_write_with, &
+        nurbs_model_clone, nurbs_model_destroy, nurbs_model_write, nurbs_model_write_with, nurbs_read_options, &
+        nurbs_read_options_init, &
         nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, nurbs_to_bytes, &
         nurbs_write_options, nurbs_write_options_init
+    use nurbs_calls, only: nurbs_call, watched
     use nurbs_support
     implicit none
     private
@@ -363,35 +365,61 @@ contains
     end subroutine list_to_bytes
 
     !> The contents of a file that holds the splines: of a format such as NURBS_FORMAT_STEP.
-    subroutine write_list(this, format, bytes, options, status)
+    subroutine write_list(this, format, bytes, options, status, call)
         class(nurbs_list_handle), intent(in) :: this
         integer(c_int32_t), intent(in) :: format
         character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
         type(nurbs_write_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int64_t) :: length
         integer(c_int32_t) :: code
         length = 0
-        code = nurbs_list_write(this%handle, format, options, 0_c_int64_t, c_null_ptr, length)
+        code = written(0_c_int64_t, c_null_ptr)
         allocate (character(kind=c_char, len=length) :: bytes)
-        if (code == NURBS_OK) code = nurbs_list_write(this%handle, format, options, length, c_loc(bytes))
+        if (code == NURBS_OK) code = written(length, c_loc(bytes))
         call settle(code, status)
+
+    contains
+
+        integer(c_int32_t) function written(cap, place)
+            integer(c_int64_t), intent(in) :: cap
+            type(c_ptr), intent(in) :: place
+            if (present(call)) then
+                written = nurbs_list_write_with(this%handle, format, options, cap, place, length, watched(call))
+            else
+                written = nurbs_list_write(this%handle, format, options, cap, place, length)
+            end if
+        end function written
     end subroutine write_list
 
     !> The contents of a file that holds the model: of a format such as NURBS_FORMAT_STEP.
-    subroutine write_model(this, format, bytes, options, status)
+    subroutine write_model(this, format, bytes, options, status, call)
         class(nurbs_model_handle), intent(in) :: this
         integer(c_int32_t), intent(in) :: format
         character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
         type(nurbs_write_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
         integer(c_int64_t) :: length
         integer(c_int32_t) :: code
         length = 0
-        code = nurbs_model_write(this%handle, format, options, 0_c_int64_t, c_null_ptr, length)
+        code = written(0_c_int64_t, c_null_ptr)
         allocate (character(kind=c_char, len=length) :: bytes)
-        if (code == NURBS_OK) code = nurbs_model_write(this%handle, format, options, length, c_loc(bytes))
+        if (code == NURBS_OK) code = written(length, c_loc(bytes))
         call settle(code, status)
+
+    contains
+
+        integer(c_int32_t) function written(cap, place)
+            integer(c_int64_t), intent(in) :: cap
+            type(c_ptr), intent(in) :: place
+            if (present(call)) then
+                written = nurbs_model_write_with(this%handle, format, options, cap, place, length, watched(call))
+            else
+                written = nurbs_model_write(this%handle, format, options, cap, place, length)
+            end if
+        end function written
     end subroutine write_model
 
     impure elemental subroutine refuse_copy(this, other)

@@ -47,7 +47,7 @@ ALL = """\
 ! {notice}
 ! All modules in the order in which a compiler needs them, for programs that are built without CMake.
 """
-BY_HAND = ["constants", "c", "support", "handles"]
+BY_HAND = ["constants", "c", "calls", "support", "handles"]
 
 
 def module(modules, notice, watched):
@@ -69,6 +69,6 @@ def only(module):
 
 
 def includes(modules, notice, watched):
-    by_hand = BY_HAND + ["calls"] * watched
+    by_hand = [name for name in BY_HAND if watched or name != "calls"]
     names = [f"nurbs_{name}" for name in (*by_hand, *(module.name for module in modules))] + ["nurbs"]
     return ALL.format(notice=notice) + "".join(f"include '{name}.f90'\n" for name in names)

@@ -348,16 +348,16 @@ pub struct nurbs_read_options {
 }
 
 /// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
-/// only ever appended, and struct_size is at most 4096.
+/// only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one of
+/// its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_write_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// unit of the file in metres; 0 keeps the model's own, 0.001 (millimetres) if it has none
+    /// unit of the file in metres; 0: that of the model, millimetres if it has none
     pub unit: f64,
-    /// distances that count as none, in units of the file; 0: the least tolerance of the faces of each part
-    /// (readers take more where edges need it), 1e-7 metres without faces
+    /// distance that counts as none, in units of the file; 0: that of the faces
     pub tolerance: f64,
 }
 
