@@ -63,10 +63,10 @@ std::string solid_path() {
     return written("smoke_calls_cpp.solid", solid);
 }
 
-const std::string written = R"(an older file
+const std::string replaced = R"(an older file
 )";
-std::string written_path() {
-    return written("smoke_calls_cpp.written", written);
+std::string replaced_path() {
+    return written("smoke_calls_cpp.replaced", replaced);
 }
 
 constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0, 192, 0, 0, 0, 0, 0, 0, 0, 114, 160, 102, 241, 94, 129, 142, 24, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -739,19 +739,19 @@ void data(const Inputs &in) {
     by_hand("model_write in inches");
     {
         begin("model_write_file");
-        in.model.write_file(written_path(), 1);
+        in.model.write_file(replaced_path(), 1);
     }
     {
         begin("model_write_file in inches");
         n::WriteOptions options;
         options.unit = 0.0254;
-        in.model.write_file(written_path(), 1, options);
+        in.model.write_file(replaced_path(), 1, options);
     }
     by_hand("list_write");
     {
         begin("list_write_file");
         const n::List edges = n::boundaries(in.surface);
-        edges.write_file(written_path(), 1);
+        edges.write_file(replaced_path(), 1);
     }
     {
         begin("read_with");
@@ -938,19 +938,19 @@ void data(const Inputs &in) {
     by_hand("model_write_with in inches");
     {
         begin("model_write_file_with");
-        in.model.write_file(written_path(), 1, {}, watched());
+        in.model.write_file(replaced_path(), 1, {}, watched());
     }
     {
         begin("model_write_file_with in inches");
         n::WriteOptions options;
         options.unit = 0.0254;
-        in.model.write_file(written_path(), 1, options, watched());
+        in.model.write_file(replaced_path(), 1, options, watched());
     }
     by_hand("list_write_with");
     {
         begin("list_write_file_with");
         const n::List edges = n::boundaries(in.surface);
-        edges.write_file(written_path(), 1, {}, watched());
+        edges.write_file(replaced_path(), 1, {}, watched());
     }
 }
 

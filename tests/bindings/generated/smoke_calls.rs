@@ -58,7 +58,7 @@ ENDSEC;
 END-ISO-10303-21;
 "#;
 
-const WRITTEN: &str = r#"an older file
+const REPLACED: &str = r#"an older file
 "#;
 
 const NO_DATA: &[u8] = &[
@@ -1197,12 +1197,12 @@ fn data(given: &Given) -> nurbs::Result<()> {
     {
         given
             .model
-            .write_file(written("smoke_calls_rust.written", WRITTEN), 1, None)?;
+            .write_file(written("smoke_calls_rust.replaced", REPLACED), 1, None)?;
     }
     begin("model_write_file in inches");
     {
         given.model.write_file(
-            written("smoke_calls_rust.written", WRITTEN),
+            written("smoke_calls_rust.replaced", REPLACED),
             1,
             Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
         )?;
@@ -1211,7 +1211,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("list_write_file");
     {
         let edges = given.surface.boundaries()?;
-        edges.write_file(written("smoke_calls_rust.written", WRITTEN), 1, None)?;
+        edges.write_file(written("smoke_calls_rust.replaced", REPLACED), 1, None)?;
     }
     begin("read_with");
     {
@@ -1496,7 +1496,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("model_write_file_with");
     {
         given.model.write_file_with(
-            written("smoke_calls_rust.written", WRITTEN),
+            written("smoke_calls_rust.replaced", REPLACED),
             1,
             None,
             &mut Call::new().progress(|_| true),
@@ -1505,7 +1505,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("model_write_file_with in inches");
     {
         given.model.write_file_with(
-            written("smoke_calls_rust.written", WRITTEN),
+            written("smoke_calls_rust.replaced", REPLACED),
             1,
             Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
             &mut Call::new().progress(|_| true),
@@ -1516,7 +1516,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     {
         let edges = given.surface.boundaries()?;
         edges.write_file_with(
-            written("smoke_calls_rust.written", WRITTEN),
+            written("smoke_calls_rust.replaced", REPLACED),
             1,
             None,
             &mut Call::new().progress(|_| true),

@@ -121,7 +121,7 @@ private:
 
 // The files that nurbs_read_file() and nurbs_read_model_file() are called for, and one to be written over; each program writes its
 // own, by names that begin alike.
-extern const char *file_path, *solid_path, *written_path;
+extern const char *file_path, *solid_path, *replaced_path;
 bool write_files(const char *path);
 void remove_files();
 

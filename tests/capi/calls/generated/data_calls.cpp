@@ -787,14 +787,14 @@ const Call group[] = {
      }},
     {"model_write_file",
      [](const Inputs &in, Output &) -> nurbs_status {
-         return nurbs_model_write_file(in.model, written_path, 1, nullptr);
+         return nurbs_model_write_file(in.model, replaced_path, 1, nullptr);
      }},
     {"model_write_file in inches",
      [](const Inputs &in, Output &) -> nurbs_status {
          nurbs_write_options options;
          (void)nurbs_write_options_init(&options, sizeof options);
          options.unit = 0.0254;
-         return nurbs_model_write_file(in.model, written_path, 1, &options);
+         return nurbs_model_write_file(in.model, replaced_path, 1, &options);
      }},
     {"list_write",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -810,7 +810,7 @@ const Call group[] = {
          if (made_edges.status() != NURBS_OK) {
              return made_edges.status();
          }
-         return nurbs_list_write_file(made_edges, written_path, 1, nullptr);
+         return nurbs_list_write_file(made_edges, replaced_path, 1, nullptr);
      }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
@@ -1099,7 +1099,7 @@ const Call group[] = {
      [](const Inputs &in, Output &) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_model_write_file_with(in.model, written_path, 1, nullptr, &call);
+         return nurbs_model_write_file_with(in.model, replaced_path, 1, nullptr, &call);
      }},
     {"model_write_file_with in inches",
      [](const Inputs &in, Output &) -> nurbs_status {
@@ -1108,7 +1108,7 @@ const Call group[] = {
          options.unit = 0.0254;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_model_write_file_with(in.model, written_path, 1, &options, &call);
+         return nurbs_model_write_file_with(in.model, replaced_path, 1, &options, &call);
      }},
     {"list_write_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1128,7 +1128,7 @@ const Call group[] = {
          }
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_list_write_file_with(made_edges, written_path, 1, nullptr, &call);
+         return nurbs_list_write_file_with(made_edges, replaced_path, 1, nullptr, &call);
      }},
 };
 
