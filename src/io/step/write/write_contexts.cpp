@@ -3,9 +3,6 @@
 
 #include "io/step/units.h"
 
-#include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace nrb::io::step {
@@ -32,21 +29,6 @@ std::string_view name_of_unit(double metres) noexcept {
         }
     }
     return "UNIT OF LENGTH";
-}
-
-// What is read as this uncertainty: it goes through metres and back, which rounds.
-double stated(double uncertainty, double metres) noexcept {
-    double value = uncertainty;
-    for (const double to : {0.0, std::numeric_limits<double>::infinity()}) {
-        value = uncertainty;
-        for (int i = 0; i < 3; ++i) {
-            if (value * metres / metres == uncertainty) {
-                return value;
-            }
-            value = std::nextafter(value, to);
-        }
-    }
-    return uncertainty;
 }
 
 } // namespace
@@ -88,7 +70,7 @@ int64_t ContextWriter::context(double uncertainty) {
         return known->second;
     }
     const int64_t least[] = {text_.add("UNCERTAINTY_MEASURE_WITH_UNIT",
-                                       Measure{"LENGTH_MEASURE", stated(uncertainty, metres_)}, Ref{length_},
+                                       Measure{"LENGTH_MEASURE", uncertainty}, Ref{length_},
                                        Text{"distance_accuracy_value"}, no_name)};
     const int64_t units[] = {length_, angle_, solid_angle_};
     known->second = text_.begin_complex();

@@ -245,6 +245,33 @@ TEST(StepWriteModel, TolerancesAreStated) {
     expect_again(again);
 }
 
+// But for the rounding of readers, which convert them to metres and back; what has been read is read again.
+TEST(StepWriteModel, StatedTolerancesAreRead) {
+    const model::Model cube = io::read_model(step_cube(), {});
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> some(0.01, 0.1);
+    for (int i = 0; i < 50; ++i) {
+        const double tolerance = some(random), unit = i % 2 == 0 ? 0.001 : 0.0123;
+        const model::Model again = io::read_model(written(cube, {unit, tolerance}), {});
+        EXPECT_NEAR(again.faces[0].face->tolerance(), tolerance, 0x1p-52 * tolerance);
+        expect_again(again);
+    }
+}
+
+// A cone without a seam has its apex as a vertex, without which readers would not know how far it goes.
+TEST(StepWriteModel, TheApexOfAConeIsAVertex) {
+    SolidBuilder file;
+    const std::string rim = file.vertex("3.,0.,0."), apex = file.vertex("0.,0.,-4.");
+    const std::string circle = file.curve_edge(rim, rim, file.circle(file.level("0."), "3."));
+    const std::string cone = file.add("CONICAL_SURFACE(''," + file.level("0.") + ",3.,0.6435011087932844)");
+    const std::string tip = file.add("VERTEX_LOOP(''," + apex + ")");
+    const std::string text = file.solid({file.bounded_face(cone, {{{{circle, ".F."}}}, {{}, ".T.", tip}})});
+    const model::Model model = io::read_model(text, {});
+    ASSERT_EQ(model.faces.size(), 1U);
+    EXPECT_EQ(count(written(model), "=VERTEX_LOOP("), 1);
+    expect_again(model);
+}
+
 // However the file ends, it is none.
 TEST(StepWriteModel, EveryTruncationIsRefused) {
     const std::string text = written(io::read_model(step_half_torus(), {}));
