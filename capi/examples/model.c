@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Opens a STEP file, lists its faces with their areas, and takes the first one apart. model.py does the same.
+/* Opens a STEP file, lists its faces with their areas, takes the first one apart, and writes a copy in inches. model.py
+ * does the same.
  * Compile: cc -std=c99 model.c $(pkg-config --cflags --libs nurbs) -o model */
 #include <nurbs/nurbs.h>
 
@@ -69,12 +70,19 @@ static void take_apart(const nurbs_model *model, const nurbs_face *face) {
     }
 }
 
+static void write_copy(const nurbs_model *model, const char *path) {
+    nurbs_write_options options;
+    check(nurbs_write_options_init(&options, (int64_t)sizeof options));
+    options.unit = 0.0254;
+    check(nurbs_model_write_file(model, path, NURBS_FORMAT_STEP, &options));
+}
+
 int main(int argc, char **argv) {
     nurbs_model *model = NULL;
     nurbs_face *first;
     int64_t faces = 0, edges = 0, vertices = 0;
-    if (argc != 2) {
-        fprintf(stderr, "usage: model FILE.step\n");
+    if (argc != 2 && argc != 3) {
+        fprintf(stderr, "usage: model FILE.step [COPY.step]\n");
         return 2;
     }
     check(nurbs_read_model_file(argv[1], NULL, &model));
@@ -84,6 +92,9 @@ int main(int argc, char **argv) {
     first = face_of(model, 0);
     take_apart(model, first);
     nurbs_face_destroy(first);
+    if (argc == 3) {
+        write_copy(model, argv[2]);
+    }
     nurbs_model_destroy(model);
     return 0;
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Opens a STEP file, lists its faces with their areas, and takes the first one apart.
+"""Opens a STEP file, lists its faces with their areas, takes the first one apart, and writes a copy in inches.
 
-usage: model.py [FILE.step]
+usage: model.py [FILE.step [COPY.step]]
 """
 
 import pathlib
@@ -21,3 +21,5 @@ for loop, size in enumerate(face.loops):
         curve, key = face.edge(loop, index)
         users = " and ".join(model.faces[use.face].name for use in model.edges[abs(key) - 1].uses)
         print(f"loop {loop}, edge {abs(key)}: length {curve.length(1e-9).value:.6f}, of {users}")
+if len(sys.argv) > 2:
+    model.write_file(sys.argv[2], unit=0.0254)

@@ -149,7 +149,7 @@ def struct_type(value, binding):
 
 
 def result_type(method, binding):
-    return pattern_type(method, method.result, binding)
+    return "()" if method.result is None else pattern_type(method, method.result, binding)
 
 
 def pattern_type(method, pattern, binding, in_rows=False):

@@ -154,6 +154,10 @@ class Writer:
         return "&nurbs::ReadOptions::new()?" + "".join(f".{name}({number(of, field.base)})"
                                                       for name, (field, of) in fields.items())
 
+    def nurbs_write_options(self, fields):
+        return "&nurbs::WriteOptions::new()?" + "".join(f".{name}({number(of, field.base)})"
+                                                       for name, (field, of) in fields.items())
+
     def nurbs_fit_options(self, fields):
         rule = fields["smoothing"][1].value
         factor = fields.get("lambda", fields.get("target", (None, Number(0.0))))[1]

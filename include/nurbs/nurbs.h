@@ -6708,6 +6708,155 @@ NURBS_API nurbs_status nurbs_model_use(const nurbs_model *model, int64_t index, 
 NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list **out);
 /** @} */
 
+/** \defgroup write Writing files
+ * \code
+ * nurbs_model *model = NULL;
+ * nurbs_write_options options;
+ * nurbs_write_options_init(&options, sizeof options);
+ * options.unit = 0.0254; // inches, whatever the model has
+ * if (nurbs_read_model_file("part.step", NULL, &model) == NURBS_OK) {
+ *     nurbs_model_write_file(model, "inches.step", NURBS_FORMAT_STEP, &options);
+ * }
+ * nurbs_model_destroy(model);
+ * \endcode
+ * Models and lists of splines as files that other programs read. The same model is the same bytes on every
+ * machine: files name no time, no path and no user.
+ *
+ * **STEP** (ISO 10303-21, AP214). Faces become advanced faces with the edges and vertices that they share, in
+ * solids where every edge is used once in each direction, else in shells; edges that no face uses become
+ * wires, and splines of a model or a list geometric sets. Surfaces and edges that were elementary in a file
+ * are elementary again, all others B-splines. Parts become products, and their uses assemblies; a use that is
+ * a mirror image or a scaling becomes a mapped item; where parts stand in the whole other than each once and
+ * unmoved, the whole becomes one more product. Numbers have all digits that they need, so that
+ * nurbs_read_model() and nurbs_read() give knots, points and weights back bit for bit, and names, colours,
+ * kinds, parts, uses, edges and vertices; not so
+ * - lengths in another unit than that of the model;
+ * - the mark of a periodic axis, whose knots and points stay (nurbs_detect_periodic());
+ * - homogeneous points, which are divided by their weights, and weights that are all equal, which are left out;
+ * - curves in the domains of other surfaces than splines, and those that are not under their edges at equal
+ *   parameters to the tolerance of the file, which readers make anew;
+ * - parametrizations of curves in domains, which become those of their edges;
+ * - blanks around names of faces and splines, and control characters, which become '?'.
+ *
+ * Knots inside of a domain more than `degree` times, and weights of 0, are written as they are: this library
+ * reads them, the standard has no such splines.
+ * @{ */
+
+/** \name Formats of files
+ * For nurbs_model_write() and those like it. \since 1.1
+ * @{ */
+/** \brief STEP: an exchange structure of ISO 10303-21, by AP214 */
+#define NURBS_FORMAT_STEP 1
+/** @} */
+
+/** \brief Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
+ * are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one of
+ * its faces, since readers take more where edges need it, and 1e-7 metres if it has none. */
+typedef struct nurbs_write_options {
+    int64_t struct_size; /**< size of this struct as the caller knows it */
+    double unit;         /**< unit of the file in metres; 0: that of the model, millimetres if it has none */
+    double tolerance;    /**< distance that counts as none, in units of the file; 0: that of the faces */
+} nurbs_write_options;
+
+/** \brief Fills an options struct with the defaults.
+ * \param[out] options the struct.
+ * \param[in] struct_size sizeof(nurbs_write_options).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_write_options_init(nurbs_write_options *options, int64_t struct_size);
+
+/** \brief A model as the contents of a file. To ask how many bytes there are takes as long as to write them.
+ * \param[in] model a model.
+ * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] options or NULL for the defaults: settings.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _OPTIONS, _FORMAT for any other format; _SIZE if cap is
+ *   neither 0 nor enough. Of what the format cannot hold, naming the index: _DIMENSION of splines outside of
+ *   space, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous points whose weights are not
+ *   positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_write(const nurbs_model *model, int32_t format,
+                                         const nurbs_write_options *options, int64_t cap, void *bytes,
+                                         int64_t *length);
+
+/** \brief nurbs_model_write() as a call that can be watched and ended.
+ * \param[in] model,format,options,cap as for nurbs_model_write().
+ * \param[out] bytes,length as for nurbs_model_write().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_write(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_write_with(const nurbs_model *model, int32_t format,
+                                              const nurbs_write_options *options, int64_t cap, void *bytes,
+                                              int64_t *length, const nurbs_call_options *call);
+
+/** \brief Writes a model to a file. The bytes go to a new file in the same folder, which takes the name when they
+ * are on the disk: no other program sees half a file, and a file that had the name is as it was if anything
+ * fails. A link stays, and what it leads to is replaced; devices and pipes are written to.
+ * \param[in] model a model.
+ * \param[in] path file name, zero-terminated, in the system's encoding.
+ * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] options or NULL for the defaults: settings.
+ * \return as for nurbs_model_write() without _COUNT, _OVERLAP, _SIZE, and NURBS_ERROR_FILE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_write_file(const nurbs_model *model, const char *path, int32_t format,
+                                              const nurbs_write_options *options);
+
+/** \brief nurbs_model_write_file() as a call that can be watched and ended.
+ * \param[in] model,path,format,options as for nurbs_model_write_file().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_write_file_with(const nurbs_model *model, const char *path, int32_t format,
+                                                   const nurbs_write_options *options,
+                                                   const nurbs_call_options *call);
+
+/** \brief The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those that
+ * belong to no face, with their names.
+ * \param[in] list a list.
+ * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] options or NULL for the defaults: settings.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return as for nurbs_model_write() without _MATRIX; for a list of parts that are made when they are taken also
+ *   what nurbs_list_get() returns of them.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_write(const nurbs_list *list, int32_t format,
+                                        const nurbs_write_options *options, int64_t cap, void *bytes,
+                                        int64_t *length);
+
+/** \brief nurbs_list_write() as a call that can be watched and ended.
+ * \param[in] list,format,options,cap as for nurbs_list_write().
+ * \param[out] bytes,length as for nurbs_list_write().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_list_write(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_write_with(const nurbs_list *list, int32_t format,
+                                             const nurbs_write_options *options, int64_t cap, void *bytes,
+                                             int64_t *length, const nurbs_call_options *call);
+
+/** \brief Writes the curves and surfaces of a list to a file, as nurbs_model_write_file() does.
+ * \param[in] list a list.
+ * \param[in] path file name, zero-terminated, in the system's encoding.
+ * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] options or NULL for the defaults: settings.
+ * \return as for nurbs_list_write() without _COUNT, _OVERLAP, _SIZE, and NURBS_ERROR_FILE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_write_file(const nurbs_list *list, const char *path, int32_t format,
+                                             const nurbs_write_options *options);
+
+/** \brief nurbs_list_write_file() as a call that can be watched and ended.
+ * \param[in] list,path,format,options as for nurbs_list_write_file().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_list_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const char *path, int32_t format,
+                                                  const nurbs_write_options *options,
+                                                  const nurbs_call_options *call);
+/** @} */
+
 #ifdef __cplusplus
 }
 #endif

@@ -172,11 +172,13 @@ Placement make_placement(int32_t dim, const double *origin, const double *axis, 
     if (dim != 2 && dim != 3) {
         fail(Status::dimension, "dim = %d, expected 2 or 3", dim);
     }
-    Placement place{{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dim, {}, {}, {}};
+    Placement place{{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dim, {}, {}, {}, {}, {}};
     if (origin != nullptr) {
         check_point(origin, dim, name);
         place.origin = vector_of(origin, dim);
     }
+    place.given_axis = axis == nullptr ? Vector3{} : vector_of(axis, dim);
+    place.given_x = x == nullptr ? Vector3{} : vector_of(x, dim);
     if (dim == 2) {
         set_plane_frame(place, axis, x);
     } else {

@@ -19,6 +19,10 @@ struct Placement {
     Vector3 x_rest = {}; // what rounding left out
     Vector3 y_rest = {};
     Vector3 z_rest = {};
+    // The directions of which make_placement() made the frame, not normalized; 0: none was given. They make the same frame again,
+    // which x and z, being rounded, may not.
+    Vector3 given_axis = {};
+    Vector3 given_x = {};
 
     // origin + a x + b y + c z, `dim` coordinates, each rounded as if computed in twice the precision.
     void point(const DoubleDouble &a, const DoubleDouble &b, const DoubleDouble &c,

@@ -33,6 +33,24 @@ static void pin_read_options(void) {
     }
 }
 
+static void pin_write_options(void) {
+    nurbs_write_options options;
+    PIN(sizeof(nurbs_write_options), 24);
+    PIN(offsetof(nurbs_write_options, struct_size), 0);
+    PIN(offsetof(nurbs_write_options, unit), 8);
+    PIN(offsetof(nurbs_write_options, tolerance), 16);
+    if (nurbs_write_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
+        fprintf(stderr, "the library does not know the struct of this size\n");
+        ++failures;
+        return;
+    }
+    PIN((size_t)options.struct_size, 24);
+    if (options.unit != 0 || options.tolerance != 0) {
+        fprintf(stderr, "unit and tolerance are not 0 by default\n");
+        ++failures;
+    }
+}
+
 static void pin_call_options(void) {
     nurbs_call_options options;
     PIN(sizeof(nurbs_call_options), 32);
@@ -350,6 +368,7 @@ static void pin_kinds(void) {
     PIN(NURBS_BYTES_SPLINE, 1);
     PIN(NURBS_BYTES_LIST, 2);
     PIN(NURBS_BYTES_STATISTICS, 3);
+    PIN(NURBS_FORMAT_STEP, 1);
     PIN(NURBS_ARC_QUARTERS, 0);
     PIN(NURBS_ARC_THIRDS, 1);
     PIN(NURBS_ARC_SMOOTH, 2);
@@ -446,6 +465,7 @@ static void pin_queries(void) {
 
 int main(void) {
     pin_read_options();
+    pin_write_options();
     if (sizeof(void *) == 8) { /* smaller pointers make other layouts */
         pin_call_options();
         pin_closest_query();

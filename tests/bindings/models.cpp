@@ -31,12 +31,32 @@ static void copies(const Model &model) {
     EXPECT(status_of([&] { (void)Model::create(faces, -1); }) == Status::factor);
 }
 
+// The same again of what is written, to memory and to a file.
+static void written(const Model &model) {
+    WriteOptions options;
+    const std::vector<std::byte> bytes = model.write(format_step),
+                                 again = model.write(format_step, options, {});
+    EXPECT(bytes.size() > 1000 && bytes == again);
+    is_the_bushing(Model::read(bytes));
+    model.write_file("models_cpp.step", format_step);
+    is_the_bushing(Model::read_file("models_cpp.step"));
+    options.unit = 1;
+    EXPECT(Model(Model::read(model.write(format_step, options))).splines().unit() == 1);
+    const List list = List::create({}, {}, 0.5);
+    EXPECT(List(List::read(list.write(format_step))).unit() == 0.5);
+    list.write_file("models_cpp.step", format_step, options, {});
+    EXPECT(List(List::read_file("models_cpp.step")).unit() == 1);
+    EXPECT(status_of([&] { (void)model.write(99); }) == Status::format);
+    EXPECT(status_of([&] { model.write_file("/no/such/file", format_step); }) == Status::file);
+}
+
 int main(int count, char **arguments) {
     EXPECT(count == 2);
     if (count == 2) {
         const Model model = Model::read_file(arguments[1]);
         is_the_bushing(model);
         copies(model);
+        written(model);
     }
     EXPECT(status_of([] { (void)Model::read_file("/no/such/file"); }) == Status::file);
     return failures == 0 ? 0 : 1;

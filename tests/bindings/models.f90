@@ -29,11 +29,39 @@ program models
     call expect(text == '1', 'a number as a name')
     call two%get_use(1, parent, part)
     call expect(parent == 0 .and. part == 1, 'the part in the whole')
+    call written()
     call two%read_file('/no/such/file', status=code)
     call expect(code == NURBS_ERROR_FILE, 'a file that is not there')
     call finish()
 
 contains
+
+    !> The same again of what is written, to memory and to a file.
+    subroutine written()
+        character(kind=c_char, len=:), allocatable, target :: bytes
+        type(nurbs_write_options) :: options
+        type(nurbs_model) :: again
+        type(nurbs_list) :: splines, list
+        call default_write_options(options)
+        call model%write(NURBS_FORMAT_STEP, bytes, options)
+        call again%read(bytes)
+        call is_the_bushing(again)
+        call model%write_file('models_fortran.step', NURBS_FORMAT_STEP)
+        call again%read_file('models_fortran.step')
+        call is_the_bushing(again)
+        options%unit = 1
+        call model%splines(splines)
+        call splines%write(NURBS_FORMAT_STEP, bytes, options)
+        call list%read(bytes)
+        call expect(near([list%unit()], [1d0]), 'the unit of the file')
+        call splines%write_file('models_fortran.step', NURBS_FORMAT_STEP, options)
+        call model%write(NURBS_FORMAT_STEP, bytes, status=code, call=nurbs_call(work=1))
+        call expect(code == NURBS_ERROR_WORK, 'a limit of work')
+        call model%write(99, bytes, status=code)
+        call expect(code == NURBS_ERROR_FORMAT .and. len(bytes) == 0, 'no such format')
+        call model%write_file('/no/such/file', NURBS_FORMAT_STEP, status=code)
+        call expect(code == NURBS_ERROR_FILE, 'no such folder')
+    end subroutine written
 
     subroutine is_the_bushing(bushing)
         type(nurbs_model), intent(in) :: bushing

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{near, status_of};
-use nurbs::{sys, Model, Result};
+use nurbs::{sys, Call, List, Model, Result, WriteOptions};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -25,11 +25,29 @@ fn is_the_bushing(model: &Model) -> Result<()> {
     Ok(())
 }
 
+/// The same again of what is written, to memory and to a file.
+fn written(model: &Model) -> Result<()> {
+    let bytes = model.write(sys::NURBS_FORMAT_STEP, None)?;
+    assert_eq!(bytes, model.write_with(sys::NURBS_FORMAT_STEP, None, &mut Call::new())?);
+    is_the_bushing(&Model::read(&bytes, None)?)?;
+    model.write_file("models_rust.step", sys::NURBS_FORMAT_STEP, None)?;
+    is_the_bushing(&Model::read_file("models_rust.step", None)?)?;
+    let metres = WriteOptions::new()?.unit(1.0);
+    let splines = model.splines()?;
+    assert_eq!(List::read(&splines.write(sys::NURBS_FORMAT_STEP, Some(&metres))?, None)?.unit()?, 1.0);
+    splines.write_file("models_rust.step", sys::NURBS_FORMAT_STEP, Some(&metres))?;
+    assert_eq!(List::read_file("models_rust.step", None)?.unit()?, 1.0);
+    assert_eq!(status_of(model.write(99, None)), sys::NURBS_ERROR_FORMAT);
+    assert_eq!(status_of(model.write_file("/no/such/file", sys::NURBS_FORMAT_STEP, None)), sys::NURBS_ERROR_FILE);
+    Ok(())
+}
+
 fn main() -> Result<()> {
     let path = std::env::args_os().nth(1).expect("the path of bushing.step");
     let model = Model::read_file(Path::new(&path), None)?;
     is_the_bushing(&model)?;
     is_the_bushing(&model.clone())?;
+    written(&model)?;
     let faces = [model.face(0)?.face, model.face(1)?.face.clone()];
     let two = Model::create(&[&faces[0], &faces[1]], 0.001)?;
     assert_eq!((two.counts()?.faces, two.face_name(1)?, two.part(0)?), (2, "1".to_string(), String::new()));

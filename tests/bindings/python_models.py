@@ -5,6 +5,7 @@ import copy
 import math
 import pathlib
 import pickle
+import tempfile
 import unittest
 
 import nurbs
@@ -51,6 +52,31 @@ class Models(unittest.TestCase):
     def test_the_same_from_bytes_and_in_metres(self):
         model = nurbs.Model.read(bytearray(BUSHING.read_bytes()), unit=1.0)
         self.assertAlmostEqual(model.faces[1].area(1e-12).value, 24e-6 * math.pi, 15)
+
+    def test_what_is_written_reads_back(self):
+        contents = self.model.write()
+        self.assertEqual(contents, nurbs.Model.read(contents).write())
+        self.assertEqual([face.name for face in nurbs.Model.read(contents).faces], ["outside", "bore", "bottom", "top"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "copy.STP"
+            self.model.write_file(path, unit=0.0254, tolerance=1e-6)
+            copy_of = nurbs.Model.read_file(path)
+            self.assertEqual(copy_of.unit, 0.0254)
+            self.assertAlmostEqual(copy_of.faces[1].area(1e-12).value * 25.4**2, 24 * math.pi, 9)
+            with self.assertRaises(ValueError):
+                self.model.write_file(path.with_suffix(".txt"))
+            with self.assertRaises(ValueError):
+                self.model.write_file("a\0.step")
+            with self.assertRaises(nurbs.FileError):
+                self.model.write_file(pathlib.Path(folder) / "none" / "a.step")
+            self.assertEqual([entry.name for entry in pathlib.Path(folder).iterdir()], ["copy.STP"])
+            nurbs.SplineList.create([self.model.edges[0].spline], ["rim"], 1.0).write_file(path)
+            self.assertEqual((nurbs.read_file(path).names, nurbs.read_file(path).unit), (["rim"], 1.0))
+        self.assertEqual(nurbs.read(nurbs.read(contents).write(progress=lambda done: True)).unit, 0.001)
+        with self.assertRaises(nurbs.ContentsError):
+            self.model.write(99)
+        with self.assertRaises(nurbs.WorkError):
+            self.model.write(work=1)
 
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)

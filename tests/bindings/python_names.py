@@ -12,9 +12,10 @@ HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
 NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
              "degree": "degrees", "count": "counts", "unwrapped_count": "unwrapped_counts"}
 #: What is no function of its own: handles, lists and structs.
-INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_call_options_init", "nurbs_list_count",
+INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_write_options_init", "nurbs_call_options_init", "nurbs_list_count",
           "nurbs_list_get",
-          "nurbs_list_create", "nurbs_list_to_bytes", "nurbs_list_from_bytes",
+          "nurbs_list_create", "nurbs_list_write", "nurbs_list_write_with", "nurbs_list_write_file",
+          "nurbs_list_write_file_with", "nurbs_list_to_bytes", "nurbs_list_from_bytes",
           "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy",
           "nurbs_data_init", "nurbs_statistics_create", "nurbs_statistics_destroy", "nurbs_statistics_size",
           "nurbs_fit_options_init", "nurbs_cloud_options_init", "nurbs_face_destroy", "nurbs_model_destroy"}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Writes corpus/read, the seeds of fuzz_read: small IGES and STEP files that use all that the readers know; solids for
-fuzz_model; and read.dict and model.dict, the words of STEP, which libFuzzer would not find by itself.
+fuzz_model and fuzz_write; and read.dict, model.dict and write.dict, the words of STEP, which libFuzzer would not find by itself.
 
     make_read_corpus.py            writes the files
     make_read_corpus.py --check    exits with 1 if they are not what this script writes
@@ -17,7 +17,7 @@ sys.path.insert(0, str(HERE.parent.parent / "capi" / "examples" / "models"))
 import make_models  # noqa: E402
 
 CORPUS = HERE / "corpus"
-DICTIONARIES = [HERE / "read.dict", HERE / "model.dict"]
+DICTIONARIES = [HERE / "read.dict", HERE / "model.dict", HERE / "write.dict"]
 KEYWORDS = HERE.parent.parent / "src" / "io" / "step" / "structure" / "keywords.cpp"
 
 
@@ -216,7 +216,7 @@ def main(arguments):
         return 2
     wrong = 0
     files = {CORPUS / "read" / name: text for name, text in seeds().items()}
-    files |= {CORPUS / "model" / name: text for name, text in solids().items()}
+    files |= {CORPUS / folder / name: text for folder in ("model", "write") for name, text in solids().items()}
     files |= dict.fromkeys(DICTIONARIES, dictionary())
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)

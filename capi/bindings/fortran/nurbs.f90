@@ -27,7 +27,8 @@ module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
-    use nurbs_handles, only: data_for_fits, default_cloud_options, default_fit_options, default_read_options
+    use nurbs_handles, only: data_for_fits, default_cloud_options, default_fit_options, default_read_options, &
+        default_write_options
     use nurbs_calls, only: nurbs_call, nurbs_progress
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline

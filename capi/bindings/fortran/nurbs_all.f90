@@ -3,9 +3,9 @@
 ! All modules in the order in which a compiler needs them, for programs that are built without CMake.
 include 'nurbs_constants.f90'
 include 'nurbs_c.f90'
+include 'nurbs_calls.f90'
 include 'nurbs_support.f90'
 include 'nurbs_handles.f90'
-include 'nurbs_calls.f90'
 include 'nurbs_inspection.f90'
 include 'nurbs_evaluation.f90'
 include 'nurbs_splines.f90'

@@ -188,6 +188,16 @@ module nurbs_c
         integer(c_int64_t) :: max_bytes  ! largest file accepted; 0 means the default, 2^30
     end type nurbs_read_options
 
+    !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
+    !> are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least
+    !> one of its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
+    type, bind(c) :: nurbs_write_options
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        real(c_double) :: unit  ! unit of the file in metres; 0: that of the model, millimetres if it has none
+        ! distance that counts as none, in units of the file; 0: that of the faces
+        real(c_double) :: tolerance
+    end type nurbs_write_options
+
     interface
         ! --- Version and errors
         !> Version of the library that is running, encoded like NURBS_VERSION.
@@ -3597,5 +3607,94 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_splines
+        ! --- Writing files
+        !> Fills an options struct with the defaults.
+        function nurbs_write_options_init(options, struct_size) bind(c) result(r)
+            import
+            type(nurbs_write_options), intent(inout) :: options
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_write_options_init
+        !> A model as the contents of a file.
+        function nurbs_model_write(model, format, options, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: model, bytes
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_model_write
+        !> nurbs_model_write() as a call that can be watched and ended.
+        function nurbs_model_write_with(model, format, options, cap, bytes, length, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model, bytes
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_write_with
+        !> Writes a model to a file.
+        function nurbs_model_write_file(model, path, format, options) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int32_t) :: r
+        end function nurbs_model_write_file
+        !> nurbs_model_write_file() as a call that can be watched and ended.
+        function nurbs_model_write_file_with(model, path, format, options, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_write_file_with
+        !> The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those
+        !> that belong to no face, with their names.
+        function nurbs_list_write(list, format, options, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: list, bytes
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_list_write
+        !> nurbs_list_write() as a call that can be watched and ended.
+        function nurbs_list_write_with(list, format, options, cap, bytes, length, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: list, bytes
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_list_write_with
+        !> Writes the curves and surfaces of a list to a file, as nurbs_model_write_file() does.
+        function nurbs_list_write_file(list, path, format, options) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int32_t) :: r
+        end function nurbs_list_write_file
+        !> nurbs_list_write_file() as a call that can be watched and ended.
+        function nurbs_list_write_file_with(list, path, format, options, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_list_write_file_with
     end interface
 end module nurbs_c

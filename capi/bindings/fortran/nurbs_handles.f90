@@ -5,13 +5,17 @@ module nurbs_handles
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
-        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_model_clone, nurbs_model_destroy, &
-        nurbs_read_options, nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, &
-        nurbs_statistics_to_bytes, nurbs_to_bytes
+        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, nurbs_list_write_with, &
+        nurbs_model_clone, nurbs_model_destroy, nurbs_model_write, nurbs_model_write_with, nurbs_read_options, &
+        nurbs_read_options_init, &
+        nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, nurbs_to_bytes, &
+        nurbs_write_options, nurbs_write_options_init
+    use nurbs_calls, only: nurbs_call, watched
     use nurbs_support
     implicit none
     private
-    public :: handles_of, as_many, default_read_options, default_fit_options, default_cloud_options, data_for_fits
+    public :: handles_of, as_many, default_read_options, default_write_options, default_fit_options
+    public :: default_cloud_options, data_for_fits
 
     !> As the library takes an array of handles.
     interface handles_of
@@ -33,7 +37,7 @@ module nurbs_handles
         type(c_ptr) :: handle = c_null_ptr
     contains
         procedure :: destroy => destroy_list, replace => replace_list, create => create_list
-        procedure :: to_bytes => list_to_bytes
+        procedure :: to_bytes => list_to_bytes, write => write_list
         procedure, private :: refuse_copy
         generic :: assignment(=) => refuse_copy
         final :: finish_list
@@ -74,7 +78,7 @@ module nurbs_handles
     type, public :: nurbs_model_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_model, replace => replace_model
+        procedure :: destroy => destroy_model, replace => replace_model, write => write_model
         procedure, private :: copy_model
         generic :: assignment(=) => copy_model
         final :: finish_model
@@ -360,6 +364,64 @@ contains
         call write_bytes(nurbs_list_to_bytes, this%handle, bytes, status)
     end subroutine list_to_bytes
 
+    !> The contents of a file that holds the splines: of a format such as NURBS_FORMAT_STEP.
+    subroutine write_list(this, format, bytes, options, status, call)
+        class(nurbs_list_handle), intent(in) :: this
+        integer(c_int32_t), intent(in) :: format
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        type(nurbs_write_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int64_t) :: length
+        integer(c_int32_t) :: code
+        length = 0
+        code = written(0_c_int64_t, c_null_ptr)
+        allocate (character(kind=c_char, len=length) :: bytes)
+        if (code == NURBS_OK) code = written(length, c_loc(bytes))
+        call settle(code, status)
+
+    contains
+
+        integer(c_int32_t) function written(cap, place)
+            integer(c_int64_t), intent(in) :: cap
+            type(c_ptr), intent(in) :: place
+            if (present(call)) then
+                written = nurbs_list_write_with(this%handle, format, options, cap, place, length, watched(call))
+            else
+                written = nurbs_list_write(this%handle, format, options, cap, place, length)
+            end if
+        end function written
+    end subroutine write_list
+
+    !> The contents of a file that holds the model: of a format such as NURBS_FORMAT_STEP.
+    subroutine write_model(this, format, bytes, options, status, call)
+        class(nurbs_model_handle), intent(in) :: this
+        integer(c_int32_t), intent(in) :: format
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        type(nurbs_write_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int64_t) :: length
+        integer(c_int32_t) :: code
+        length = 0
+        code = written(0_c_int64_t, c_null_ptr)
+        allocate (character(kind=c_char, len=length) :: bytes)
+        if (code == NURBS_OK) code = written(length, c_loc(bytes))
+        call settle(code, status)
+
+    contains
+
+        integer(c_int32_t) function written(cap, place)
+            integer(c_int64_t), intent(in) :: cap
+            type(c_ptr), intent(in) :: place
+            if (present(call)) then
+                written = nurbs_model_write_with(this%handle, format, options, cap, place, length, watched(call))
+            else
+                written = nurbs_model_write(this%handle, format, options, cap, place, length)
+            end if
+        end function written
+    end subroutine write_model
+
     impure elemental subroutine refuse_copy(this, other)
         class(nurbs_list_handle), intent(inout) :: this
         class(nurbs_list_handle), intent(in) :: other
@@ -372,4 +434,11 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call settle(nurbs_read_options_init(options, int(c_sizeof(options), c_int64_t)), status)
     end subroutine default_read_options
+
+    !> The settings that write() and write_file() have without options, to change some of them.
+    subroutine default_write_options(options, status)
+        type(nurbs_write_options), intent(out) :: options
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_write_options_init(options, int(c_sizeof(options), c_int64_t)), status)
+    end subroutine default_write_options
 end module nurbs_handles

@@ -6,7 +6,8 @@ module nurbs_lists
     use nurbs_constants
     use nurbs_c, only: nurbs_decompose, nurbs_split_at_knots, nurbs_read, nurbs_read_file, nurbs_list_count, &
         nurbs_list_get, nurbs_list_name, nurbs_list_note_count, nurbs_list_note, nurbs_list_unit, &
-        nurbs_list_from_bytes, nurbs_bytes_kind, nurbs_read_with, nurbs_read_file_with, nurbs_read_options
+        nurbs_list_from_bytes, nurbs_bytes_kind, nurbs_list_write_file, nurbs_read_with, nurbs_read_file_with, &
+        nurbs_list_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -19,7 +20,7 @@ module nurbs_lists
     type, extends(nurbs_list_handle), public :: nurbs_list
     contains
         procedure :: decompose, split_at_knots, read, read_file, count => get_count, get, name, note_count, note, unit
-        procedure :: from_bytes
+        procedure :: from_bytes, write_file
     end type nurbs_list
 
 contains
@@ -51,7 +52,7 @@ contains
         call settle(code, status)
     end subroutine split_at_knots
 
-    ! Reading files: the splines that a file held, their names, and notes on the rest
+    ! Files: the splines that one held, their names, and notes on the rest; and writing them
 
     !> Reads the contents of a file from memory.
     subroutine read(this, contents, options, status, call)
@@ -187,4 +188,21 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call settle(nurbs_bytes_kind(c_loc(contents), len(contents, c_int64_t), kind, major, minor), status)
     end subroutine bytes_kind
+
+    !> Writes the curves and surfaces to a file, which is replaced whole or not at all.
+    subroutine write_file(this, path, format, options, status, call)
+        class(nurbs_list), intent(in) :: this
+        character(kind=c_char, len=*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: format
+        type(nurbs_write_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_list_write_file_with(this%handle, path//c_null_char, format, options, watched(call))
+        else
+            code = nurbs_list_write_file(this%handle, path//c_null_char, format, options)
+        end if
+        call settle(code, status)
+    end subroutine write_file
 end module nurbs_lists

@@ -7,8 +7,8 @@ module nurbs_models
     use nurbs_constants
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
         nurbs_model_face, nurbs_model_face_name, nurbs_model_edge, nurbs_model_edge_uses, nurbs_model_vertex, &
-        nurbs_model_part, nurbs_model_use, nurbs_model_splines, nurbs_read_model_with, nurbs_read_model_file_with, &
-        nurbs_read_options
+        nurbs_model_part, nurbs_model_use, nurbs_model_splines, nurbs_model_write_file, nurbs_read_model_with, &
+        nurbs_read_model_file_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -22,6 +22,7 @@ module nurbs_models
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
         procedure :: read, read_file, create, counts, face, face_name, edge, edge_uses, vertex, part, get_use, splines
+        procedure :: write_file
     end type nurbs_model
 
 contains
@@ -216,4 +217,21 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine splines
+
+    !> Writes it to a file, which is replaced whole or not at all.
+    subroutine write_file(this, path, format, options, status, call)
+        class(nurbs_model), intent(in) :: this
+        character(kind=c_char, len=*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: format
+        type(nurbs_write_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_model_write_file_with(this%handle, path//c_null_char, format, options, watched(call))
+        else
+            code = nurbs_model_write_file(this%handle, path//c_null_char, format, options)
+        end if
+        call settle(code, status)
+    end subroutine write_file
 end module nurbs_models

@@ -27,7 +27,10 @@ class Body:
 
     def returning(self):
         result = self.method.result
-        if isinstance(result, Struct):
+        if result is None:
+            lines = [*self.before, f"return detail::call({self.call()});"]
+            self.before = []
+        elif isinstance(result, Struct):
             lines = self.record(result)
         elif isinstance(result, Several):
             lines = self.pair(result)

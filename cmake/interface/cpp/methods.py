@@ -59,6 +59,8 @@ def around(method, result):
 
 def returned(method):
     """Type of the result."""
+    if method.result is None:
+        return "void"
     if isinstance(method.result, Struct):
         return method.result.record
     if isinstance(method.result, Several):

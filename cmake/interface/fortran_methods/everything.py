@@ -29,7 +29,8 @@ module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
-    use nurbs_handles, only: data_for_fits, default_cloud_options, default_fit_options, default_read_options
+    use nurbs_handles, only: data_for_fits, default_cloud_options, default_fit_options, default_read_options, &
+        default_write_options
 """
 WATCHED = """\
 !> - A procedure that can take long has an optional last argument, call: a nurbs_call with a limit of work, and with a
@@ -46,7 +47,7 @@ ALL = """\
 ! {notice}
 ! All modules in the order in which a compiler needs them, for programs that are built without CMake.
 """
-BY_HAND = ["constants", "c", "support", "handles"]
+BY_HAND = ["constants", "c", "calls", "support", "handles"]
 
 
 def module(modules, notice, watched):
@@ -68,6 +69,6 @@ def only(module):
 
 
 def includes(modules, notice, watched):
-    by_hand = BY_HAND + ["calls"] * watched
+    by_hand = [name for name in BY_HAND if watched or name != "calls"]
     names = [f"nurbs_{name}" for name in (*by_hand, *(module.name for module in modules))] + ["nurbs"]
     return ALL.format(notice=notice) + "".join(f"include '{name}.f90'\n" for name in names)

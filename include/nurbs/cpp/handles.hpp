@@ -28,6 +28,17 @@ Returned<std::vector<std::byte>> bytes_of(Write &&write, const Handle *handle) {
     return bytes;
 }
 
+// What write(handle, format, options, cap, bytes, length, more...) makes of a handle.
+template <class Write, class Handle, class... More>
+Returned<std::vector<std::byte>> file_of(Write &&write, const Handle *handle, std::int32_t format,
+                                         const nurbs_write_options *options, const More &...more) {
+    std::int64_t length = 0;
+    call(write, handle, format, options, std::int64_t{0}, nullptr, &length, more...);
+    std::vector<std::byte> bytes(static_cast<std::size_t>(length));
+    call(write, handle, format, options, length, bytes.data(), nullptr, more...);
+    return bytes;
+}
+
 /// A handle that is copied in constant time and freed by its destructor.
 class SplineHandle {
 public:
@@ -77,6 +88,22 @@ public:
     /// To be kept or sent, with names, notes and unit: the same on every machine for the same list.
     [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
         return bytes_of(nurbs_list_to_bytes, handle_);
+    }
+
+    /// The contents of a file of a format (NURBS_FORMAT_), the same for the same list.
+    [[nodiscard]] Returned<std::vector<std::byte>> write(std::int32_t format) const {
+        return file_of(nurbs_list_write, handle_, format, nullptr);
+    }
+    /// The same with settings: a WriteOptions.
+    [[nodiscard]] Returned<std::vector<std::byte>> write(std::int32_t format,
+                                                         const nurbs_write_options &options) const {
+        return file_of(nurbs_list_write, handle_, format, &options);
+    }
+    /// The same; `call` can watch and end it, once for the length and once for the contents.
+    [[nodiscard]] Returned<std::vector<std::byte>>
+    write(std::int32_t format, const nurbs_write_options &options, const CallOptions &call) const {
+        const Watch watch(call);
+        return file_of(nurbs_list_write_with, handle_, format, &options, watch.get());
     }
 
 private:
@@ -155,6 +182,22 @@ public:
 
     [[nodiscard]] const nurbs_model *get() const noexcept { return handle_; }
     [[nodiscard]] nurbs_model *release() noexcept { return std::exchange(handle_, nullptr); }
+
+    /// The contents of a file of a format (NURBS_FORMAT_), the same for the same model.
+    [[nodiscard]] Returned<std::vector<std::byte>> write(std::int32_t format) const {
+        return file_of(nurbs_model_write, handle_, format, nullptr);
+    }
+    /// The same with settings: a WriteOptions.
+    [[nodiscard]] Returned<std::vector<std::byte>> write(std::int32_t format,
+                                                         const nurbs_write_options &options) const {
+        return file_of(nurbs_model_write, handle_, format, &options);
+    }
+    /// The same; `call` can watch and end it, once for the length and once for the contents.
+    [[nodiscard]] Returned<std::vector<std::byte>>
+    write(std::int32_t format, const nurbs_write_options &options, const CallOptions &call) const {
+        const Watch watch(call);
+        return file_of(nurbs_model_write_with, handle_, format, &options, watch.get());
+    }
 
 private:
     nurbs_model *handle_ = nullptr;

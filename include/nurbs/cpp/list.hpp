@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit. */
 /// \file list.hpp
-/// \brief Reading files: the splines that a file held, their names, and notes on the rest.
+/// \brief Files: the splines that one held, their names, and notes on the rest; and writing them.
 #ifndef NURBS_CPP_LIST_HPP
 #define NURBS_CPP_LIST_HPP
 
@@ -20,12 +20,24 @@ inline constexpr std::int32_t bytes_spline = NURBS_BYTES_SPLINE;
 inline constexpr std::int32_t bytes_list = NURBS_BYTES_LIST;
 inline constexpr std::int32_t bytes_statistics = NURBS_BYTES_STATISTICS;
 
+/// Formats of files that are written.
+inline constexpr std::int32_t format_step = NURBS_FORMAT_STEP;
+
 /// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of
 /// them: where libraries that were compiled with two versions meet in one program, each has to say its own
 /// size, and none the other's.
 struct ReadOptions : nurbs_read_options {
     [[gnu::always_inline]] ReadOptions() : nurbs_read_options{} {
         detail::call(nurbs_read_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_read_options)));
+    }
+};
+
+/// Settings of List::write_file() and those like it, initialised to the defaults. Later versions of this
+/// header may know more of them: where libraries that were compiled with two versions meet in one program,
+/// each has to say its own size, and none the other's.
+struct WriteOptions : nurbs_write_options {
+    [[gnu::always_inline]] WriteOptions() : nurbs_write_options{} {
+        detail::call(nurbs_write_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_write_options)));
     }
 };
 
@@ -57,7 +69,7 @@ class List : public detail::ListHandle {
 public:
     using ListHandle::ListHandle;
 
-    // Reading files: the splines that a file held, their names, and notes on the rest
+    // Files: the splines that one held, their names, and notes on the rest; and writing them
 
     /// Reads the contents of a file from memory.
     [[nodiscard]] static Returned<List> read(std::span<const std::byte> bytes,
@@ -131,6 +143,23 @@ public:
     /// The list of what to_bytes() made of it.
     [[nodiscard]] static Returned<List> from_bytes(std::span<const std::byte> bytes) {
         return detail::made<List>(nurbs_list_from_bytes, bytes.data(), detail::length(bytes));
+    }
+    /// Writes the curves and surfaces to a file, which is replaced whole or not at all.
+    Returned<void> write_file(const std::string &path, std::int32_t format,
+                              const WriteOptions &options = {}) const {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        return detail::call(nurbs_list_write_file, get(), path.c_str(), format, &options);
+    }
+    /// The same; `call` can watch and end it.
+    Returned<void> write_file(const std::string &path, std::int32_t format, const WriteOptions &options,
+                              const CallOptions &call) const {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        const detail::Watch watch(call);
+        return detail::call(nurbs_list_write_file_with, get(), path.c_str(), format, &options, watch.get());
     }
 };
 

@@ -154,6 +154,23 @@ public:
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what
     /// was not read.
     [[nodiscard]] Returned<List> splines() const { return detail::made<List>(nurbs_model_splines, get()); }
+    /// Writes it to a file, which is replaced whole or not at all.
+    Returned<void> write_file(const std::string &path, std::int32_t format,
+                              const WriteOptions &options = {}) const {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        return detail::call(nurbs_model_write_file, get(), path.c_str(), format, &options);
+    }
+    /// The same; `call` can watch and end it.
+    Returned<void> write_file(const std::string &path, std::int32_t format, const WriteOptions &options,
+                              const CallOptions &call) const {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        const detail::Watch watch(call);
+        return detail::call(nurbs_model_write_file_with, get(), path.c_str(), format, &options, watch.get());
+    }
 };
 
 } // namespace NURBS_CPP_POLICY

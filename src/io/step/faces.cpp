@@ -14,6 +14,7 @@
 #include "spline/part.h"
 
 #include <algorithm>
+#include <map>
 
 namespace nrb::io::step {
 namespace {
@@ -185,17 +186,21 @@ private:
         return cut_surface(shape, points);
     }
 
+    // A seam has two, one for each use.
     void add_parameter_curves(const Spline &surface) {
+        std::map<int64_t, int> uses;
         for (Bound &bound : bounds_) {
             for (size_t i = 0; i < bound.loop.size(); ++i) {
                 if (bound.sources[i] != nullptr) {
-                    add_parameter_curve(surface, *bound.sources[i], bound.loop[i]);
+                    add_parameter_curve(surface, *bound.sources[i], uses[bound.sources[i]->number]++,
+                                        bound.loop[i]);
                 }
             }
         }
     }
-    // One that cannot be read or is not under its edge is not taken.
-    void add_parameter_curve(const Spline &surface, const EdgeSource &source, face::Coedge &coedge) {
+    // Of those that can be read and are under their edge, the one after so many others, or the last one.
+    void add_parameter_curve(const Spline &surface, const EdgeSource &source, int others,
+                             face::Coedge &coedge) {
         const Instances &instances = entities_.instances();
         for (const int64_t number : parameter_curves(instances, source.geometry)) {
             const int64_t place = instances.find(number);
@@ -211,7 +216,9 @@ private:
                     model::piece_spline({found.curve, source.piece.range, source.piece.forward});
                 if (lies_under(surface, *curve, *coedge.edge)) {
                     coedge.curve = coedge.against ? refine::reverse(*curve, 0, false) : curve;
-                    return;
+                    if (others-- == 0) {
+                        return;
+                    }
                 }
             } catch (const Error &) {
                 continue;

@@ -10,9 +10,20 @@
 namespace nrb::io::step {
 namespace {
 
+// Rounding of the products of two unit vectors.
+constexpr double product_rounding = 0x1p-50;
+
 Vector3 unit_vector(const Vector3 &x) noexcept {
     const Vector3 y = scaled_to_one(x);
     return (1 / std::sqrt(dot(y, y))) * y;
+}
+
+// Directions that are those of a frame of this scale but for rounding stay as they were given, so that a motion which was
+// written is read as it was.
+bool is_frame(const Vector3 &x, const Vector3 &z, double scale) noexcept {
+    const double square = scale * scale, most = product_rounding * square;
+    return std::fabs(dot(x, x) - square) <= most && std::fabs(dot(z, z) - square) <= most &&
+           std::fabs(dot(x, z)) <= most;
 }
 
 std::optional<Vector3> read_axis_direction(Entities &entities, Attributes &attributes, const char *name) {
@@ -21,17 +32,20 @@ std::optional<Vector3> read_axis_direction(Entities &entities, Attributes &attri
         return std::nullopt;
     }
     const Point direction = read_direction(entities, number, attributes, name);
-    return unit_vector({direction.x[0], direction.x[1], direction.x[2]});
+    return Vector3{direction.x[0], direction.x[1], direction.x[2]};
 }
 
 // base_axis() of ISO 10303-42: the third rules, then the first, and the second says on which side.
 Motion axes_of(const std::optional<Vector3> &first, const std::optional<Vector3> &second,
-               const std::optional<Vector3> &third) noexcept {
-    const Vector3 z = third.value_or(Vector3{0, 0, 1});
-    const Vector3 wanted = first.value_or(std::fabs(z.x) < 0.9 ? Vector3{1, 0, 0} : Vector3{0, 1, 0});
-    const Vector3 x = unit_vector(wanted - dot(wanted, z) * z), y = cross(z, x);
-    const bool mirrored = second && dot(*second, y) < 0;
-    return {{x, mirrored ? -1.0 * y : y, z}, {}};
+               const std::optional<Vector3> &third, double scale) noexcept {
+    const bool given = first && third && is_frame(*first, *third, scale);
+    const Vector3 z = third ? unit_vector(*third) : Vector3{0, 0, 1};
+    const Vector3 wanted =
+        first ? unit_vector(*first) : (std::fabs(z.x) < 0.9 ? Vector3{1, 0, 0} : Vector3{0, 1, 0});
+    const Vector3 x = given ? *first : scale * unit_vector(wanted - dot(wanted, z) * z),
+                  along = given ? *third : scale * z, y = cross((1 / scale) * along, x);
+    const bool mirrored = second && dot(unit_vector(*second), y) < 0;
+    return {{x, mirrored ? -1.0 * y : y, along}, {}};
 }
 
 // Goes to the place where so many attributes are left.
@@ -48,8 +62,12 @@ void skip_to_last(Attributes &attributes, int left) {
 
 } // namespace
 
+// Directions that are those of a frame but for rounding stay as they were given.
 Motion motion_of(const build::Placement &frame) noexcept {
-    return {{frame.x, frame.y, frame.z}, frame.origin};
+    const Vector3 &z = frame.given_axis, &x = frame.given_x;
+    const bool given = is_frame(x, z, 1);
+    const Vector3 across = given ? x : frame.x, along = given ? z : frame.z;
+    return {{across, cross(along, across), along}, frame.origin};
 }
 
 Motion between(const Motion &from, const Motion &to) noexcept {
@@ -92,10 +110,7 @@ Motion read_operator(Entities &entities, const Instance &instance, double length
     if (!(scale > 0)) {
         attributes.fail_attribute(Status::factor, "scale", "expected more than 0");
     }
-    Motion motion = axes_of(first, second, third);
-    for (Vector3 &column : motion.columns) {
-        column = scale * column;
-    }
+    Motion motion = axes_of(first, second, third, scale);
     motion.shift = {origin.x[0], origin.x[1], origin.x[2]};
     return motion;
 }

@@ -21,6 +21,11 @@ constexpr Prefix prefixes[] = {{"EXA", 18},  {"PETA", 15},  {"TERA", 12},   {"GI
                                {"DECI", -1}, {"CENTI", -2}, {"MILLI", -3},  {"MICRO", -6},
                                {"NANO", -9}, {"PICO", -12}, {"FEMTO", -15}, {"ATTO", -18}};
 
+double power_of(const Prefix &prefix) noexcept {
+    const double power = std::pow(10.0, std::abs(prefix.exponent));
+    return prefix.exponent < 0 ? 1 / power : power;
+}
+
 double power_of_ten(const Attributes &attributes, std::string_view prefix) {
     if (prefix.empty()) {
         return 1;
@@ -30,8 +35,7 @@ double power_of_ten(const Attributes &attributes, std::string_view prefix) {
         attributes.fail_attribute(Status::syntax, "prefix",
                                   "found ." + iges::excerpt(prefix) + "., expected one of SI");
     }
-    const double power = std::pow(10.0, std::abs(found->exponent));
-    return found->exponent < 0 ? 1 / power : power;
+    return power_of(*found);
 }
 
 // Files give few digits of these.
@@ -87,6 +91,14 @@ double read_uncertainty(Entities &entities, Attributes &attributes, double metre
 }
 
 } // namespace
+
+std::optional<std::string_view> prefix_of(double metres) noexcept {
+    if (metres == 1) {
+        return "";
+    }
+    const auto *const found = std::ranges::find(prefixes, metres, power_of);
+    return found == std::end(prefixes) ? std::nullopt : std::optional(found->name);
+}
 
 Unit read_unit(Entities &entities, const Instance &instance) {
     const Entities::Visit visit(entities, instance);

@@ -63,6 +63,12 @@ std::string solid_path() {
     return written("smoke_calls_cpp.solid", solid);
 }
 
+const std::string replaced = R"(an older file
+)";
+std::string replaced_path() {
+    return written("smoke_calls_cpp.replaced", replaced);
+}
+
 constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0, 192, 0, 0, 0, 0, 0, 0, 0, 114, 160, 102, 241, 94, 129, 142, 24, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
 constexpr unsigned char loop_bytes[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 1, 0, 0, 0, 96, 1, 0, 0, 0, 0, 0, 0, 97, 220, 175, 73, 171, 169, 167, 134, 1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 8, 64, 0, 0, 0, 0, 0, 0, 16, 64, 0, 0, 0, 0, 0, 0, 20, 64, 0, 0, 0, 0, 0, 0, 24, 64, 0, 0, 0, 0, 0, 0, 28, 64, 0, 0, 0, 0, 0, 0, 32, 64, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 63, 0, 0, 0, 0, 0, 0, 240, 191, 0, 0, 0, 0, 0, 0, 240, 63};
@@ -728,6 +734,25 @@ void data(const Inputs &in) {
         const auto found = in.model.splines();
         show("out", found);
     }
+    by_hand("write_options_init");
+    by_hand("model_write");
+    by_hand("model_write in inches");
+    {
+        begin("model_write_file");
+        in.model.write_file(replaced_path(), 1);
+    }
+    {
+        begin("model_write_file in inches");
+        n::WriteOptions options;
+        options.unit = 0.0254;
+        in.model.write_file(replaced_path(), 1, options);
+    }
+    by_hand("list_write");
+    {
+        begin("list_write_file");
+        const n::List edges = n::boundaries(in.surface);
+        edges.write_file(replaced_path(), 1);
+    }
     {
         begin("read_with");
         const auto found = n::List::read(std::as_bytes(std::span(file)), {}, watched());
@@ -908,6 +933,24 @@ void data(const Inputs &in) {
         options.unit = 0.001;
         const auto found = n::Model::read_file(solid_path(), options, watched());
         show("out", found);
+    }
+    by_hand("model_write_with");
+    by_hand("model_write_with in inches");
+    {
+        begin("model_write_file_with");
+        in.model.write_file(replaced_path(), 1, {}, watched());
+    }
+    {
+        begin("model_write_file_with in inches");
+        n::WriteOptions options;
+        options.unit = 0.0254;
+        in.model.write_file(replaced_path(), 1, options, watched());
+    }
+    by_hand("list_write_with");
+    {
+        begin("list_write_file_with");
+        const n::List edges = n::boundaries(in.surface);
+        edges.write_file(replaced_path(), 1, {}, watched());
     }
 }
 

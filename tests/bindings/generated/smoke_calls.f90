@@ -54,6 +54,8 @@ program smoke_calls
         '#24=SHAPE_REPRESENTATION('''',(#20,#21),#23);'//new_line('a')//&
         'ENDSEC;'//new_line('a')//&
         'END-ISO-10303-21;'//new_line('a')
+    character(len=*), parameter :: replaced_text = &
+        'an older file'//new_line('a')
     character(len=*), parameter :: no_data_text = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(3)//char(0)//char(0)//char(0)//&
@@ -1198,6 +1200,28 @@ contains
             call model%splines(out=out_found)
             call show('out', out_found)
         end block
+        call by_hand('write_options_init')
+        call by_hand('model_write')
+        call by_hand('model_write in inches')
+        call begin('model_write_file')
+        block
+            call model%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1)
+        end block
+        call begin('model_write_file in inches')
+        block
+            type(nurbs_write_options) :: options_given
+            call default_write_options(options_given)
+            options_given%unit = 0.0254d0
+            call model%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, &
+                options=options_given)
+        end block
+        call by_hand('list_write')
+        call begin('list_write_file')
+        block
+            type(nurbs_list) :: edges
+            call spline_boundaries(g=surface, list=edges)
+            call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1)
+        end block
         call begin('read_with')
         block
             type(nurbs_call) :: watching
@@ -1485,6 +1509,30 @@ contains
             call found%read_file(path=written('smoke_calls_fortran.solid', solid_text), options=options_given, &
                 call=watching)
             call show('out', found)
+        end block
+        call by_hand('model_write_with')
+        call by_hand('model_write_with in inches')
+        call begin('model_write_file_with')
+        block
+            type(nurbs_call) :: watching
+            call model%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, call=watching)
+        end block
+        call begin('model_write_file_with in inches')
+        block
+            type(nurbs_write_options) :: options_given
+            type(nurbs_call) :: watching
+            call default_write_options(options_given)
+            options_given%unit = 0.0254d0
+            call model%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, &
+                options=options_given, call=watching)
+        end block
+        call by_hand('list_write_with')
+        call begin('list_write_file_with')
+        block
+            type(nurbs_list) :: edges
+            type(nurbs_call) :: watching
+            call spline_boundaries(g=surface, list=edges)
+            call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, call=watching)
         end block
     end subroutine calls_of_data
 

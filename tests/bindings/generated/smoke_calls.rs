@@ -58,6 +58,9 @@ ENDSEC;
 END-ISO-10303-21;
 "#;
 
+const REPLACED: &str = r#"an older file
+"#;
+
 const NO_DATA: &[u8] = &[
     137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0, 192, 0, 0, 0, 0, 0, 0, 0, 114, 160,
     102, 241, 94, 129, 142, 24, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1187,6 +1190,29 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.model.splines()?;
         show("out", &found);
     }
+    by_hand("write_options_init");
+    by_hand("model_write");
+    by_hand("model_write in inches");
+    begin("model_write_file");
+    {
+        given
+            .model
+            .write_file(written("smoke_calls_rust.replaced", REPLACED), 1, None)?;
+    }
+    begin("model_write_file in inches");
+    {
+        given.model.write_file(
+            written("smoke_calls_rust.replaced", REPLACED),
+            1,
+            Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
+        )?;
+    }
+    by_hand("list_write");
+    begin("list_write_file");
+    {
+        let edges = given.surface.boundaries()?;
+        edges.write_file(written("smoke_calls_rust.replaced", REPLACED), 1, None)?;
+    }
     begin("read_with");
     {
         let found = List::read_with(FILE.as_bytes(), None, &mut Call::new().progress(|_| true))?;
@@ -1464,6 +1490,37 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
+    }
+    by_hand("model_write_with");
+    by_hand("model_write_with in inches");
+    begin("model_write_file_with");
+    {
+        given.model.write_file_with(
+            written("smoke_calls_rust.replaced", REPLACED),
+            1,
+            None,
+            &mut Call::new().progress(|_| true),
+        )?;
+    }
+    begin("model_write_file_with in inches");
+    {
+        given.model.write_file_with(
+            written("smoke_calls_rust.replaced", REPLACED),
+            1,
+            Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
+            &mut Call::new().progress(|_| true),
+        )?;
+    }
+    by_hand("list_write_with");
+    begin("list_write_file_with");
+    {
+        let edges = given.surface.boundaries()?;
+        edges.write_file_with(
+            written("smoke_calls_rust.replaced", REPLACED),
+            1,
+            None,
+            &mut Call::new().progress(|_| true),
+        )?;
     }
     Ok(())
 }

@@ -119,9 +119,9 @@ private:
     nurbs_status status_ = NURBS_OK;
 };
 
-// The files that nurbs_read_file() and nurbs_read_model_file() are called for; each program writes its own, by names that
-// begin alike.
-extern const char *file_path, *solid_path;
+// The files that nurbs_read_file() and nurbs_read_model_file() are called for, and one to be written over; each program writes its
+// own, by names that begin alike.
+extern const char *file_path, *solid_path, *replaced_path;
 bool write_files(const char *path);
 void remove_files();
 

@@ -63,20 +63,24 @@ bool write(const char *path, const char *text) {
 
 } // namespace
 
-const char *file_path = nullptr, *solid_path = nullptr;
+const char *file_path = nullptr, *solid_path = nullptr, *replaced_path = nullptr;
 
 bool write_files(const char *path) {
-    static std::string names[2];
+    static std::string names[3];
     names[0] = path;
     names[1] = names[0] + ".step";
     file_path = names[0].c_str();
+    names[2] = names[0] + ".replaced.step";
     solid_path = names[1].c_str();
-    return write(file_path, texts::file) && write(solid_path, texts::solid);
+    replaced_path = names[2].c_str();
+    return write(file_path, texts::file) && write(solid_path, texts::solid) &&
+           write(replaced_path, texts::replaced);
 }
 
 void remove_files() {
     std::remove(file_path);
     std::remove(solid_path);
+    std::remove(replaced_path);
 }
 
 void destroy(const Inputs &in) {

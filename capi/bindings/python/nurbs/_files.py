@@ -14,6 +14,8 @@ from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
 from ._library import call, get, lib, text
 from ._spline import Spline
+from ._write import file_bytes, to_file
+from .constants import NURBS_FORMAT_STEP
 
 if TYPE_CHECKING:
     from ._bytes import Contents
@@ -122,6 +124,19 @@ class SplineList(_Splines):
     def names(self) -> List[str]:
         """Name of each spline: that in the file, or which part it is."""
         return [text(lib.nurbs_list_name, self._handle, i) for i in range(len(self))]
+
+    def write(self, format: int = NURBS_FORMAT_STEP, unit: float = 0.0, tolerance: float = 0.0, *,
+              progress: Progress = None, work: Optional[int] = None) -> bytes:
+        """The contents of a file that holds the list, the same for the same list. `unit` is that of the file in
+        metres, 0 keeps its own; `tolerance`, in that unit, is the distance that counts as none, 0 takes that of the
+        faces. Raises ArgumentError for what the format cannot hold."""
+        return file_bytes(lib.nurbs_list_write, self._handle, format, unit, tolerance, progress, work)
+
+    def write_file(self, path: Union[str, bytes, os.PathLike[str]], format: Optional[int] = None, unit: float = 0.0,
+                   tolerance: float = 0.0, *, progress: Progress = None, work: Optional[int] = None) -> None:
+        """Writes what write() gives to a file, which is replaced whole or not at all; without a format that of the
+        suffix, such as ".step". Raises FileError if it cannot be written."""
+        to_file(lib.nurbs_list_write_file, self._handle, path, format, unit, tolerance, progress, work)
 
     @property
     def notes(self) -> List[Note]:

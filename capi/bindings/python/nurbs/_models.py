@@ -16,6 +16,8 @@ from ._faces import Face
 from ._files import Note, SplineList, _options
 from ._library import call, get, lib, text
 from ._spline import Spline
+from ._write import file_bytes, to_file
+from .constants import NURBS_FORMAT_STEP
 
 if TYPE_CHECKING:
     from ._arrays import Floats
@@ -213,6 +215,19 @@ class Model:
     def __repr__(self) -> str:
         counts = self.counts
         return f"<Model of {counts.faces} faces, {counts.edges} edges and {counts.vertices} vertices>"
+
+    def write(self, format: int = NURBS_FORMAT_STEP, unit: float = 0.0, tolerance: float = 0.0, *,
+              progress: Progress = None, work: Optional[int] = None) -> bytes:
+        """The contents of a file that holds the model, the same for the same model. `unit` is that of the file in
+        metres, 0 keeps its own; `tolerance`, in that unit, is the distance that counts as none, 0 takes that of the
+        faces. Raises ArgumentError for what the format cannot hold."""
+        return file_bytes(lib.nurbs_model_write, self._handle, format, unit, tolerance, progress, work)
+
+    def write_file(self, path: Union[str, bytes, os.PathLike[str]], format: Optional[int] = None, unit: float = 0.0,
+                   tolerance: float = 0.0, *, progress: Progress = None, work: Optional[int] = None) -> None:
+        """Writes what write() gives to a file, which is replaced whole or not at all; without a format that of the
+        suffix, such as ".step". Raises FileError if it cannot be written."""
+        to_file(lib.nurbs_model_write_file, self._handle, path, format, unit, tolerance, progress, work)
 
     # --- What it holds ---
 

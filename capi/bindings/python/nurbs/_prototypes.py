@@ -326,4 +326,13 @@ PROTOTYPES = {
     "nurbs_model_part": "i plplp",
     "nurbs_model_use": "i plppp",
     "nurbs_model_splines": "i pp",
+    "nurbs_write_options_init": "i pl",
+    "nurbs_model_write": "i piplpp",
+    "nurbs_model_write_with": "i piplppp",
+    "nurbs_model_write_file": "i ppip",
+    "nurbs_model_write_file_with": "i ppipp",
+    "nurbs_list_write": "i piplpp",
+    "nurbs_list_write_with": "i piplppp",
+    "nurbs_list_write_file": "i ppip",
+    "nurbs_list_write_file_with": "i ppipp",
 }

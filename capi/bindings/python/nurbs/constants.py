@@ -285,6 +285,9 @@ NURBS_BYTES_SPLINE = 1  # a spline: nurbs_from_bytes()
 NURBS_BYTES_LIST = 2  # a list: nurbs_list_from_bytes()
 NURBS_BYTES_STATISTICS = 3  # statistics: nurbs_statistics_from_bytes()
 
+# --- Formats of files
+NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214
+
 
 def on_axis(axis: int, flags: int) -> int:
     """The bits `flags` moved to those of `axis`: the macro NURBS_ON_AXIS."""

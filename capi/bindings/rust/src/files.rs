@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
-//! Reading files: the splines that a file held, their names, and notes on the rest.
+//! Files: the splines that one held, their names, and notes on the rest; and writing them.
 
 use crate::call::Call;
 use crate::error::{check, value, Result};
-use crate::list::{options_pointer, path_text, written, List, ReadOptions, Texts};
+use crate::list::{
+    options_pointer, path_text, write_options_pointer, written, List, ReadOptions, Texts, WriteOptions,
+};
 use crate::spline::{handles, Spline};
 use crate::sys;
 use std::path::Path;
@@ -46,7 +48,7 @@ pub fn bytes_kind(bytes: &[u8]) -> Result<BytesKind> {
     Ok(BytesKind { kind, major, minor })
 }
 
-/// Reading files: the splines that a file held, their names, and notes on the rest.
+/// Files: the splines that one held, their names, and notes on the rest; and writing them.
 impl List {
     /// Reads the contents of a file from memory.
     pub fn read(bytes: &[u8], options: Option<&ReadOptions>) -> Result<List> {
@@ -145,6 +147,39 @@ impl List {
     pub fn from_bytes(bytes: &[u8]) -> Result<List> {
         List::made(|out| unsafe {
             sys::nurbs_list_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out)
+        })
+    }
+
+    /// Writes the curves and surfaces to a file, which is replaced whole or not at all.
+    pub fn write_file(
+        &self,
+        path: impl AsRef<Path>,
+        format: i32,
+        options: Option<&WriteOptions>,
+    ) -> Result<()> {
+        let path = path_text(path)?;
+        check(unsafe {
+            sys::nurbs_list_write_file(self.raw(), path.as_ptr(), format, write_options_pointer(options))
+        })
+    }
+
+    /// The same as `write_file`; it can be watched and stopped.
+    pub fn write_file_with(
+        &self,
+        path: impl AsRef<Path>,
+        format: i32,
+        options: Option<&WriteOptions>,
+        call: &mut Call,
+    ) -> Result<()> {
+        let path = path_text(path)?;
+        check(unsafe {
+            sys::nurbs_list_write_file_with(
+                self.raw(),
+                path.as_ptr(),
+                format,
+                write_options_pointer(options),
+                call.options(),
+            )
         })
     }
 }

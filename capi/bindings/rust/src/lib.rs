@@ -75,7 +75,7 @@ pub use call::Call;
 pub use data::{CloudOptions, CloudReport, Data, FitOptions, FitReport};
 pub use error::{last_error, status_name, version, Error, Result};
 pub use face::Face;
-pub use list::{List, ReadOptions};
+pub use list::{List, ReadOptions, WriteOptions};
 pub use model::Model;
 pub use placement::{Placement, Turn};
 pub use spline::Spline;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-//! Lists of splines, and settings for reading files: the handle and the struct. Reading is in the module `files`.
+//! Lists of splines, and settings for reading and writing files: the handle and the structs. Reading is in the module `files`.
 
+use crate::call::Call;
 use crate::error::{check, text, value, Error, Result};
 use crate::sys;
 use std::ffi::CString;
@@ -34,6 +35,44 @@ impl ReadOptions {
         self.raw.max_bytes = bytes;
         self
     }
+}
+
+/// Settings for writing; `WriteOptions::new()` has the defaults.
+#[derive(Clone, Copy, Debug)]
+pub struct WriteOptions {
+    raw: sys::nurbs_write_options,
+}
+
+impl WriteOptions {
+    /// The defaults.
+    pub fn new() -> Result<WriteOptions> {
+        let size = std::mem::size_of::<sys::nurbs_write_options>() as i64;
+        let mut raw = sys::nurbs_write_options { struct_size: size, unit: 0.0, tolerance: 0.0 };
+        check(unsafe { sys::nurbs_write_options_init(&mut raw, size) })?;
+        Ok(WriteOptions { raw })
+    }
+    /// Unit of the file in metres; 0 keeps that of the model or list.
+    pub fn unit(mut self, metres: f64) -> WriteOptions {
+        self.raw.unit = metres;
+        self
+    }
+    /// Distance that counts as none, in units of the file; 0 takes that of the faces.
+    pub fn tolerance(mut self, distance: f64) -> WriteOptions {
+        self.raw.tolerance = distance;
+        self
+    }
+}
+
+impl Default for WriteOptions {
+    /// The defaults.
+    fn default() -> WriteOptions {
+        WriteOptions::new().expect("a library that knows the settings of its header")
+    }
+}
+
+/// NULL without settings.
+pub(crate) fn write_options_pointer(options: Option<&WriteOptions>) -> *const sys::nurbs_write_options {
+    options.map_or(std::ptr::null(), |o| &o.raw)
 }
 
 /// Parts of a spline, or what a file held.
@@ -96,6 +135,22 @@ impl List {
         bytes_of(|cap, bytes, length| unsafe { sys::nurbs_list_to_bytes(self.raw(), cap, bytes, length) })
     }
 
+    /// The contents of a file that holds the splines, the same for the same list.
+    pub fn write(&self, format: i32, options: Option<&WriteOptions>) -> Result<Vec<u8>> {
+        let settings = write_options_pointer(options);
+        bytes_of(|cap, bytes, length| unsafe {
+            sys::nurbs_list_write(self.raw(), format, settings, cap, bytes, length)
+        })
+    }
+
+    /// The same as `write`; it can be watched and stopped, once for the length and once for the contents.
+    pub fn write_with(&self, format: i32, options: Option<&WriteOptions>, call: &mut Call) -> Result<Vec<u8>> {
+        let settings = write_options_pointer(options);
+        bytes_of(|cap, bytes, length| unsafe {
+            sys::nurbs_list_write_with(self.raw(), format, settings, cap, bytes, length, call.options())
+        })
+    }
+
     /// Number of splines.
     pub fn len(&self) -> usize {
         let count = value(|count: *mut i64| unsafe { sys::nurbs_list_count(self.raw(), count) });
@@ -143,7 +198,7 @@ impl Texts {
 }
 
 /// What `write` says of a handle, written to (cap, bytes, length).
-pub(crate) fn bytes_of(write: impl Fn(i64, *mut c_void, *mut i64) -> i32) -> Result<Vec<u8>> {
+pub(crate) fn bytes_of(mut write: impl FnMut(i64, *mut c_void, *mut i64) -> i32) -> Result<Vec<u8>> {
     let mut length = 0;
     check(write(0, null_mut(), &mut length))?;
     let mut bytes = vec![0u8; length as usize];

@@ -6,7 +6,9 @@
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::face::{face_handles, Face};
-use crate::list::{options_pointer, path_text, written, List, ReadOptions};
+use crate::list::{
+    options_pointer, path_text, write_options_pointer, written, List, ReadOptions, WriteOptions,
+};
 use crate::model::Model;
 use crate::spline::Spline;
 use crate::sys;
@@ -218,5 +220,38 @@ impl Model {
     /// what was not read.
     pub fn splines(&self) -> Result<List> {
         List::made(|out| unsafe { sys::nurbs_model_splines(self.raw(), out) })
+    }
+
+    /// Writes it to a file, which is replaced whole or not at all.
+    pub fn write_file(
+        &self,
+        path: impl AsRef<Path>,
+        format: i32,
+        options: Option<&WriteOptions>,
+    ) -> Result<()> {
+        let path = path_text(path)?;
+        check(unsafe {
+            sys::nurbs_model_write_file(self.raw(), path.as_ptr(), format, write_options_pointer(options))
+        })
+    }
+
+    /// The same as `write_file`; it can be watched and stopped.
+    pub fn write_file_with(
+        &self,
+        path: impl AsRef<Path>,
+        format: i32,
+        options: Option<&WriteOptions>,
+        call: &mut Call,
+    ) -> Result<()> {
+        let path = path_text(path)?;
+        check(unsafe {
+            sys::nurbs_model_write_file_with(
+                self.raw(),
+                path.as_ptr(),
+                format,
+                write_options_pointer(options),
+                call.options(),
+            )
+        })
     }
 }

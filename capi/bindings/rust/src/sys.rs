@@ -347,6 +347,20 @@ pub struct nurbs_read_options {
     pub max_bytes: i64,
 }
 
+/// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
+/// only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one of
+/// its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_write_options {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// unit of the file in metres; 0: that of the model, millimetres if it has none
+    pub unit: f64,
+    /// distance that counts as none, in units of the file; 0: that of the faces
+    pub tolerance: f64,
+}
+
 // --- Version and limits
 /// Changes when programs built with an earlier version may stop working.
 pub const NURBS_VERSION_MAJOR: i32 = 1;
@@ -834,6 +848,10 @@ pub const NURBS_BYTES_SPLINE: i32 = 1;
 pub const NURBS_BYTES_LIST: i32 = 2;
 /// statistics: nurbs_statistics_from_bytes()
 pub const NURBS_BYTES_STATISTICS: i32 = 3;
+
+// --- Formats of files
+/// STEP: an exchange structure of ISO 10303-21, by AP214
+pub const NURBS_FORMAT_STEP: i32 = 1;
 
 #[link(name = "nurbs")]
 extern "C" {
@@ -4234,4 +4252,92 @@ extern "C" {
     /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
     /// notes on all that was not read.
     pub fn nurbs_model_splines(model: *const nurbs_model, out: *mut *mut nurbs_list) -> nurbs_status;
+    // --- Writing files
+    /// Fills an options struct with the defaults.
+    pub fn nurbs_write_options_init(options: *mut nurbs_write_options, struct_size: i64) -> nurbs_status;
+    /// A model as the contents of a file.
+    ///
+    /// May be null: `options`, `bytes`, `length`.
+    pub fn nurbs_model_write(
+        model: *const nurbs_model,
+        format: i32,
+        options: *const nurbs_write_options,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_model_write() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `bytes`, `length`, `call`.
+    pub fn nurbs_model_write_with(
+        model: *const nurbs_model,
+        format: i32,
+        options: *const nurbs_write_options,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Writes a model to a file.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_model_write_file(
+        model: *const nurbs_model,
+        path: *const c_char,
+        format: i32,
+        options: *const nurbs_write_options,
+    ) -> nurbs_status;
+    /// nurbs_model_write_file() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_model_write_file_with(
+        model: *const nurbs_model,
+        path: *const c_char,
+        format: i32,
+        options: *const nurbs_write_options,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those that
+    /// belong to no face, with their names.
+    ///
+    /// May be null: `options`, `bytes`, `length`.
+    pub fn nurbs_list_write(
+        list: *const nurbs_list,
+        format: i32,
+        options: *const nurbs_write_options,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_list_write() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `bytes`, `length`, `call`.
+    pub fn nurbs_list_write_with(
+        list: *const nurbs_list,
+        format: i32,
+        options: *const nurbs_write_options,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Writes the curves and surfaces of a list to a file, as nurbs_model_write_file() does.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_list_write_file(
+        list: *const nurbs_list,
+        path: *const c_char,
+        format: i32,
+        options: *const nurbs_write_options,
+    ) -> nurbs_status;
+    /// nurbs_list_write_file() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_list_write_file_with(
+        list: *const nurbs_list,
+        path: *const c_char,
+        format: i32,
+        options: *const nurbs_write_options,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
 }

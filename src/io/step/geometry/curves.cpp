@@ -63,7 +63,7 @@ bool measured_by_angle(const CurveShape &curve) noexcept {
 // X along a direction; the others are any.
 build::Placement frame_along(const Point &origin, const Point &x) {
     const build::Placement z = build::make_placement(3, origin.x.data(), x.x.data(), nullptr, "pnt");
-    return {z.origin, z.z, z.x, z.y, 3, z.z_rest, z.x_rest, z.y_rest};
+    return {z.origin, z.z, z.x, z.y, 3, z.z_rest, z.x_rest, z.y_rest, {}, z.given_axis};
 }
 
 } // namespace
@@ -129,14 +129,16 @@ CurveShapePtr Geometry::read_curve(const Instance &instance) {
 CurveShapePtr Geometry::line(Attributes &attributes) {
     attributes.part("LINE");
     const Point point = read_point(entities_, attributes.reference("pnt"), attributes, "pnt", units_.length);
-    const Point way = read_vector(entities_, attributes.reference("dir"), attributes, "dir", units_.length);
+    const Vector vector =
+        read_vector(entities_, attributes.reference("dir"), attributes, "dir", units_.length);
+    const Point &way = vector.direction;
     if (point.dim != way.dim) {
         attributes.fail_attribute(Status::syntax, "dir", "another dimension than that of pnt");
     }
     CurveShape line{CurveKind::line, {}, {0, 0}, nullptr, {}};
     line.place = way.dim == 2 ? build::make_placement(2, point.x.data(), nullptr, way.x.data(), "pnt")
                               : frame_along(point, way);
-    line.sizes[0] = length(Vector3{way.x[0], way.x[1], way.x[2]});
+    line.sizes[0] = vector.magnitude;
     return std::make_shared<const CurveShape>(std::move(line));
 }
 

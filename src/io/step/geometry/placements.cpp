@@ -109,25 +109,26 @@ Point read_direction(Entities &entities, int64_t number, const Attributes &owner
     return direction;
 }
 
-Point read_vector(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
-                  double length) {
+Vector3 Vector::value() const noexcept {
+    const Vector3 along = scaled_to_one({direction.x[0], direction.x[1], direction.x[2]});
+    return (magnitude / nrb::length(along)) * along;
+}
+
+Vector read_vector(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                   double length) {
     Attributes attributes(entities.instances(),
                           entities.at(number, Kind::vector, owner, attribute, "a VECTOR"));
     attributes.part("REPRESENTATION_ITEM");
     attributes.skip("name");
     attributes.part("VECTOR");
     const int64_t orientation = attributes.reference("orientation");
-    const double magnitude = attributes.real("magnitude");
-    if (!(magnitude > 0)) {
+    const double stated = attributes.real("magnitude"), magnitude = stated * length;
+    if (!(magnitude > 0) || !std::isfinite(magnitude)) {
         attributes.fail_attribute(Status::length, "magnitude",
-                                  std::string("found ") + Number(magnitude).text +
+                                  std::string("found ") + Number(stated).text +
                                       ", expected a length above 0");
     }
-    Point vector = read_direction(entities, orientation, attributes, "orientation");
-    const Vector3 along = unit_of(vector);
-    const double factor = magnitude * length;
-    vector.x = {factor * along.x, factor * along.y, factor * along.z};
-    return vector;
+    return {read_direction(entities, orientation, attributes, "orientation"), magnitude};
 }
 
 build::Placement read_placement(Entities &entities, int64_t number, const Attributes &owner,

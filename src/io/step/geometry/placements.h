@@ -21,9 +21,15 @@ Point read_point(Entities &entities, int64_t number, const Attributes &owner, co
 Point read_point(Entities &entities, const Instance &instance, double length);
 // Of any length but 0; not multiplied.
 Point read_direction(Entities &entities, int64_t number, const Attributes &owner, const char *attribute);
-// An orientation times its magnitude, and `length`.
-Point read_vector(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
-                  double length);
+struct Vector {
+    Point direction;  // of any length
+    double magnitude; // multiplied by `length`
+
+    // Without any rounding where the magnitude is nrb::length() of the direction.
+    [[nodiscard]] Vector3 value() const noexcept;
+};
+Vector read_vector(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
+                   double length);
 
 // The frame of axis2_placement_2d and _3d. Directions that are missing are those that ISO 10303-42 builds: Z is (0, 0,
 // 1); X is the part across Z of (1, 0, 0), or of (0, 1, 0) where Z is parallel to that. A reference direction that is

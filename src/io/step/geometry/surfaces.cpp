@@ -161,9 +161,9 @@ SurfaceShape Geometry::extrusion(Attributes &attributes) {
     SurfaceShape shape = shape_of(SurfaceKind::extrusion);
     shape.curve = curve(attributes.reference("swept_curve"), attributes, "swept_curve");
     attributes.part("SURFACE_OF_LINEAR_EXTRUSION");
-    const Point way = read_vector(entities_, attributes.reference("extrusion_axis"), attributes,
-                                  "extrusion_axis", units_.length);
-    shape.vector = {way.x[0], way.x[1], way.x[2]};
+    shape.vector = read_vector(entities_, attributes.reference("extrusion_axis"), attributes,
+                               "extrusion_axis", units_.length)
+                       .value();
     return shape;
 }
 

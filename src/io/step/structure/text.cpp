@@ -43,40 +43,6 @@ void append_character(std::string &text, char32_t c) {
     append_utf8(text, control ? U'?' : (surrogate(c) || c > 0x10FFFF ? no_character : c));
 }
 
-// Bytes of the UTF-8 character that `text` begins with; 0: it begins with none.
-size_t utf8_length(std::string_view text) noexcept {
-    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-    const size_t length = byte(0) < 0x80   ? 1U
-                          : byte(0) < 0xC2 ? 0U
-                          : byte(0) < 0xE0 ? 2U
-                          : byte(0) < 0xF0 ? 3U
-                          : byte(0) < 0xF5 ? 4U
-                                           : 0U;
-    if (length == 0 || length > text.size()) {
-        return 0;
-    }
-    for (size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0) != 0x80) {
-            return 0;
-        }
-    }
-    // overlong forms, surrogates, and what is beyond Unicode
-    const bool strange = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) >= 0xA0) ||
-                         (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) >= 0x90);
-    return strange ? 0 : length;
-}
-
-bool is_utf8(std::string_view text) noexcept {
-    while (!text.empty()) {
-        const size_t length = utf8_length(text);
-        if (length == 0) {
-            return false;
-        }
-        text.remove_prefix(length);
-    }
-    return true;
-}
-
 // The number that so many hexadecimal digits make, or -1.
 int64_t hexadecimal(std::string_view text, size_t digits) noexcept {
     if (text.size() < digits) {
@@ -193,6 +159,39 @@ private:
 };
 
 } // namespace
+
+size_t utf8_length(std::string_view text) noexcept {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    const size_t length = byte(0) < 0x80   ? 1U
+                          : byte(0) < 0xC2 ? 0U
+                          : byte(0) < 0xE0 ? 2U
+                          : byte(0) < 0xF0 ? 3U
+                          : byte(0) < 0xF5 ? 4U
+                                           : 0U;
+    if (length == 0 || length > text.size()) {
+        return 0;
+    }
+    for (size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    // overlong forms, surrogates, and what is beyond Unicode
+    const bool strange = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) >= 0xA0) ||
+                         (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) >= 0x90);
+    return strange ? 0 : length;
+}
+
+bool is_utf8(std::string_view text) noexcept {
+    while (!text.empty()) {
+        const size_t length = utf8_length(text);
+        if (length == 0) {
+            return false;
+        }
+        text.remove_prefix(length);
+    }
+    return true;
+}
 
 std::string decode_string(std::string_view raw) {
     return Decoder(raw).run();

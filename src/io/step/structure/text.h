@@ -13,4 +13,12 @@ namespace nrb::io::step {
 // other control characters become '?', so that the result is whole as a C string.
 std::string decode_string(std::string_view raw);
 
+// Bytes of the UTF-8 character that a text begins with; 0: it begins with none.
+size_t utf8_length(std::string_view text) noexcept;
+bool is_utf8(std::string_view text) noexcept;
+
+// Appends what decode_string() makes this text of, in ASCII: beyond it, characters become \X2\hhhh...\X0\ and
+// \X4\hhhhhhhh...\X0\. A text that is not UTF-8 is taken for ISO 8859-1, and control characters become '?'.
+void append_encoded(std::string_view text, std::string &raw);
+
 } // namespace nrb::io::step

@@ -768,6 +768,50 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_splines(in.model, &o.list);
      }},
+    {"write_options_init",
+     [](const Inputs &, Output &) -> nurbs_status {
+         nurbs_write_options options;
+         return nurbs_write_options_init(&options, sizeof(nurbs_write_options));
+     }},
+    {"model_write",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_write(in.model, 1, nullptr, 0, o.text, o.spans);
+     }},
+    {"model_write in inches",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         options.tolerance = 0.001;
+         return nurbs_model_write(in.model, 1, &options, 0, o.text, o.spans);
+     }},
+    {"model_write_file",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         return nurbs_model_write_file(in.model, replaced_path, 1, nullptr);
+     }},
+    {"model_write_file in inches",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_model_write_file(in.model, replaced_path, 1, &options);
+     }},
+    {"list_write",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         return nurbs_list_write(made_edges, 1, nullptr, 0, o.text, o.spans);
+     }},
+    {"list_write_file",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         return nurbs_list_write_file(made_edges, replaced_path, 1, nullptr);
+     }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -1035,6 +1079,57 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_model_file_with(solid_path, &options, &call, &o.model);
      }, true},
+    {"model_write_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_write_with(in.model, 1, nullptr, 0, o.text, o.spans, &call);
+     }},
+    {"model_write_with in inches",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         options.tolerance = 0.001;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_write_with(in.model, 1, &options, 0, o.text, o.spans, &call);
+     }},
+    {"model_write_file_with",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_write_file_with(in.model, replaced_path, 1, nullptr, &call);
+     }},
+    {"model_write_file_with in inches",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_write_file_with(in.model, replaced_path, 1, &options, &call);
+     }},
+    {"list_write_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_list_write_with(made_edges, 1, nullptr, 0, o.text, o.spans, &call);
+     }},
+    {"list_write_file_with",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_list_write_file_with(made_edges, replaced_path, 1, nullptr, &call);
+     }},
 };
 
 } // namespace

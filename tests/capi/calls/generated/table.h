@@ -84,6 +84,8 @@ inline constexpr char solid[] =
     "#24=SHAPE_REPRESENTATION('',(#20,#21),#23);\n"
     "ENDSEC;\n"
     "END-ISO-10303-21;\n";
+inline constexpr char replaced[] =
+    "an older file\n";
 inline constexpr unsigned char no_data[] = {137, 78, 85, 82, 13, 10, 26, 10, 1, 0, 0, 0, 3, 0, 0, 0,
     192, 0, 0, 0, 0, 0, 0, 0, 114, 160, 102, 241, 94, 129, 142, 24, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0,

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""What models and lists of splines have in common when they are written."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy
+
+from ._calls import watched
+from ._library import call, get, lib
+from .constants import NURBS_FORMAT_STEP
+
+if TYPE_CHECKING:
+    from ._calls import Progress
+
+_SUFFIXES = {".step": NURBS_FORMAT_STEP, ".stp": NURBS_FORMAT_STEP, ".p21": NURBS_FORMAT_STEP}
+
+
+class _Options(ctypes.Structure):
+    _fields_ = [("struct_size", ctypes.c_int64), ("unit", ctypes.c_double), ("tolerance", ctypes.c_double)]
+
+
+def _options(unit: float, tolerance: float) -> Any:
+    options = _Options()
+    call(lib.nurbs_write_options_init, ctypes.byref(options), ctypes.sizeof(options))
+    options.unit, options.tolerance = unit, tolerance
+    return ctypes.byref(options)
+
+
+def file_bytes(function: Any, handle: Any, format: int, unit: float, tolerance: float, progress: Progress,
+               work: Optional[int]) -> bytes:
+    """What a function writes to (cap, bytes, length), its last arguments: once to ask how much that is."""
+    write, options = watched(function, progress, work, 2), _options(unit, tolerance)
+    contents = numpy.empty(get(ctypes.c_int64, write, handle, format, options, 0, None), numpy.uint8)
+    get(ctypes.c_int64, write, handle, format, options, contents.size, contents.ctypes.data)
+    return contents.tobytes()
+
+
+def to_file(function: Any, handle: Any, path: Union[str, bytes, os.PathLike[str]], format: Optional[int], unit: float,
+            tolerance: float, progress: Progress, work: Optional[int]) -> None:
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError("a path with a zero in it")
+    if format is None:
+        suffix = os.path.splitext(os.fsdecode(name))[1]
+        if suffix.lower() not in _SUFFIXES:
+            raise ValueError(f"no format has the suffix {suffix!r}: expected one of {', '.join(_SUFFIXES)}, or a format")
+        format = _SUFFIXES[suffix.lower()]
+    call(watched(function, progress, work), handle, name, format, _options(unit, tolerance))

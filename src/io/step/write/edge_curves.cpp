@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/write/edge_curves.h"
+
+#include "base/error.h"
+#include "eval/evaluate.h"
+#include "io/step/write/write_geometry.h"
+#include "model/shapes/curve_spline.h"
+#include "numeric/norm.h"
+#include "refine/forms/parametrization.h"
+#include "spline/part.h"
+
+#include <algorithm>
+
+namespace nrb::io::step {
+namespace {
+
+// Whether the two are at one place of space at equal parameters.
+bool together(const face::Face &face, const Spline &curve, const model::CurveShape &edge, double tolerance) {
+    const int64_t places = 16 + 4 * curve.count(0);
+    for (int64_t i = 0; i <= places; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(places);
+        const double t = parameter_in(curve.axis(0).domain(), share);
+        face::Point2 place;
+        eval::evaluate_points(curve, {}, 0, {&t, 1, 1, 1, 1}, {place.data(), 1, 2, 2, 1});
+        for (size_t k = 0; k < 2; ++k) {
+            const Interval domain = face.covering().domain(static_cast<int>(k));
+            place[k] = std::clamp(place[k], domain.lower, domain.upper);
+        }
+        const std::vector<double> x = face::point_at(*face.surface(), place);
+        if (!(nrb::length(model::point_at(edge, t) - Vector3{x[0], x[1], x[2]}) <= tolerance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+bool same_values(const Spline &a, const Spline &b) noexcept {
+    if (a.axes() != b.axes() || a.dim() != b.dim() || a.form() != b.form()) {
+        return false;
+    }
+    for (int k = 0; k < a.axes(); ++k) {
+        if (a.axis(k).degree() != b.axis(k).degree() ||
+            !std::ranges::equal(a.axis(k).knots(), b.axis(k).knots())) {
+            return false;
+        }
+    }
+    return std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
+}
+
+model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, const Vector3 &end,
+                               double tolerance) {
+    const double first[] = {start.x, start.y, start.z}, last[] = {end.x, end.y, end.z};
+    if (edge.shape != nullptr && restatable(*edge.shape)) {
+        for (const bool forward : {true, false}) {
+            try {
+                const model::CurvePiece piece =
+                    model::piece_between(edge.shape, {first, last, forward, tolerance});
+                if (same_values(*model::piece_spline(piece), *edge.curve)) {
+                    return piece;
+                }
+            } catch (const Error &) { // no part of the shape is between the vertices
+                continue;
+            }
+        }
+    }
+    const model::CurveShapePtr curve = model::curve_of_spline(edge.curve);
+    return {curve, model::natural_range(*curve), true};
+}
+
+SplinePtr parameter_curve(const face::Face &face, const face::Coedge &coedge, bool along,
+                          const model::CurvePiece &edge, double tolerance) {
+    try {
+        const SplinePtr curve =
+            along == edge.forward ? coedge.curve : refine::reverse(*coedge.curve, 0, false);
+        const SplinePtr over =
+            same(curve->axis(0).domain(), edge.range) ? curve : refine::reparametrize(curve, 0, edge.range);
+        return together(face, *over, *edge.curve, tolerance) ? over : nullptr;
+    } catch (const Error &) { // its knots would merge
+        return nullptr;
+    }
+}
+
+} // namespace nrb::io::step

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/write/shells.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace nrb::io::step {
+namespace {
+
+// Calls visit(face, oriented edge) for all uses.
+template <class Visit>
+void for_each_use(const Topology &topology, const Visit &visit) {
+    for (size_t f = 0; f < topology.loops.size(); ++f) {
+        for (const std::vector<OrientedEdge> &loop : topology.loops[f]) {
+            for (const OrientedEdge &edge : loop) {
+                visit(f, edge);
+            }
+        }
+    }
+}
+
+class Groups {
+public:
+    explicit Groups(size_t count) : leaders_(count) {
+        std::iota(leaders_.begin(), leaders_.end(), size_t{0});
+    }
+
+    size_t leader(size_t i) noexcept {
+        while (leaders_[i] != i) {
+            leaders_[i] = leaders_[leaders_[i]];
+            i = leaders_[i];
+        }
+        return i;
+    }
+    // The first of each group leads it.
+    void join(size_t a, size_t b) noexcept {
+        a = leader(a);
+        b = leader(b);
+        leaders_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<size_t> leaders_;
+};
+
+// The faces of one part that share an edge.
+Groups groups_of(const model::Model &model, const Topology &topology) {
+    Groups groups(model.faces.size());
+    std::map<std::pair<size_t, int64_t>, size_t> first; // by edge and part
+    for_each_use(topology, [&](size_t face, const OrientedEdge &edge) {
+        const auto [known, fresh] = first.try_emplace({edge.edge, model.faces[face].part}, face);
+        if (!fresh) {
+            groups.join(known->second, face);
+        }
+    });
+    return groups;
+}
+
+} // namespace
+
+std::vector<Shell> shells_of(const model::Model &model, const Topology &topology) {
+    Groups groups = groups_of(model, topology);
+    std::vector<Shell> shells;
+    std::vector<size_t> shell_of(model.faces.size());
+    for (size_t f = 0; f < model.faces.size(); ++f) {
+        if (groups.leader(f) == f) {
+            shell_of[f] = shells.size();
+            shells.push_back({model.faces[f].part, {}});
+        } else {
+            shell_of[f] = shell_of[groups.leader(f)];
+        }
+        shells[shell_of[f]].faces.push_back(f);
+    }
+    struct Uses {
+        int along = 0, against = 0;
+    };
+    std::map<std::pair<size_t, size_t>, Uses> uses; // by shell and edge
+    for_each_use(topology, [&](size_t face, const OrientedEdge &edge) {
+        Uses &all = uses[{shell_of[face], edge.edge}];
+        ++(edge.along != model.faces[face].against ? all.along : all.against);
+    });
+    for (const auto &[place, all] : uses) {
+        if (all.along != 1 || all.against != 1) {
+            shells[place.first].closed = false;
+        }
+    }
+    return shells;
+}
+
+} // namespace nrb::io::step

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Which faces hang together by their edges.
+#pragma once
+
+#include "io/step/write/topology.h"
+
+#include <vector>
+
+namespace nrb::io::step {
+
+struct Shell {
+    int64_t part = 0;
+    std::vector<size_t> faces; // in the order of the model
+    // Each edge is used twice, once in each direction as the outer normals see it, so that the faces enclose something.
+    bool closed = true;
+};
+
+// In the order of their first faces; faces of different parts do not hang together.
+std::vector<Shell> shells_of(const model::Model &model, const Topology &topology);
+
+} // namespace nrb::io::step

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/write/topology.h"
+
+#include "eval/evaluate.h"
+#include "face/deviation.h"
+#include "spline/part.h"
+
+#include <array>
+#include <map>
+
+namespace nrb::io::step {
+namespace {
+
+Vector3 point_on(const Spline &curve, double t, bool left) {
+    Vector3 x;
+    eval::AxisRules rules{};
+    rules[0].left = left;
+    double out[3];
+    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {out, 1, 3, 3, 1});
+    x = {out[0], out[1], out[2]};
+    return x;
+}
+
+Vector3 at_share(const Spline &curve, double share) {
+    return point_on(curve, parameter_in(curve.axis(0).domain(), share), share == 1);
+}
+
+// Whether a curve in the domain of a face runs along an edge rather than against it, by some places of both.
+bool runs_along(const face::Face &face, const Spline &curve, const Spline &edge) {
+    double along = 0, against = 0;
+    for (const double share : {0.0, 0.2, 0.4, 0.7, 1.0}) {
+        const double t = parameter_in(curve.axis(0).domain(), share);
+        face::Point2 place;
+        eval::evaluate_points(curve, {}, 0, {&t, 1, 1, 1, 1}, {place.data(), 1, 2, 2, 1});
+        const std::vector<double> x = face::point_at(*face.surface(), face.covering().in_domain(place));
+        const Vector3 at{x[0], x[1], x[2]};
+        along += nrb::length(at - at_share(edge, share));
+        against += nrb::length(at - at_share(edge, 1 - share));
+    }
+    return along <= against;
+}
+
+class TopologyMaker {
+public:
+    explicit TopologyMaker(const model::Model &model) : model_(model) {
+        result_.edges = model.edges;
+        result_.vertices = model.vertices;
+        for (const Vector3 &at : model.vertices) {
+            vertices_.try_emplace({at.x, at.y, at.z}, std::ssize(vertices_));
+        }
+    }
+
+    Topology run() {
+        for (const model::ModelFace &face : model_.faces) {
+            auto &loops = result_.loops.emplace_back();
+            for (const face::Loop &loop : face.face->loops()) {
+                loops.emplace_back(loop.size(), OrientedEdge{none, true});
+            }
+        }
+        for (size_t e = 0; e < model_.edges.size(); ++e) {
+            for (const model::EdgeUse &use : model_.edges[e].uses) {
+                at(use) = {e, true};
+            }
+        }
+        for (size_t f = 0; f < model_.faces.size(); ++f) {
+            orient(f);
+        }
+        for (model::Edge &edge : result_.edges) {
+            end(edge);
+        }
+        return std::move(result_);
+    }
+
+private:
+    static constexpr size_t none = ~size_t{0};
+
+    OrientedEdge &at(const model::EdgeUse &use) {
+        return result_.loops[static_cast<size_t>(use.face)][static_cast<size_t>(use.loop)]
+                            [static_cast<size_t>(use.index)];
+    }
+    void orient(size_t f) {
+        const face::Face &face = *model_.faces[f].face;
+        for (size_t i = 0; i < face.loops().size(); ++i) {
+            for (size_t j = 0; j < face.loops()[i].size(); ++j) {
+                const face::Coedge &coedge = face.loops()[i][j];
+                OrientedEdge &made = result_.loops[f][i][j];
+                if (made.edge == none) {
+                    made.edge = result_.edges.size();
+                    result_.edges.push_back({face::edge_of(face, coedge), nullptr});
+                    result_.edges.back().part = model_.faces[f].part;
+                    made.along = !coedge.against;
+                    continue;
+                }
+                const SplinePtr &curve = result_.edges[made.edge].curve;
+                made.along = curve == coedge.edge ? !coedge.against : runs_along(face, *coedge.curve, *curve);
+            }
+        }
+    }
+    // Vertices where it has none: equal ones are one.
+    void end(model::Edge &edge) {
+        for (const size_t upper : {0U, 1U}) {
+            if (edge.vertices[upper] >= 0) {
+                continue;
+            }
+            const Vector3 x = at_share(*edge.curve, static_cast<double>(upper));
+            const auto [known, fresh] = vertices_.try_emplace({x.x, x.y, x.z}, std::ssize(result_.vertices));
+            if (fresh) {
+                result_.vertices.push_back(x);
+            }
+            edge.vertices[upper] = known->second;
+        }
+    }
+
+    const model::Model &model_;
+    Topology result_;
+    std::map<std::array<double, 3>, int64_t> vertices_;
+};
+
+} // namespace
+
+Topology topology_of(const model::Model &model) {
+    return TopologyMaker(model).run();
+}
+
+} // namespace nrb::io::step

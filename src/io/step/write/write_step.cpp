@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "io/step/write/write_step.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "io/step/write/shells.h"
+#include "io/step/write/write_colours.h"
+#include "io/step/write/write_contexts.h"
+#include "io/step/write/write_products.h"
+#include "io/step/write/write_spline.h"
+#include "io/step/write/write_topology.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::io {
+namespace {
+
+using step::ExchangeText;
+using step::PartItems;
+using step::Ref;
+using step::Refs;
+using step::Text;
+
+constexpr double millimetre = 0.001;
+// Of what has no faces, in metres.
+constexpr double usual_uncertainty = 1e-7;
+
+// No time and no place, so that the same model is the same file.
+constexpr std::string_view header = "ISO-10303-21;\n"
+                                    "HEADER;\n"
+                                    "FILE_DESCRIPTION((''),'2;1');\n"
+                                    "FILE_NAME('','',(''),(''),'libnurbs','libnurbs','');\n"
+                                    "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\n"
+                                    "ENDSEC;\n"
+                                    "DATA;\n";
+constexpr std::string_view footer = "ENDSEC;\n"
+                                    "END-ISO-10303-21;\n";
+
+struct Lengths {
+    double metres; // of the unit of the file
+    double factor; // from the unit of the model
+};
+
+Lengths lengths_of(const model::Model &model, double wanted) {
+    const double own = model.metres_per_unit > 0 ? model.metres_per_unit : millimetre;
+    if (wanted == 0 || wanted == own) {
+        return {own, 1};
+    }
+    if (!std::isnormal(own / wanted)) {
+        fail(Status::options, "unit = %s cannot be reached from units of %s metres", Number(wanted).text,
+             Number(own).text);
+    }
+    return {wanted, own / wanted};
+}
+
+// What names no index of its own.
+template <class Run>
+auto named(const char *array, size_t index, const Run &run) {
+    try {
+        return run();
+    } catch (const Error &error) {
+        fail(error.status(), "%s[%zu]: %s", array, index, error.what());
+    }
+}
+
+class StepWriter {
+public:
+    StepWriter(const model::Model &model, const WriteSettings &settings)
+        : model_(model), lengths_(lengths_of(model, settings.unit)), geometry_(text_, lengths_.factor),
+          contexts_(text_, lengths_.metres), parts_(std::max<size_t>(model.parts.size(), 1)) {
+        set_tolerances(settings.tolerance);
+    }
+
+    std::string run() {
+        check_splines();
+        const step::Topology topology = step::topology_of(model_);
+        step::TopologyWriter written(geometry_, model_, topology, tolerances_);
+        written.run();
+        add_shells(written, topology);
+        add_wires(written, topology);
+        add_splines();
+        step::ProductWriter(geometry_, model_, parts_).run();
+        step::write_colours(text_, model_, written.faces(), parts_.front().context);
+        text_.raw(footer);
+        return text_.take();
+    }
+
+private:
+    // The least tolerance of the faces of a part: where edges need more, readers find it, but what is less than it they take for
+    // nothing.
+    void set_tolerances(double wanted) {
+        const double own = lengths_.metres / lengths_.factor, none = usual_uncertainty / own;
+        tolerances_.assign(parts_.size(), wanted > 0 ? wanted / lengths_.factor : infinity);
+        for (const model::ModelFace &face : model_.faces) {
+            double &least = tolerances_[static_cast<size_t>(face.part)];
+            if (wanted == 0 && face.face->tolerance() > 0) {
+                least = std::min(least, face.face->tolerance());
+            }
+        }
+        for (size_t i = 0; i < parts_.size(); ++i) {
+            double &least = tolerances_[i];
+            least = std::isfinite(least) ? least : none;
+            parts_[i].context = contexts_.context(wanted > 0 ? wanted : lengths_.factor * least);
+        }
+    }
+
+    void check_splines() const {
+        for (size_t i = 0; i < model_.splines.size(); ++i) {
+            named("splines", i, [&] { step::check_writable(*model_.splines[i].spline); });
+        }
+    }
+
+    [[nodiscard]] Text name_of_part(int64_t part) const {
+        return model_.parts.empty() ? step::no_name : Text{model_.parts[static_cast<size_t>(part)].name};
+    }
+
+    void add_shells(const step::TopologyWriter &written, const step::Topology &topology) {
+        for (const step::Shell &shell : step::shells_of(model_, topology)) {
+            std::vector<int64_t> faces;
+            for (const size_t face : shell.faces) {
+                faces.push_back(written.faces()[face]);
+            }
+            const int64_t made[] = {
+                text_.add(shell.closed ? "CLOSED_SHELL" : "OPEN_SHELL", step::no_name, Refs{faces})};
+            PartItems &part = parts_[static_cast<size_t>(shell.part)];
+            if (shell.closed) {
+                part.solids.push_back(
+                    text_.add("MANIFOLD_SOLID_BREP", name_of_part(shell.part), Ref{made[0]}));
+            } else {
+                part.surfaces.push_back(
+                    text_.add("SHELL_BASED_SURFACE_MODEL", name_of_part(shell.part), Refs{made}));
+            }
+        }
+    }
+
+    // Edges of which no face is made.
+    void add_wires(const step::TopologyWriter &written, const step::Topology &topology) {
+        std::vector<std::vector<int64_t>> edges(parts_.size());
+        for (size_t i = 0; i < model_.edges.size(); ++i) {
+            if (topology.edges[i].uses.empty()) {
+                edges[static_cast<size_t>(topology.edges[i].part)].push_back(written.edges()[i]);
+            }
+        }
+        for (size_t i = 0; i < parts_.size(); ++i) {
+            if (!edges[i].empty()) {
+                const int64_t sets[] = {text_.add("CONNECTED_EDGE_SET", step::no_name, Refs{edges[i]})};
+                parts_[i].others.push_back(
+                    text_.add("EDGE_BASED_WIREFRAME_MODEL", step::no_name, Refs{sets}));
+            }
+        }
+    }
+
+    void add_splines() {
+        std::vector<int64_t> numbers;
+        bool surfaces = false;
+        Steps steps(std::ssize(model_.splines));
+        for (size_t i = 0; i < model_.splines.size(); ++i) {
+            const model::NamedSpline &one = model_.splines[i];
+            numbers.push_back(named("splines", i, [&] { return geometry_.spline(*one.spline, one.name); }));
+            surfaces = surfaces || one.spline->axes() == 2;
+            steps.next();
+        }
+        if (!numbers.empty()) {
+            parts_.front().others.push_back(
+                text_.add(surfaces ? "GEOMETRIC_SET" : "GEOMETRIC_CURVE_SET", step::no_name, Refs{numbers}));
+        }
+    }
+
+    const model::Model &model_;
+    Lengths lengths_;
+    ExchangeText text_{header};
+    step::GeometryWriter geometry_;
+    step::ContextWriter contexts_;
+    std::vector<PartItems> parts_;
+    std::vector<double> tolerances_; // of the parts, in units of the model
+};
+
+} // namespace
+
+std::string write_step(const model::Model &model, const WriteSettings &settings) {
+    return StepWriter(model, settings).run();
+}
+
+} // namespace nrb::io

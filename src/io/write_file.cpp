@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// POSIX: C and C++ know no file that is new for certain, and no renaming over another one.
+#include "base/error.h"
+#include "base/no_cancellation.h"
+#include "base/watch.h"
+#include "io/file.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <memory>
+#include <new>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace nrb::io {
+
+namespace {
+
+constexpr size_t block = size_t{1} << 20;
+
+[[noreturn]] void fail_path(const std::string &path, int error) {
+    if (error == ENOMEM) {
+        throw std::bad_alloc();
+    }
+    fail(Status::file, "path = \"%.200s\": %s", path.c_str(), std::generic_category().message(error).c_str());
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) noexcept : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+
+    [[nodiscard]] int number() const noexcept { return number_; }
+    // Errors of earlier writes may come to light here.
+    int close() noexcept {
+        const int number = std::exchange(number_, -1);
+        return number < 0 ? 0 : ::close(number);
+    }
+
+private:
+    int number_;
+};
+
+void write_all(const std::string &path, int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), std::min(bytes.size(), block));
+        if (written < 0 && errno != EINTR) {
+            fail_path(path, errno);
+        }
+        bytes.remove_prefix(static_cast<size_t>(std::max<ssize_t>(written, 0)));
+        count_work(static_cast<int64_t>(block));
+    }
+}
+
+// A new file beside another one, which is removed unless it takes the other's place.
+class Replacement {
+public:
+    explicit Replacement(std::string path, mode_t mode) : path_(std::move(path)) {
+        static std::atomic<unsigned> made{0};
+        do {
+            name_ = path_ + ".new-" + std::to_string(::getpid()) + "-" + std::to_string(made++);
+            number_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        } while (number_ < 0 && errno == EEXIST);
+        if (number_ < 0) {
+            fail_path(path_, errno);
+        }
+    }
+    ~Replacement() {
+        if (number_ >= 0) {
+            ::unlink(name_.c_str());
+        }
+    }
+    Replacement(const Replacement &) = delete;
+    Replacement &operator=(const Replacement &) = delete;
+
+    void run(std::string_view bytes, const struct stat *old) {
+        Descriptor file(number_);
+        if (old != nullptr && ::fchmod(number_, old->st_mode & 07777U) != 0) {
+            fail_path(path_, errno);
+        }
+        write_all(path_, number_, bytes);
+        if (::fsync(number_) != 0 || file.close() != 0 || std::rename(name_.c_str(), path_.c_str()) != 0) {
+            fail_path(path_, errno);
+        }
+        number_ = -1;
+    }
+
+private:
+    std::string path_, name_;
+    int number_ = -1;
+};
+
+// Where links lead to; the path itself where there is nothing yet.
+std::string target_of(const char *path) {
+    struct Free {
+        void operator()(char *text) const noexcept { std::free(text); }
+    };
+    const std::unique_ptr<char, Free> target(::realpath(path, nullptr));
+    return target ? target.get() : path;
+}
+
+void write_into(const std::string &path, std::string_view bytes) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.number() < 0) {
+        fail_path(path, errno);
+    }
+    write_all(path, file.number(), bytes);
+    if (file.close() != 0) {
+        fail_path(path, errno);
+    }
+}
+
+} // namespace
+
+void write_whole_file(const char *path, std::string_view bytes) {
+    const NoCancellation shield;
+    const std::string target = target_of(path);
+    struct stat old {};
+    const bool exists = ::stat(target.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) {
+        fail_path(path, EISDIR);
+    }
+    if (exists && !S_ISREG(old.st_mode)) {
+        return write_into(target, bytes);
+    }
+    if (exists && ::access(target.c_str(), W_OK) != 0) { // renaming would not ask
+        fail_path(path, errno);
+    }
+    constexpr mode_t usual = 0666;
+    Replacement(target, usual).run(bytes, exists ? &old : nullptr);
+}
+
+} // namespace nrb::io

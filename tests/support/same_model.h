@@ -1,0 +1,106 @@
+// How two models differ: nothing but notes may be another, to the last bit.
+#pragma once
+
+#include "io/step/write/edge_curves.h"
+#include "model/model.h"
+
+#include <string>
+#include <vector>
+
+namespace step_test {
+
+class ModelDifferences {
+public:
+    ModelDifferences(const nrb::model::Model &a, const nrb::model::Model &b) : a_(a), b_(b) {
+        expect("unit", a.metres_per_unit == b.metres_per_unit);
+        if (sizes()) {
+            splines();
+            parts();
+            for (size_t i = 0; i < a.faces.size(); ++i) {
+                face("face " + std::to_string(i), a.faces[i], b.faces[i]);
+            }
+            edges();
+        }
+    }
+    [[nodiscard]] std::vector<std::string> found() const { return found_; }
+
+private:
+    void expect(const std::string &what, bool same) {
+        constexpr size_t most = 12;
+        if (!same && found_.size() < most) {
+            found_.push_back(what);
+        }
+    }
+    bool sizes() {
+        const auto same = [this](const char *what, size_t a, size_t b) {
+            expect(std::string("number of ") + what + " " + std::to_string(a) + " " + std::to_string(b),
+                   a == b);
+        };
+        same("splines", a_.splines.size(), b_.splines.size());
+        same("parts", a_.parts.size(), b_.parts.size());
+        same("uses", a_.uses.size(), b_.uses.size());
+        same("faces", a_.faces.size(), b_.faces.size());
+        same("edges", a_.edges.size(), b_.edges.size());
+        same("vertices", a_.vertices.size(), b_.vertices.size());
+        return found_.empty();
+    }
+    void splines() {
+        for (size_t i = 0; i < a_.splines.size(); ++i) {
+            const std::string what = "spline " + std::to_string(i);
+            expect(what + ": name", a_.splines[i].name == b_.splines[i].name);
+            expect(what, nrb::io::step::same_values(*a_.splines[i].spline, *b_.splines[i].spline));
+        }
+    }
+    void parts() {
+        for (size_t i = 0; i < a_.parts.size(); ++i) {
+            expect("name of part " + std::to_string(i), a_.parts[i].name == b_.parts[i].name);
+        }
+        for (size_t i = 0; i < a_.uses.size(); ++i) {
+            const std::string what = "use " + std::to_string(i);
+            expect(what, a_.uses[i].part == b_.uses[i].part && a_.uses[i].parent == b_.uses[i].parent);
+            expect(what + ": placement", a_.uses[i].placement == b_.uses[i].placement);
+        }
+    }
+    void face(const std::string &what, const nrb::model::ModelFace &a, const nrb::model::ModelFace &b) {
+        expect(what + ": name " + a.name + " " + b.name, a.name == b.name);
+        expect(what + ": part, side or colour",
+               a.part == b.part && a.against == b.against && a.colour == b.colour);
+        expect(what + ": kind", (a.shape == nullptr ? nrb::model::SurfaceKind::spline : a.shape->kind) ==
+                                    (b.shape == nullptr ? nrb::model::SurfaceKind::spline : b.shape->kind));
+        expect(what + ": tolerance", a.face->tolerance() == b.face->tolerance());
+        expect(what + ": surface", nrb::io::step::same_values(*a.face->surface(), *b.face->surface()));
+        expect(what + ": number of loops", a.face->loops().size() == b.face->loops().size());
+        for (size_t i = 0; i < std::min(a.face->loops().size(), b.face->loops().size()); ++i) {
+            loop(what + " loop " + std::to_string(i), a.face->loops()[i], b.face->loops()[i]);
+        }
+    }
+    void loop(const std::string &what, const nrb::face::Loop &a, const nrb::face::Loop &b) {
+        expect(what + ": size", a.size() == b.size());
+        for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+            const std::string at = what + " curve " + std::to_string(i);
+            expect(at, nrb::io::step::same_values(*a[i].curve, *b[i].curve));
+            expect(at + ": key or direction", a[i].key == b[i].key && a[i].against == b[i].against);
+        }
+    }
+    void edges() {
+        for (size_t i = 0; i < a_.edges.size(); ++i) {
+            const nrb::model::Edge &a = a_.edges[i], &b = b_.edges[i];
+            const std::string what = "edge " + std::to_string(i);
+            expect(what, nrb::io::step::same_values(*a.curve, *b.curve));
+            expect(what + ": ends or part", a.vertices == b.vertices && a.part == b.part);
+            expect(what + ": kind", (a.shape == nullptr ? nrb::model::CurveKind::spline : a.shape->kind) ==
+                                        (b.shape == nullptr ? nrb::model::CurveKind::spline : b.shape->kind));
+            expect(what + ": uses", a.uses.size() == b.uses.size());
+        }
+        for (size_t i = 0; i < a_.vertices.size(); ++i) {
+            const nrb::Vector3 &a = a_.vertices[i], &b = b_.vertices[i];
+            expect("vertex " + std::to_string(i), a.x == b.x && a.y == b.y && a.z == b.z);
+        }
+    }
+
+    const nrb::model::Model &a_;
+    const nrb::model::Model &b_;
+    std::vector<std::string> found_;
+};
+
+} // namespace step_test

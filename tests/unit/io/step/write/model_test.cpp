@@ -1,0 +1,284 @@
+// What kinds of entities a model becomes, what cannot be written, and parts in parts.
+#include "base/error.h"
+#include "build/placement.h"
+#include "io/writers.h"
+#include "model/from_faces.h"
+#include "model/shapes/surface_spline.h"
+#include "support/same_model.h"
+#include "support/step_reading.h"
+#include "support/step_solids.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace step_write_model_test {
+namespace {
+
+using namespace nrb;
+using namespace step_test;
+
+std::string written(const model::Model &model, const io::WriteSettings &settings = {}) {
+    return io::write(model, 1, settings);
+}
+
+int64_t count(const std::string &text, const std::string &what) {
+    int64_t found = 0;
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+void expect_again(const model::Model &model) {
+    const std::string text = written(model);
+    const model::Model again = io::read_model(text, {});
+    EXPECT_EQ(ModelDifferences(model, again).found(), std::vector<std::string>());
+    EXPECT_TRUE(written(again) == text);
+}
+
+SplinePtr spline_of(int dim, Form form, std::vector<double> knots, int degree, std::vector<double> points,
+                    std::vector<double> weights = {}) {
+    return make_spline({make_knot_vector(degree, std::move(knots))}, dim, form, std::move(points),
+                       std::move(weights));
+}
+
+model::Model list_of(std::vector<SplinePtr> splines) {
+    model::Model model;
+    for (SplinePtr &spline : splines) {
+        model.splines.push_back({"s" + std::to_string(model.splines.size()), std::move(spline)});
+    }
+    return model;
+}
+
+TEST(StepWriteModel, ClosedFacesAreASolidAndOthersAShell) {
+    const std::string cube = written(io::read_model(step_cube(), {}));
+    EXPECT_EQ(count(cube, "=MANIFOLD_SOLID_BREP("), 1);
+    EXPECT_EQ(count(cube, "=CLOSED_SHELL("), 1);
+    EXPECT_EQ(count(cube, "=ADVANCED_BREP_SHAPE_REPRESENTATION("), 1);
+    EXPECT_EQ(count(cube, "=EDGE_CURVE("), 12);
+    EXPECT_EQ(count(cube, "=VERTEX_POINT("), 8);
+    EXPECT_EQ(count(cube, "=PLANE("), 6);
+    EXPECT_EQ(count(cube, "=LINE("), 12);
+    EXPECT_EQ(count(cube, "B_SPLINE"), 0);
+    const std::string plate = written(io::read_model(step_plate(".T.", ".T."), {}));
+    EXPECT_EQ(count(plate, "=SHELL_BASED_SURFACE_MODEL("), 1);
+    EXPECT_EQ(count(plate, "=OPEN_SHELL("), 1);
+    EXPECT_EQ(count(plate, "=MANIFOLD_SURFACE_SHAPE_REPRESENTATION("), 1);
+    EXPECT_EQ(count(written(io::read_model(step_sphere(true), {})), "=VERTEX_LOOP("), 1);
+    EXPECT_EQ(count(written(io::read_model(step_sphere(true), {})), "=MANIFOLD_SOLID_BREP("), 1);
+}
+
+TEST(StepWriteModel, FacesThatAreTurnedInsideOutAreNoSolid) {
+    model::Model cube = io::read_model(step_cube(), {});
+    cube.faces[2].against = !cube.faces[2].against;
+    EXPECT_EQ(count(written(cube), "=CLOSED_SHELL("), 0);
+}
+
+TEST(StepWriteModel, PartsOfOneModelAreProducts) {
+    model::Model model = io::read_model(step_cube(), {});
+    model.parts[0].name = "bolt's \xC3\xA9";
+    model.parts.push_back({"case"});
+    model.parts.push_back({"bolt's \xC3\xA9"});
+    const double c = std::cos(0.3), s = std::sin(0.3);
+    model.uses = {{1, 0, {c, -s, 0, 1, s, c, 0, 2, 0, 0, 1, 3}, ""},
+                  {1, 0, {1, 0, 0, -5, 0, 1, 0, 0, 0, 0, 1, 0}, ""},
+                  {1, 2, {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 7}, ""},
+                  {1, 2, {2 * c, -2 * s, 0, 0, 2 * s, 2 * c, 0, 0, 0, 0, 2, 7}, ""},
+                  {-1, 1, model::Use().placement, ""}};
+    const std::string text = written(model);
+    EXPECT_EQ(count(text, "=NEXT_ASSEMBLY_USAGE_OCCURRENCE("), 2);
+    EXPECT_EQ(count(text, "=MAPPED_ITEM("), 2);
+    EXPECT_EQ(count(text, "=PRODUCT("), 3);
+    expect_again(model);
+}
+
+// The whole becomes a part where a part stands in it in another way than once and unmoved.
+TEST(StepWriteModel, PartsThatAreMovedInTheWhole) {
+    model::Model model = io::read_model(step_cube(), {});
+    model.uses = {{-1, 0, {1, 0, 0, 4, 0, 1, 0, 0, 0, 0, 1, 0}, ""}, {-1, 0, model::Use().placement, ""}};
+    const model::Model again = io::read_model(written(model), {});
+    ASSERT_EQ(again.parts.size(), 2U);
+    ASSERT_EQ(again.uses.size(), 3U);
+    EXPECT_EQ(again.uses[0].parent, 1);
+    EXPECT_EQ(again.uses[0].placement, model.uses[0].placement);
+    EXPECT_EQ(again.uses[2].parent, -1);
+    EXPECT_EQ(again.uses[2].part, 1);
+    expect_again(again);
+}
+
+TEST(StepWriteModel, RandomMotionsReadBackBitForBit) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> some(-1, 1);
+    for (int i = 0; i < 200; ++i) {
+        const double axis[] = {some(random), some(random), some(random)},
+                     x[] = {some(random), some(random), some(random)},
+                     at[] = {100 * some(random), some(random), some(random)};
+        const build::Placement frame = build::make_placement(3, at, axis, x, "origin");
+        const Vector3 y = cross(frame.z, frame.x);
+        const double scale = i % 3 == 0 ? 2.5 : 1, side = i % 2 == 0 ? 1 : -1;
+        model::Model model;
+        model.metres_per_unit = 0.001;
+        model.parts = {{"child"}, {"parent"}};
+        model.uses = {{1,
+                       0,
+                       {scale * frame.x.x, side * scale * y.x, scale * frame.z.x, at[0], scale * frame.x.y,
+                        side * scale * y.y, scale * frame.z.y, at[1], scale * frame.x.z, side * scale * y.z,
+                        scale * frame.z.z, at[2]},
+                       ""},
+                      {-1, 1, model::Use().placement, ""}};
+        const model::Model once = io::read_model(written(model), {});
+        for (size_t k = 0; k < 12; ++k) {
+            EXPECT_NEAR(once.uses[0].placement[k], model.uses[0].placement[k], 4 * 0x1p-52 * scale);
+        }
+        expect_again(once);
+    }
+}
+
+TEST(StepWriteModel, ColoursAreWrittenOncePerColour) {
+    model::Model cube = io::read_model(step_cube(), {});
+    for (size_t i = 0; i < 5; ++i) {
+        cube.faces[i].colour = std::array{i < 3 ? 0.1 : 1.0, 0.25, 1.0 / 3};
+    }
+    EXPECT_EQ(count(written(cube), "=COLOUR_RGB("), 2);
+    EXPECT_EQ(count(written(cube), "=STYLED_ITEM("), 5);
+    expect_again(cube);
+}
+
+TEST(StepWriteModel, HostileNames) {
+    model::Model cube = io::read_model(step_cube(), {});
+    const char *const names[] = {"it's",    "a\\b",          "\xE6\xB0\xB4 \xF0\x9F\x94\xA9",
+                                 "ENDSEC;", "/* no comment", "#7"};
+    for (size_t i = 0; i < 6; ++i) {
+        cube.faces[i].name = names[i];
+    }
+    expect_again(cube);
+    cube.faces[0].name = " \n";
+    cube.faces[1].name = "\xFF\t";
+    const model::Model again = io::read_model(written(cube), {});
+    EXPECT_EQ(again.faces[1].name, "\xC3\xBF?");
+    expect_again(again);
+}
+
+TEST(StepWriteModel, SplinesReadBack) {
+    const std::vector<double> points = {0, 0, 0, 0.1, 1.0 / 3, -0.0, 2, 1e-300, 1e300, 3, 0, 1};
+    const std::vector<double> knots = {0, 0, 0, 0.7, 1, 1, 1};
+    expect_again([&] {
+        model::Model model =
+            list_of({spline_of(3, Form::polynomial, knots, 2, points),
+                     spline_of(3, Form::rational, knots, 2, points, {1, 0.1, 3, 1}),
+                     spline_of(3, Form::polynomial, {-3, 0.1, 0.5, 0.7, 0.9, 1, 8}, 2, points)});
+        model.metres_per_unit = 0.001;
+        model.parts = {{""}};
+        model.uses = {{}};
+        return model;
+    }());
+}
+
+void expect_refused(const model::Model &model, Status status, const std::string &text) {
+    try {
+        written(model);
+        ADD_FAILURE() << "is written";
+    } catch (const Error &error) {
+        EXPECT_EQ(error.status(), status);
+        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+}
+
+TEST(StepWriteModel, WhatStepCannotHoldIsNamed) {
+    const std::vector<double> knots = {0, 0, 1, 1};
+    const SplinePtr good = spline_of(3, Form::polynomial, knots, 1, {0, 0, 0, 1, 0, 0});
+    expect_refused(list_of({good, spline_of(2, Form::polynomial, knots, 1, {0, 0, 1, 0})}), Status::dimension,
+                   "splines[1]: has dimension 2, expected 3");
+    const KnotVectorPtr axis = make_knot_vector(1, {0, 0, 1, 1});
+    std::vector<double> cube;
+    for (int i = 0; i < 8; ++i) {
+        cube.insert(cube.end(), {double(i / 4), double(i / 2 % 2), double(i % 2)});
+    }
+    expect_refused(list_of({make_spline({axis, axis, axis}, 3, Form::polynomial, cube)}), Status::axes,
+                   "splines[0]: a volume");
+    expect_refused(list_of({good, good,
+                            spline_of(3, Form::homogeneous, {0, 0, 0, 1, 1, 1}, 2,
+                                      {0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1})}),
+                   Status::weight_sign, "splines[2]: control point 1");
+    model::Model sheared = io::read_model(step_cube(), {});
+    sheared.parts.emplace_back();
+    sheared.uses = {{-1, 1, model::Use().placement, ""}, {1, 0, {1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, ""}};
+    expect_refused(sheared, Status::matrix, "uses[1]");
+}
+
+TEST(StepWriteModel, SettingsAreChecked) {
+    const model::Model model;
+    for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(written(model, {wrong, 0}), Error);
+        EXPECT_THROW(written(model, {0, wrong}), Error);
+    }
+    EXPECT_THROW(written(model, {5e-324, 0}), Error);
+    EXPECT_THROW(io::write(model, 0, {}), Error);
+    EXPECT_THROW(io::write(model, 2, {}), Error);
+}
+
+// A model in another unit is the same in metres.
+TEST(StepWriteModel, UnitsAreConverted) {
+    const model::Model cube = io::read_model(step_cube(), {});
+    for (const double unit : {1.0, 0.0254, 0.3048, 1e-6, 0.123}) {
+        const model::Model again = io::read_model(written(cube, {unit, 0}), {});
+        EXPECT_EQ(again.metres_per_unit, unit);
+        ASSERT_EQ(again.vertices.size(), cube.vertices.size());
+        const double factor = cube.metres_per_unit / unit;
+        for (size_t i = 0; i < cube.vertices.size(); ++i) {
+            EXPECT_EQ(again.vertices[i].x, factor * cube.vertices[i].x);
+            EXPECT_EQ(again.vertices[i].z, factor * cube.vertices[i].z);
+        }
+        EXPECT_EQ(again.faces[0].shape->kind, model::SurfaceKind::plane);
+        EXPECT_NEAR(again.faces[0].face->tolerance(), factor * cube.faces[0].face->tolerance(),
+                    1e-12 * factor);
+        expect_again(again);
+    }
+}
+
+TEST(StepWriteModel, TolerancesAreStated) {
+    const model::Model cube = io::read_model(step_cube(), {});
+    const model::Model again = io::read_model(written(cube, {0, 0.0123}), {});
+    EXPECT_EQ(again.faces[0].face->tolerance(), 0.0123);
+    expect_again(again);
+}
+
+// But for the rounding of readers, which convert them to metres and back; what has been read is read again.
+TEST(StepWriteModel, StatedTolerancesAreRead) {
+    const model::Model cube = io::read_model(step_cube(), {});
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> some(0.01, 0.1);
+    for (int i = 0; i < 50; ++i) {
+        const double tolerance = some(random), unit = i % 2 == 0 ? 0.001 : 0.0123;
+        const model::Model again = io::read_model(written(cube, {unit, tolerance}), {});
+        EXPECT_NEAR(again.faces[0].face->tolerance(), tolerance, 0x1p-52 * tolerance);
+        expect_again(again);
+    }
+}
+
+// A cone without a seam has its apex as a vertex, without which readers would not know how far it goes.
+TEST(StepWriteModel, TheApexOfAConeIsAVertex) {
+    SolidBuilder file;
+    const std::string rim = file.vertex("3.,0.,0."), apex = file.vertex("0.,0.,-4.");
+    const std::string circle = file.curve_edge(rim, rim, file.circle(file.level("0."), "3."));
+    const std::string cone = file.add("CONICAL_SURFACE(''," + file.level("0.") + ",3.,0.6435011087932844)");
+    const std::string tip = file.add("VERTEX_LOOP(''," + apex + ")");
+    const std::string text = file.solid({file.bounded_face(cone, {{{{circle, ".F."}}}, {{}, ".T.", tip}})});
+    const model::Model model = io::read_model(text, {});
+    ASSERT_EQ(model.faces.size(), 1U);
+    EXPECT_EQ(count(written(model), "=VERTEX_LOOP("), 1);
+    expect_again(model);
+}
+
+// However the file ends, it is none.
+TEST(StepWriteModel, EveryTruncationIsRefused) {
+    const std::string text = written(io::read_model(step_half_torus(), {}));
+    for (size_t size = 0; size + 1 < text.size(); size += 7) {
+        EXPECT_THROW(io::read_model(text.substr(0, size), {}), Error) << size;
+    }
+}
+
+} // namespace
+} // namespace step_write_model_test
