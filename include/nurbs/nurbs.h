@@ -6397,7 +6397,7 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  * nurbs_from_bytes(bytes, length, &again); // the same spline, bit for bit, on any machine
  * nurbs_destroy(again);
  * \endcode
- * Splines, lists and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared. The same
+ * Splines, lists, faces, models and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared. The same
  * values have the same bytes on every machine, so that a hash of the bytes is one of the contents. They are
  * read with one copy, and checked as creation checks its arguments. Any change of up to 64 bits in a row is
  * found, and any truncation. The page "The form of bytes" of the manual has the layout with examples: NumPy's
@@ -6445,6 +6445,9 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  *                  c integers: the cells, rising; c integers: how many data are in each
  *                  c s sums of 24 bytes, integers in two's complement
  *
+ * **Faces and models** hold the splines of which they consist as lists do, each once; the page has their
+ * layouts.
+ *
  * **Versions.** A library reads all minor versions of its major version and of those before; later minor
  * versions only add what stands behind all parts that are known. @{ */
 
@@ -6457,6 +6460,10 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
 #define NURBS_BYTES_LIST 2
 /** \brief statistics: nurbs_statistics_from_bytes() */
 #define NURBS_BYTES_STATISTICS 3
+/** \brief a face: nurbs_face_from_bytes() */
+#define NURBS_BYTES_FACE 4
+/** \brief a model: nurbs_model_from_bytes() */
+#define NURBS_BYTES_MODEL 5
 /** @} */
 
 /** \brief A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
@@ -6496,6 +6503,47 @@ NURBS_API nurbs_status nurbs_list_to_bytes(const nurbs_list *list, int64_t cap, 
  * \return as for nurbs_from_bytes(), and NURBS_ERROR_FACTOR for a unit that is negative or not finite.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nurbs_list **out);
+
+/** \brief A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that were
+ * made.
+ * \param[in] face a face.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return as for nurbs_to_bytes().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, void *bytes, int64_t *length);
+
+/** \brief The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
+ * The face is made of its loops as it was the first time: they are checked, and distances that were proven are proven
+ * again.
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new face.
+ * \return as for nurbs_from_bytes() and nurbs_face_create().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nurbs_face **out);
+
+/** \brief A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
+ * colours, kinds of curves and surfaces, and the splines, notes and unit of nurbs_model_splines(). Splines whose
+ * bytes are the same are stored once, so that faces of one surface share it again.
+ * \param[in] model a model.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return as for nurbs_to_bytes().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_to_bytes(const nurbs_model *model, int64_t cap, void *bytes, int64_t *length);
+
+/** \brief The model of the bytes of nurbs_model_to_bytes(). Its faces are made as nurbs_face_from_bytes() makes
+ * them.
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new model.
+ * \return as for nurbs_face_from_bytes(), and NURBS_ERROR_FACTOR for a unit that is negative or not finite;
+ *   _DIRECTION, _LENGTH, _ANGLE, _EMPTY_DOMAIN for a known curve or surface that there is none of.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_from_bytes(const void *bytes, int64_t size, nurbs_model **out);
 
 /** \brief Of which kind bytes are, and in which version of the form, from their first 64. Nothing else is
  * looked at: the bytes may be of a later version, or damaged.

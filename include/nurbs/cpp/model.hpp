@@ -154,6 +154,10 @@ public:
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what
     /// was not read.
     [[nodiscard]] Returned<List> splines() const { return detail::made<List>(nurbs_model_splines, get()); }
+    /// The model of what to_bytes() made of it.
+    [[nodiscard]] static Returned<Model> from_bytes(std::span<const std::byte> bytes) {
+        return detail::made<Model>(nurbs_model_from_bytes, bytes.data(), detail::length(bytes));
+    }
 };
 
 } // namespace NURBS_CPP_POLICY

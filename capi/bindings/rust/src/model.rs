@@ -2,6 +2,7 @@
 //! Models: the handle. What can be asked of it is in the module `models`.
 
 use crate::error::{check, Result};
+use crate::list::bytes_of;
 use crate::sys;
 use std::fmt;
 use std::ptr::{null_mut, NonNull};
@@ -46,5 +47,10 @@ impl Model {
     /// The handle, for the functions of [`sys`]. It lives as long as this model.
     pub fn raw(&self) -> *const sys::nurbs_model {
         self.handle.as_ptr()
+    }
+
+    /// To be kept or sent, with all that it holds: the same on every machine for the same model.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        bytes_of(|cap, bytes, length| unsafe { sys::nurbs_model_to_bytes(self.raw(), cap, bytes, length) })
     }
 }

@@ -219,4 +219,11 @@ impl Model {
     pub fn splines(&self) -> Result<List> {
         List::made(|out| unsafe { sys::nurbs_model_splines(self.raw(), out) })
     }
+
+    /// The model of what to_bytes() made of it.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Model> {
+        Model::made(|out| unsafe {
+            sys::nurbs_model_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out)
+        })
+    }
 }
