@@ -31,12 +31,22 @@ static void copies(const Model &model) {
     EXPECT(status_of([&] { (void)Model::create(faces, -1); }) == Status::factor);
 }
 
+static void bytes(const Model &model) {
+    const std::vector<std::byte> whole = model.to_bytes(), one = model.face(1).face.to_bytes();
+    EXPECT(bytes_kind(whole).kind == bytes_model && bytes_kind(one).kind == bytes_face);
+    is_the_bushing(Model::from_bytes(whole));
+    EXPECT(Face::from_bytes(one).to_bytes() == one);
+    EXPECT(status_of([&] { (void)Model::from_bytes(one); }) == Status::format);
+    EXPECT(status_of([&] { (void)Face::from_bytes(whole); }) == Status::format);
+}
+
 int main(int count, char **arguments) {
     EXPECT(count == 2);
     if (count == 2) {
         const Model model = Model::read_file(arguments[1]);
         is_the_bushing(model);
         copies(model);
+        bytes(model);
     }
     EXPECT(status_of([] { (void)Model::read_file("/no/such/file"); }) == Status::file);
     return failures == 0 ? 0 : 1;
