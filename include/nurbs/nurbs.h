@@ -6243,6 +6243,9 @@ typedef struct nurbs_read_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
     int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
+    double tolerance;    /**< distances in the unit of the result that count as none, in place of the uncertainty
+                              that a STEP file states: the tolerance of faces, and how near to what the file states
+                              is what has to be made; 0 takes what the file states. \since 1.1 */
 } nurbs_read_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -6269,10 +6272,12 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * spheres, tori, surfaces of revolution and of linear extrusion, trimmed surfaces, and Bezier and B-spline
  * curves and surfaces in all their forms become splines exactly, but for rounding; the ends of their domains
  * are the parameters of ISO 10303-42, with angles in radians. Surfaces without ends are cut to the boundary
- * of their face and 1/64 of its size more. Lengths are in the unit of the first context that states units; what
+ * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from which
+ * they are offset; others are approximated, proven to be within a quarter of the uncertainty, and a note with the
+ * reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not read. Lengths are in the unit of the first context that states units; what
  * stands in other contexts is converted. Parts stay where they are modelled: their placements in assemblies,
- * curves in parameter planes, and how faces are trimmed are not read. Offset surfaces and whatever else
- * shapes contain are listed in the notes. However the instances name each other, memory stays below 64 times
+ * curves in parameter planes, and how faces are trimmed are not read. Whatever else shapes contain is
+ * listed in the notes. However the instances name each other, memory stays below 64 times
  * the size of the file and 1 MB more.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
@@ -6588,7 +6593,8 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
 
 /** \brief Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242). Planes,
  * cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines exactly, and keep
- * their kind. Those without ends are cut to the boundary of their face. The curve in space of an edge rules:
+ * their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their kind, too. Those without
+ * ends are cut to the boundary of their face. The curve in space of an edge rules:
  * curves in the domain of a spline surface are taken from the file where they lie under their edges, all
  * others are made (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if
  * none is stated, or one larger by powers of ten where its edges need that, which a note tells. What is wrong

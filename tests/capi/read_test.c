@@ -44,6 +44,7 @@ static void default_options(void) {
     CHECK_INT(options.struct_size, sizeof options);
     CHECK_DOUBLE(options.unit, 0);
     CHECK_INT(options.max_bytes, INT64_C(1) << 30);
+    CHECK_DOUBLE(options.tolerance, 0);
     memset(&wide, 0x5a, sizeof wide);
     CHECK_OK(nurbs_read_options_init(&wide.options, (int64_t)sizeof wide.options));
     CHECK_UNTOUCHED(wide.behind);

@@ -186,6 +186,10 @@ module nurbs_c
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! wanted unit in metres (0.001: millimetres); 0 keeps the file's own
         integer(c_int64_t) :: max_bytes  ! largest file accepted; 0 means the default, 2^30
+        ! distances in the unit of the result that count as none, in place of the uncertainty that a STEP file
+        ! states: the tolerance of faces, and how near to what the file states is what has to be made; 0 takes
+        ! what the file states. \since 1.1
+        real(c_double) :: tolerance
     end type nurbs_read_options
 
     interface

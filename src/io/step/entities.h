@@ -40,6 +40,9 @@ public:
     // small file; throws Status::too_large before that.
     void spend(int64_t doubles);
 
+    // How many of them are left.
+    [[nodiscard]] int64_t left() const noexcept { return left_; }
+
     // While one exists, its instance is being read. Throws Status::syntax if it is being read already, or lies too deep.
     class Visit {
     public:

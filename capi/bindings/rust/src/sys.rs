@@ -345,6 +345,10 @@ pub struct nurbs_read_options {
     pub unit: f64,
     /// largest file accepted; 0 means the default, 2^30
     pub max_bytes: i64,
+    /// distances in the unit of the result that count as none, in place of the uncertainty that a STEP file
+    /// states: the tolerance of faces, and how near to what the file states is what has to be made; 0 takes
+    /// what the file states. \since 1.1
+    pub tolerance: f64,
 }
 
 // --- Version and limits
