@@ -6272,13 +6272,13 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * spheres, tori, surfaces of revolution and of linear extrusion, trimmed surfaces, and Bezier and B-spline
  * curves and surfaces in all their forms become splines exactly, but for rounding; the ends of their domains
  * are the parameters of ISO 10303-42, with angles in radians. Surfaces without ends are cut to the boundary
- * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from which
- * they are offset; others are approximated, proven to be within a quarter of the uncertainty, and a note with the
- * reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not read. Lengths are in the unit of the first context that states units; what
- * stands in other contexts is converted. Parts stay where they are modelled: their placements in assemblies,
- * curves in parameter planes, and how faces are trimmed are not read. Whatever else shapes contain is
- * listed in the notes. However the instances name each other, memory stays below 64 times
- * the size of the file and 1 MB more.
+ * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from
+ * which they are offset; others are approximated, proven to be within a quarter of the uncertainty, and a
+ * note with the reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not
+ * read. Lengths are in the unit of the first context that states units; what stands in other contexts is
+ * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
+ * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes. However the
+ * instances name each other, memory stays below 64 times the size of the file and 1 MB more.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6402,11 +6402,11 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  * nurbs_from_bytes(bytes, length, &again); // the same spline, bit for bit, on any machine
  * nurbs_destroy(again);
  * \endcode
- * Splines, lists, faces, models and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared. The same
- * values have the same bytes on every machine, so that a hash of the bytes is one of the contents. They are
- * read with one copy, and checked as creation checks its arguments. Any change of up to 64 bits in a row is
- * found, and any truncation. The page "The form of bytes" of the manual has the layout with examples: NumPy's
- * view of control points in place, and a spline that is cut out of a list.
+ * Splines, lists, faces, models and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or
+ * shared. The same values have the same bytes on every machine, so that a hash of the bytes is one of the
+ * contents. They are read with one copy, and checked as creation checks its arguments. Any change of up to 64
+ * bits in a row is found, and any truncation. The page "The form of bytes" of the manual has the layout with
+ * examples: NumPy's view of control points in place, and a spline that is cut out of a list.
  *
  * **The form.** All numbers have their lowest byte first; doubles are those of IEEE 754. Each part begins at
  * a multiple of 64 bytes, with zeros before it, so that programs that know the layout can look at numbers in
@@ -6520,8 +6520,8 @@ NURBS_API nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nu
 NURBS_API nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, void *bytes, int64_t *length);
 
 /** \brief The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
- * The face is made of its loops as it was the first time: they are checked, and distances that were proven are proven
- * again.
+ * The face is made of its loops as it was the first time: they are checked, and distances that were proven
+ * are proven again.
  * \param[in] bytes [size] the bytes.
  * \param[in] size number of bytes.
  * \param[out] out the new face.
@@ -6593,12 +6593,12 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
 
 /** \brief Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242). Planes,
  * cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines exactly, and keep
- * their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their kind, too. Those without
- * ends are cut to the boundary of their face. The curve in space of an edge rules:
- * curves in the domain of a spline surface are taken from the file where they lie under their edges, all
- * others are made (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if
- * none is stated, or one larger by powers of ten where its edges need that, which a note tells. What is wrong
- * with a face or an edge becomes a note and does not affect the others.
+ * their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their kind, too. Those
+ * without ends are cut to the boundary of their face. The curve in space of an edge rules: curves in the
+ * domain of a spline surface are taken from the file where they lie under their edges, all others are made
+ * (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if none is stated,
+ * or one larger by powers of ten where its edges need that, which a note tells. What is wrong with a face or
+ * an edge becomes a note and does not affect the others.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
