@@ -95,34 +95,49 @@ double squared(double x) noexcept {
     return x * x;
 }
 
-double piece_bound(const HomogeneousPiece &s, const RoundedPolynomial &r, bool weighted, double distance) {
-    const RoundedPolynomial v = (weighted ? r * s.weight : r) - s.points;
-    const RoundedPolynomial p = tangent(s, axis_u, weighted), q = tangent(s, axis_v, weighted);
-    const Range weights = range_of(s.weight);
-    const RoundedPolynomial normal = cross(p, q);
-    const double area = least_length(normal, mean_direction(normal)) / squared(squared(weights.upper));
-    if (!(weights.lower > 0) || !(area > 0) || !right_side(v, normal, distance)) {
-        return infinity;
-    }
+// S_u and S_v times w^2, and the extent of w.
+struct Tangents {
+    RoundedPolynomial p, q;
+    Range weights;
+};
+
+// At most |b|^2, where |S_u x S_v| is at least `area`.
+double squared_tangential_part(const RoundedPolynomial &v, const Tangents &tangents, double area) {
+    const auto &[p, q, weights] = tangents;
     const double w3 = weights.lower * squared(weights.lower), w4 = w3 * weights.lower;
     const double along_u = range_of(dot(v, p)).magnitude() / w3,
                  along_v = range_of(dot(v, q)).magnitude() / w3;
     const double e = range_of(dot(p, p)).upper / w4, f = range_of(dot(p, q)).magnitude() / w4,
                  g = range_of(dot(q, q)).upper / w4;
-    const double b2 = rounded_up * (g * squared(along_u) + 2 * f * along_u * along_v + e * squared(along_v)) /
-                      squared(area);
-    const double d2 = squared(distance);
-    const Range off = range_of(dot(v, v) - scaled(s.weight * s.weight, d2));
-    const auto over_weight = [&](double x, bool away) {
-        return x / squared((x > 0) == away ? weights.lower : weights.upper);
-    };
-    const double more = over_weight(off.upper, true), less = b2 - over_weight(off.lower, off.lower < 0);
-    if (!(d2 > less)) {
+    return rounded_up * (g * squared(along_u) + 2 * f * along_u * along_v + e * squared(along_v)) /
+           squared(area);
+}
+
+// At most | |a| - |d| |, from (v^2 - d^2) w^2. From a^2 - d^2 = x follows |a| - |d| = x / (|d| + sqrt(d^2 + x)), which rises with x.
+double normal_part(Range off, Range weights, double b2, double distance) {
+    const double small = squared(weights.lower), large = squared(weights.upper), d2 = squared(distance);
+    const double more = off.upper / (off.upper > 0 ? small : large),
+                 less = b2 - off.lower / (off.lower < 0 ? small : large);
+    if (!(d2 > 2 * less) || !(d2 > -2 * more)) { // nothing is near, and differences would not be known well
         return infinity;
     }
-    const double a =
-        std::max(std::max(more, less), 0.0) / (std::abs(distance) + std::sqrt(d2 - std::max(less, 0.0)));
-    return rounded_up * std::hypot(a, std::sqrt(b2)) + 4 * eps * std::abs(distance);
+    const auto along = [&](double x) { return x / (std::abs(distance) + std::sqrt(d2 + x)); };
+    return std::max({along(more), -along(-less), 0.0});
+}
+
+double piece_bound(const HomogeneousPiece &s, const RoundedPolynomial &r, bool weighted, double distance) {
+    const RoundedPolynomial v = (weighted ? r * s.weight : r) - s.points;
+    const Tangents tangents{tangent(s, axis_u, weighted), tangent(s, axis_v, weighted), range_of(s.weight)};
+    const Range weights = tangents.weights;
+    const RoundedPolynomial normal = cross(tangents.p, tangents.q);
+    const double area = least_length(normal, mean_direction(normal)) / squared(squared(weights.upper));
+    if (!(weights.lower > 0) || !(area > 0) || !right_side(v, normal, distance)) {
+        return infinity;
+    }
+    const double b2 = squared_tangential_part(v, tangents, area);
+    const Range off = range_of(dot(v, v) - scaled(s.weight * s.weight, squared(distance)));
+    return rounded_up * std::hypot(normal_part(off, weights, b2, distance), std::sqrt(b2)) +
+           4 * eps * std::abs(distance);
 }
 
 } // namespace

@@ -145,6 +145,43 @@ TEST(OffsetSurface, bounds_are_bounds_of_other_candidates) {
     }
 }
 
+// Over a plane the bound is the distance itself, on whichever side.
+TEST(OffsetSurface, bounds_of_planes_are_sharp) {
+    std::mt19937_64 random(3);
+    const SplinePtr plane = patch(random, false, 0);
+    const std::array<std::vector<double>, 2> breaks{{{0, 0.25, 0.75, 1}, {0, 0.25, 0.75, 1}}};
+    for (const double off : {1e-3, -1e-3}) {
+        std::vector<double> points(plane->points().begin(), plane->points().end());
+        for (size_t k = 2; k < points.size(); k += 3) {
+            points[k] = 0.125 + off;
+        }
+        const SplinePtr moved = make_result(plane->knot_vectors(), 3, Form::polynomial, std::move(points));
+        for (const double bound : fit::offset_bounds(*plane, 0.125, *moved, breaks)) {
+            EXPECT_GE(bound, 1e-3 * (1 - 1e-12));
+            EXPECT_LE(bound, 1e-3 * (1 + 1e-9));
+        }
+    }
+}
+
+// The plane (u, v, 0) with weights 1 + 3 u; a candidate that is off where they are small, and one where they are large.
+TEST(OffsetSurface, bounds_hold_whatever_the_weights_are) {
+    const KnotVectorPtr line = make_knot_vector(1, {0, 0, 1, 1}),
+                        square = make_knot_vector(2, {0, 0, 0, 1, 1, 1});
+    const SplinePtr plane =
+        make_result({square, line}, 3, Form::rational,
+                    {0, 0, 0, 0, 1, 0, 0.2, 0, 0, 0.2, 1, 0, 1, 0, 0, 1, 1, 0}, {1, 1, 2.5, 2.5, 4, 4});
+    for (const double first : {1e-3, -1e-3, 0.0}) {
+        for (const double last : {0.0, 1e-3, -1e-3}) {
+            const double a = 0.125 + first, b = 0.125 + last;
+            const SplinePtr candidate =
+                make_result({line, line}, 3, Form::polynomial, {0, 0, a, 0, 1, a, 1, 0, b, 1, 1, b});
+            const double bound = fit::offset_bounds(*plane, 0.125, *candidate, {{{0, 1}, {0, 1}}}).front();
+            EXPECT_GE(bound, std::max(std::abs(first), std::abs(last)) * (1 - 1e-12));
+            EXPECT_LE(bound, 0.02);
+        }
+    }
+}
+
 // Patches join with equal derivatives where the surface has second ones.
 TEST(OffsetSurface, is_smooth_where_the_surface_is) {
     std::mt19937_64 random(7);
