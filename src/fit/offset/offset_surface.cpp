@@ -156,10 +156,12 @@ class OffsetFit {
 public:
     OffsetFit(const SplinePtr &surface, double distance, const OffsetRule &rule)
         : surface_(*surface), distance_(distance), tolerance_(rule.tolerance),
-          most_patches_(rule.most_patches), axes_{axis_of(surface->axis(0)), axis_of(surface->axis(1))} {}
+          most_patches_(rule.most_patches),
+          left_(rule.left), axes_{axis_of(surface->axis(0)), axis_of(surface->axis(1))} {}
 
     OffsetSurface run() {
         for (;;) {
+            spend();
             const PatchNet net(surface_, distance_, axes_);
             SplinePtr candidate = net.spline();
             const std::vector<double> bounds =
@@ -178,6 +180,14 @@ public:
     }
 
 private:
+    void spend() const {
+        const int64_t patches = axes_[0].count() * axes_[1].count();
+        if (left_ != nullptr && (*left_ -= patches) < 0) {
+            *left_ = 0;
+            fail(Status::not_converged, "no patches are left for the offset surface, which takes %lld",
+                 static_cast<long long>(patches));
+        }
+    }
     void refine(const Spline &candidate, const std::vector<double> &bounds, double worst) {
         Parts parts{std::vector<int>(static_cast<size_t>(axes_[0].count()), 1),
                     std::vector<int>(static_cast<size_t>(axes_[1].count()), 1)};
@@ -223,6 +233,7 @@ private:
     const Spline &surface_;
     double distance_, tolerance_;
     int64_t most_patches_;
+    int64_t *left_;
     PatchAxes axes_;
 };
 

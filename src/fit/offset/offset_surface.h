@@ -14,6 +14,8 @@ struct OffsetSurface {
 struct OffsetRule {
     double tolerance;
     int64_t most_patches;
+    int64_t *left =
+        nullptr; // patches that may be looked at in all rounds; null: no limit. What is used is taken away
 };
 
 // A bicubic polynomial spline within the tolerance of S + d N, with N the unit normal along S_u x S_v. Its patches have the points

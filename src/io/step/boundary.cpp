@@ -157,9 +157,10 @@ model::MadeSurface cut_surface(const Geometry &geometry, const model::SurfaceSha
     constexpr double share = 0.25;      // of the uncertainty
     constexpr int64_t doubles_of_a_patch = 128;
     const double stated = geometry.units().tolerance;
-    return model::made_surface(
-        surface, model::range_around(surface, points, margin),
-        {share * (stated > 0 ? stated : usual_tolerance), geometry.entities().left() / doubles_of_a_patch});
+    return model::made_surface(surface, model::range_around(surface, points, margin),
+                               {share * (stated > 0 ? stated : usual_tolerance),
+                                geometry.entities().left() / doubles_of_a_patch,
+                                &geometry.entities().patches()});
 }
 
 const Spline *EdgeSplines::find(int64_t number) const noexcept {

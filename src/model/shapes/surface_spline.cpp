@@ -193,8 +193,9 @@ MadeSurface made_surface(const SurfaceShape &surface, const Rectangle &range, co
     if (surface.kind != SurfaceKind::offset) {
         return {surface_spline(surface, range)};
     }
-    const fit::OffsetSurface made = fit::offset_surface(
-        surface_spline(*surface.basis, range), surface.distance, {rule.tolerance, rule.most_patches});
+    const fit::OffsetSurface made =
+        fit::offset_surface(surface_spline(*surface.basis, range), surface.distance,
+                            {rule.tolerance, rule.most_patches, rule.left});
     return {made.spline, made.bound};
 }
 

@@ -21,6 +21,7 @@ struct MadeSurface {
 struct SurfaceRule {
     double tolerance;
     int64_t most_patches;
+    int64_t *left = nullptr;
 };
 
 // The same of offset surfaces, too; these over the parameters of the spline of the surface from which they are offset. Throws what

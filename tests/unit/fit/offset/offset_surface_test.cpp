@@ -207,6 +207,10 @@ TEST(OffsetSurface, says_what_it_cannot_do) {
     std::mt19937_64 random(9);
     EXPECT_EQ(status_of(patch(random, false, 0.3), 0.1, {1e-12, 256}, &text), Status::not_converged);
     EXPECT_NE(text.find("expected 1e-12"), std::string::npos) << text;
+    int64_t left = 100;
+    EXPECT_EQ(status_of(patch(random, false, 0.3), 0.1, {1e-6, 4096, &left}, &text), Status::not_converged);
+    EXPECT_NE(text.find("no patches are left"), std::string::npos) << text;
+    EXPECT_EQ(left, 0);
     // A roof, and a fan that ends in a point.
     const KnotVectorPtr line = make_knot_vector(1, {0, 0, 1, 1}), kink = make_knot_vector(1, {0, 0, 1, 2, 2});
     const SplinePtr roof = make_result({kink, line}, 3, Form::polynomial,
