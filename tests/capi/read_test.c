@@ -231,7 +231,7 @@ static void longer_options(void) {
     CHECK_OK(nurbs_read(text.bytes, text.size, &wide.options, &list));
     nurbs_list_destroy(list);
     wide.bytes[63] = 1;
-    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "24");
+    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "beyond byte 32");
     wide.options.struct_size = 4097;
     NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "struct_size|4097");
     wide.options.struct_size = INT64_MAX;

@@ -122,10 +122,12 @@ int32_t use_model(const nurbs_model *model) {
 
 void read_all(const Bytes &bytes) {
     const auto spline_from = [](auto... given) { return nurbs_from_bytes(given...); };
+    const auto face_from = [](auto... given) { return nurbs_face_from_bytes(given...); };
+    const auto model_from = [](auto... given) { return nurbs_model_from_bytes(given...); };
     read<nurbs>(bytes, spline_from, spline_to, nurbs_destroy, use_spline);
     read<nurbs_list>(bytes, nurbs_list_from_bytes, list_to, nurbs_list_destroy, use_list);
-    read<nurbs_face>(bytes, nurbs_face_from_bytes, face_to, nurbs_face_destroy, use_face);
-    read<nurbs_model>(bytes, nurbs_model_from_bytes, model_to, nurbs_model_destroy, use_model);
+    read<nurbs_face>(bytes, face_from, face_to, nurbs_face_destroy, use_face);
+    read<nurbs_model>(bytes, model_from, model_to, nurbs_model_destroy, use_model);
     read<nurbs_statistics>(bytes, nurbs_statistics_from_bytes, nurbs_statistics_to_bytes,
                            nurbs_statistics_destroy, use_statistics);
 }
