@@ -6243,7 +6243,7 @@ typedef struct nurbs_read_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
     int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
-    double tolerance;    /**< distances in the unit of the result that count as none, in place of the uncertainty
+    double tolerance; /**< distances in the unit of the result that count as none, in place of the uncertainty
                               that a STEP file states: the tolerance of faces, and how near to what the file states
                               is what has to be made; 0 takes what the file states. \since 1.1 */
 } nurbs_read_options;
@@ -6538,7 +6538,8 @@ NURBS_API nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nu
  * \param[out] length or NULL: number of bytes.
  * \return as for nurbs_to_bytes().
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_model_to_bytes(const nurbs_model *model, int64_t cap, void *bytes, int64_t *length);
+NURBS_API nurbs_status nurbs_model_to_bytes(const nurbs_model *model, int64_t cap, void *bytes,
+                                            int64_t *length);
 
 /** \brief The model of the bytes of nurbs_model_to_bytes(). Its faces are made as nurbs_face_from_bytes() makes
  * them.
