@@ -4,7 +4,9 @@
 
 #include "guard.h"
 
+#include "io/binary/face_bytes.h"
 #include "io/binary/list_bytes.h"
+#include "io/binary/model_bytes.h"
 #include "io/binary/spline_bytes.h"
 #include "lists.h"
 
@@ -50,6 +52,37 @@ nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nurbs_list *
     return guard([&] {
         require_out(out);
         *out = new nurbs_list{io::list_from(checked_bytes(bytes, size))};
+    });
+}
+
+nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, void *bytes, int64_t *length) {
+    return guard([&] {
+        require(face, "face");
+        const io::FaceBytes form(*face->face);
+        give_bytes(form.size(), cap, bytes, length, [&](std::span<unsigned char> out) { form.write(out); });
+    });
+}
+
+nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nurbs_face **out) {
+    return guard([&] {
+        require_out(out);
+        *out = new nurbs_face{io::face_from(checked_bytes(bytes, size))};
+    });
+}
+
+nurbs_status nurbs_model_to_bytes(const nurbs_model *model, int64_t cap, void *bytes, int64_t *length) {
+    return guard([&] {
+        require(model, "model");
+        const io::ModelBytes form(*model->model);
+        give_bytes(form.size(), cap, bytes, length, [&](std::span<unsigned char> out) { form.write(out); });
+    });
+}
+
+nurbs_status nurbs_model_from_bytes(const void *bytes, int64_t size, nurbs_model **out) {
+    return guard([&] {
+        require_out(out);
+        *out =
+            new nurbs_model{std::make_shared<const model::Model>(io::model_from(checked_bytes(bytes, size)))};
     });
 }
 

@@ -22,6 +22,16 @@ namespace {
 // Size of the struct in the first release; no caller has a smaller one.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
 
+double tolerance_of(const nurbs_read_options &options) {
+    constexpr int64_t end = offsetof(nurbs_read_options, tolerance) + sizeof(double);
+    const double tolerance = options.struct_size < end ? 0 : options.tolerance;
+    if (!std::isfinite(tolerance) || tolerance < 0) {
+        fail(Status::options, "options: tolerance = %s, expected a finite value >= 0",
+             Number(tolerance).text);
+    }
+    return tolerance;
+}
+
 } // namespace
 
 io::ReadSettings settings_of(const nurbs_read_options *options) {
@@ -37,7 +47,7 @@ io::ReadSettings settings_of(const nurbs_read_options *options) {
              static_cast<long long>(options->max_bytes));
     }
     const int64_t limit = options->max_bytes == 0 ? io::ReadSettings().max_bytes : options->max_bytes;
-    return {options->unit, limit};
+    return {options->unit, limit, tolerance_of(*options)};
 }
 
 std::span<const char> checked_text(const void *bytes, int64_t size) {

@@ -6243,6 +6243,9 @@ typedef struct nurbs_read_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
     int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
+    double tolerance; /**< distances in the unit of the result that count as none, in place of the uncertainty
+                              that a STEP file states: the tolerance of faces, and how near to what the file states
+                              is what has to be made; 0 takes what the file states. \since 1.1 */
 } nurbs_read_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -6269,11 +6272,13 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * spheres, tori, surfaces of revolution and of linear extrusion, trimmed surfaces, and Bezier and B-spline
  * curves and surfaces in all their forms become splines exactly, but for rounding; the ends of their domains
  * are the parameters of ISO 10303-42, with angles in radians. Surfaces without ends are cut to the boundary
- * of their face and 1/64 of its size more. Lengths are in the unit of the first context that states units; what
- * stands in other contexts is converted. Parts stay where they are modelled: their placements in assemblies,
- * curves in parameter planes, and how faces are trimmed are not read. Offset surfaces and whatever else
- * shapes contain are listed in the notes. However the instances name each other, memory stays below 64 times
- * the size of the file and 1 MB more.
+ * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from
+ * which they are offset; others are approximated, proven to be within a quarter of the uncertainty, and a
+ * note with the reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not
+ * read. Lengths are in the unit of the first context that states units; what stands in other contexts is
+ * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
+ * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes. However the
+ * instances name each other, memory stays below 64 times the size of the file and 1 MB more.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6397,11 +6402,11 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  * nurbs_from_bytes(bytes, length, &again); // the same spline, bit for bit, on any machine
  * nurbs_destroy(again);
  * \endcode
- * Splines, lists and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or shared. The same
- * values have the same bytes on every machine, so that a hash of the bytes is one of the contents. They are
- * read with one copy, and checked as creation checks its arguments. Any change of up to 64 bits in a row is
- * found, and any truncation. The page "The form of bytes" of the manual has the layout with examples: NumPy's
- * view of control points in place, and a spline that is cut out of a list.
+ * Splines, lists, faces, models and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or
+ * shared. The same values have the same bytes on every machine, so that a hash of the bytes is one of the
+ * contents. They are read with one copy, and checked as creation checks its arguments. Any change of up to 64
+ * bits in a row is found, and any truncation. The page "The form of bytes" of the manual has the layout with
+ * examples: NumPy's view of control points in place, and a spline that is cut out of a list.
  *
  * **The form.** All numbers have their lowest byte first; doubles are those of IEEE 754. Each part begins at
  * a multiple of 64 bytes, with zeros before it, so that programs that know the layout can look at numbers in
@@ -6445,6 +6450,9 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  *                  c integers: the cells, rising; c integers: how many data are in each
  *                  c s sums of 24 bytes, integers in two's complement
  *
+ * **Faces and models** hold the splines of which they consist as lists do, each once; the page has their
+ * layouts.
+ *
  * **Versions.** A library reads all minor versions of its major version and of those before; later minor
  * versions only add what stands behind all parts that are known. @{ */
 
@@ -6457,6 +6465,10 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
 #define NURBS_BYTES_LIST 2
 /** \brief statistics: nurbs_statistics_from_bytes() */
 #define NURBS_BYTES_STATISTICS 3
+/** \brief a face: nurbs_face_from_bytes() */
+#define NURBS_BYTES_FACE 4
+/** \brief a model: nurbs_model_from_bytes() */
+#define NURBS_BYTES_MODEL 5
 /** @} */
 
 /** \brief A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
@@ -6496,6 +6508,48 @@ NURBS_API nurbs_status nurbs_list_to_bytes(const nurbs_list *list, int64_t cap, 
  * \return as for nurbs_from_bytes(), and NURBS_ERROR_FACTOR for a unit that is negative or not finite.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nurbs_list **out);
+
+/** \brief A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that were
+ * made.
+ * \param[in] face a face.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return as for nurbs_to_bytes().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, void *bytes, int64_t *length);
+
+/** \brief The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
+ * The face is made of its loops as it was the first time: they are checked, and distances that were proven
+ * are proven again.
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new face.
+ * \return as for nurbs_from_bytes() and nurbs_face_create().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nurbs_face **out);
+
+/** \brief A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
+ * colours, kinds of curves and surfaces, and the splines, notes and unit of nurbs_model_splines(). Splines whose
+ * bytes are the same are stored once, so that faces of one surface share it again.
+ * \param[in] model a model.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return as for nurbs_to_bytes().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_to_bytes(const nurbs_model *model, int64_t cap, void *bytes,
+                                            int64_t *length);
+
+/** \brief The model of the bytes of nurbs_model_to_bytes(). Its faces are made as nurbs_face_from_bytes() makes
+ * them.
+ * \param[in] bytes [size] the bytes.
+ * \param[in] size number of bytes.
+ * \param[out] out the new model.
+ * \return as for nurbs_face_from_bytes(), and NURBS_ERROR_FACTOR for a unit that is negative or not finite;
+ *   _DIRECTION, _LENGTH, _ANGLE, _EMPTY_DOMAIN for a known curve or surface that there is none of.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_from_bytes(const void *bytes, int64_t size, nurbs_model **out);
 
 /** \brief Of which kind bytes are, and in which version of the form, from their first 64. Nothing else is
  * looked at: the bytes may be of a later version, or damaged.
@@ -6540,11 +6594,12 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
 
 /** \brief Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242). Planes,
  * cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines exactly, and keep
- * their kind. Those without ends are cut to the boundary of their face. The curve in space of an edge rules:
- * curves in the domain of a spline surface are taken from the file where they lie under their edges, all
- * others are made (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if
- * none is stated, or one larger by powers of ten where its edges need that, which a note tells. What is wrong
- * with a face or an edge becomes a note and does not affect the others.
+ * their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their kind, too. Those
+ * without ends are cut to the boundary of their face. The curve in space of an edge rules: curves in the
+ * domain of a spline surface are taken from the file where they lie under their edges, all others are made
+ * (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if none is stated,
+ * or one larger by powers of ten where its edges need that, which a note tells. What is wrong with a face or
+ * an edge becomes a note and does not affect the others.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.

@@ -162,7 +162,8 @@ TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
     }
     const auto open =
         std::find_if(found.begin(), found.end(), [this](double gap) { return !(gap <= tolerance_); });
-    if (!keep && open != found.end()) {
+    has_gaps_ = open != found.end();
+    if (!keep && has_gaps_) {
         fail(Status::gap, "loop %td has a gap of %s, larger than the tolerance %s", open - found.begin(),
              Number(*open).text, Number(tolerance_).text);
     }

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] const SplinePtr &surface() const noexcept { return surface_; }
     [[nodiscard]] const std::vector<Loop> &loops() const noexcept { return loops_; }
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+    // Whether a gap of a loop is larger than the tolerance.
+    [[nodiscard]] bool has_gaps() const noexcept { return has_gaps_; }
     [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
     [[nodiscard]] const TrimMap &trims() const noexcept { return *trims_; }
     // Where segments close what curves leave open.
@@ -55,6 +57,7 @@ private:
     SplinePtr surface_;
     std::vector<Loop> loops_;
     double tolerance_;
+    bool has_gaps_ = false;
     Covering covering_;
     std::vector<Joint> joints_;
     std::unique_ptr<const TrimMap> trims_;

@@ -50,6 +50,15 @@ static void written(const Model &model) {
     EXPECT(status_of([&] { model.write_file("/no/such/file", format_step); }) == Status::file);
 }
 
+static void bytes(const Model &model) {
+    const std::vector<std::byte> whole = model.to_bytes(), one = model.face(1).face.to_bytes();
+    EXPECT(bytes_kind(whole).kind == bytes_model && bytes_kind(one).kind == bytes_face);
+    is_the_bushing(Model::from_bytes(whole));
+    EXPECT(Face::from_bytes(one).to_bytes() == one);
+    EXPECT(status_of([&] { (void)Model::from_bytes(one); }) == Status::format);
+    EXPECT(status_of([&] { (void)Face::from_bytes(whole); }) == Status::format);
+}
+
 int main(int count, char **arguments) {
     EXPECT(count == 2);
     if (count == 2) {
@@ -57,6 +66,7 @@ int main(int count, char **arguments) {
         is_the_bushing(model);
         copies(model);
         written(model);
+        bytes(model);
     }
     EXPECT(status_of([] { (void)Model::read_file("/no/such/file"); }) == Status::file);
     return failures == 0 ? 0 : 1;

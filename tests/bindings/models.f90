@@ -19,6 +19,7 @@ program models
     copy = model
     call is_the_bushing(model)
     call is_the_bushing(copy)
+    call bytes_and_back(model)
     do i = 1, 2
         call model%face(i, faces(i))
     end do
@@ -87,4 +88,24 @@ contains
         call bushing%face(5, bore, status=code)
         call expect(code == NURBS_ERROR_INDEX, 'no fifth face')
     end subroutine is_the_bushing
+
+    subroutine bytes_and_back(bushing)
+        type(nurbs_model), intent(in) :: bushing
+        type(nurbs_model) :: again
+        type(nurbs_face) :: bore
+        character(kind=c_char, len=:), allocatable :: whole, one, same
+        integer(c_int32_t) :: kind, major, minor, status
+        call bushing%to_bytes(whole)
+        call bytes_kind(whole, kind, major, minor)
+        call expect(kind == NURBS_BYTES_MODEL, 'the kind of bytes')
+        call again%from_bytes(whole)
+        call is_the_bushing(again)
+        call bushing%face(2, bore)
+        call bore%to_bytes(one)
+        call bore%from_bytes(one)
+        call bore%to_bytes(same)
+        call expect(same == one, 'bytes of a face')
+        call bore%from_bytes(whole, status)
+        call expect(status == NURBS_ERROR_FORMAT, 'bytes of another kind')
+    end subroutine bytes_and_back
 end program models

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{near, status_of};
-use nurbs::{sys, Call, List, Model, Result, WriteOptions};
+use nurbs::{sys, Call, Face, List, Model, Result, WriteOptions};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -42,12 +42,22 @@ fn written(model: &Model) -> Result<()> {
     Ok(())
 }
 
+fn bytes(model: &Model) -> Result<()> {
+    let (whole, one) = (model.to_bytes()?, model.face(1)?.face.to_bytes()?);
+    is_the_bushing(&Model::from_bytes(&whole)?)?;
+    assert_eq!(Face::from_bytes(&one)?.to_bytes()?, one);
+    assert_eq!(status_of(Model::from_bytes(&one)), sys::NURBS_ERROR_FORMAT);
+    assert_eq!(status_of(Face::from_bytes(&whole)), sys::NURBS_ERROR_FORMAT);
+    Ok(())
+}
+
 fn main() -> Result<()> {
     let path = std::env::args_os().nth(1).expect("the path of bushing.step");
     let model = Model::read_file(Path::new(&path), None)?;
     is_the_bushing(&model)?;
     is_the_bushing(&model.clone())?;
     written(&model)?;
+    bytes(&model)?;
     let faces = [model.face(0)?.face, model.face(1)?.face.clone()];
     let two = Model::create(&[&faces[0], &faces[1]], 0.001)?;
     assert_eq!((two.counts()?.faces, two.face_name(1)?, two.part(0)?), (2, "1".to_string(), String::new()));

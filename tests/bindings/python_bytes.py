@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Splines and lists as bytes in Python: by the layout that the manual publishes, in pickles, and from them."""
+"""Splines, lists, faces and models as bytes in Python: by the layout that the manual publishes, in pickles, and from them."""
 
 import base64
 import pathlib
@@ -112,13 +112,14 @@ class Layout(unittest.TestCase):
 
     def test_examples_of_the_manual(self):
         blocks = re.findall(r"\\code\{\.py\}\n(.*?) \* \\endcode", (TOP / "capi/doc/bytes.dox").read_text(), flags=re.S)
-        self.assertEqual(len(blocks), 3)
+        self.assertEqual(len(blocks), 4)
         names = {}
         for block in blocks:
             exec("\n".join(line.removeprefix(" * ") for line in block.splitlines()), names)
         self.assertTrue((names["points"] == names["spline"].points).all())
         self.assertFalse(names["points"].flags.owndata)
         self.assertEqual(names["back"], names["spline"].reverse())
+        np.testing.assert_array_equal(names["vertices"], names["model"].vertices)
         self.assertEqual(names["again"], names["spline"])
 
     def test_views_in_place(self):
@@ -140,9 +141,11 @@ class Contents(unittest.TestCase):
             self.assertEqual(nurbs.Spline.from_bytes(given), square())
 
     def test_other_contents(self):
-        splines = nurbs.SplineList.create([circle()])
+        splines, face = nurbs.SplineList.create([circle()]), nurbs.Face(patch())
         for contents, read in ((circle().to_bytes(), nurbs.Spline.from_bytes),
-                               (splines.to_bytes(), nurbs.SplineList.from_bytes)):
+                               (splines.to_bytes(), nurbs.SplineList.from_bytes),
+                               (face.to_bytes(), nurbs.Face.from_bytes),
+                               (nurbs.Model([face]).to_bytes(), nurbs.Model.from_bytes)):
             spoiled = bytearray(contents)
             spoiled[-1] ^= 1
             for status, given in ((nurbs.NURBS_ERROR_TRUNCATED, b""), (nurbs.NURBS_ERROR_TRUNCATED, contents[:-1]),
@@ -155,7 +158,9 @@ class Contents(unittest.TestCase):
 
     def test_kinds(self):
         for contents, kind in ((circle().to_bytes(), nurbs.NURBS_BYTES_SPLINE),
-                               (nurbs.SplineList.create([]).to_bytes(), nurbs.NURBS_BYTES_LIST)):
+                               (nurbs.SplineList.create([]).to_bytes(), nurbs.NURBS_BYTES_LIST),
+                               (nurbs.Face(patch()).to_bytes(), nurbs.NURBS_BYTES_FACE),
+                               (nurbs.Model().to_bytes(), nurbs.NURBS_BYTES_MODEL)):
             self.assertEqual(nurbs.bytes_kind(contents), (kind, 1, 0))
             self.assertEqual(nurbs.bytes_kind(memoryview(contents)[:64]).kind, kind)
         self.assertEqual(status_of(nurbs.bytes_kind, circle().to_bytes()[:63]), nurbs.NURBS_ERROR_TRUNCATED)
@@ -169,13 +174,13 @@ class Pickles(unittest.TestCase):
             self.assertEqual(again, wanted)
 
     def test_functions_are_found_by_name(self):
-        for value in (circle(), nurbs.SplineList.create([circle()])):
+        for value in (circle(), nurbs.SplineList.create([circle()]), nurbs.Face(patch()), nurbs.Model()):
             restore = value.__reduce_ex__(5)[0]
             self.assertIs(getattr(nurbs, restore.__name__), restore)
             self.assertNotIn(b"nurbs._", pickle.dumps(value, 0))
 
     def test_out_of_band(self):
-        for value in (circle(), nurbs.SplineList.create([circle(), patch()])):
+        for value in (circle(), nurbs.SplineList.create([circle(), patch()]), nurbs.Model([nurbs.Face(patch())])):
             buffers = []
             head = pickle.dumps(value, 5, buffer_callback=buffers.append)
             self.assertLess(len(head), 100)

@@ -112,7 +112,10 @@ class Answers(unittest.TestCase):
             self.assertEqual(other.area(), face.area())
             np.testing.assert_array_equal(other.gaps, face.gaps)
         self.assertEqual(repr(face), "<Face of 1 loop with 1 curves>")
-        self.assertRaisesRegex(TypeError, "pickled", pickle.dumps, face)
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            again = pickle.loads(pickle.dumps(face, protocol))
+            self.assertEqual((again.to_bytes(), again.area()), (face.to_bytes(), face.area()))
+            np.testing.assert_array_equal(again.gaps, face.gaps)
         for change in (lambda: setattr(face, "tolerance", 1), lambda: delattr(face, "_handle")):
             self.assertRaisesRegex(AttributeError, "does not change", change)
         self.assertRaisesRegex(TypeError, "does not change", face.__init__, plane())

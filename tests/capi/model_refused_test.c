@@ -2,6 +2,8 @@
 /* Models that cannot be, and questions that cannot be asked of them: each refused by its name. */
 #include "models.h"
 
+#include <stddef.h>
+
 static nurbs_model *model_, *out_;
 static nurbs_face *face_;
 static nurbs *spline_;
@@ -141,6 +143,15 @@ static void files(void) {
     options.max_bytes = 1000000;
     options.unit = -1;
     CHECK_NO_MODEL(out_, nurbs_read_model(BYTES, &options, &out_), NURBS_ERROR_OPTIONS, "unit");
+    options.unit = 0;
+    options.tolerance = -1;
+    CHECK_NO_MODEL(out_, nurbs_read_model(BYTES, &options, &out_), NURBS_ERROR_OPTIONS, "tolerance = -1");
+    options.tolerance = HUGE_VAL;
+    CHECK_NO_MODEL(out_, nurbs_read_model(BYTES, &options, &out_), NURBS_ERROR_OPTIONS, "tolerance = inf");
+    options.struct_size =
+        (int64_t)offsetof(nurbs_read_options, tolerance); /* as programs of version 1.0 know it */
+    CHECK_OK(nurbs_read_model(BYTES, &options, &out_));
+    nurbs_model_destroy(out_);
     nurbs_call_options call;
     CHECK_OK(nurbs_call_options_init(&call, (int64_t)sizeof call));
     call.progress = stop;

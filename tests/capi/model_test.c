@@ -180,6 +180,25 @@ static void keys_name_edges(const nurbs_model *model) {
     }
 }
 
+/* Faces have the tolerance that is asked for, in the unit of the result. */
+static void tolerances(void) {
+    nurbs_read_options options;
+    CHECK_OK(nurbs_read_options_init(&options, (int64_t)sizeof options));
+    options.unit = 0.001;
+    for (int i = 0; i < 2; ++i) {
+        nurbs_model *model = NULL;
+        nurbs_face *face = NULL;
+        double tolerance = -1;
+        options.tolerance = i == 0 ? 0 : 0.25;
+        CHECK_OK(nurbs_read_model(half_ball, (int64_t)strlen(half_ball), &options, &model));
+        CHECK_OK(nurbs_model_face(model, 1, NULL, NULL, NULL, NULL, &face));
+        CHECK_OK(nurbs_face_tolerance(face, &tolerance));
+        CHECK_DOUBLE(tolerance, i == 0 ? 1e-7 : 0.25);
+        nurbs_face_destroy(face);
+        nurbs_model_destroy(model);
+    }
+}
+
 /* The same from memory and from a path, in the unit of the file and in another one. */
 static void files(const char *path) {
     nurbs_read_options options;
@@ -234,6 +253,7 @@ int main(void) {
     faces_come_back();
     one_part();
     edges_without_keys();
+    tolerances();
     files(path);
     (void)remove(path);
     return check_summary("model");

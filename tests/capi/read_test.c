@@ -44,6 +44,7 @@ static void default_options(void) {
     CHECK_INT(options.struct_size, sizeof options);
     CHECK_DOUBLE(options.unit, 0);
     CHECK_INT(options.max_bytes, INT64_C(1) << 30);
+    CHECK_DOUBLE(options.tolerance, 0);
     memset(&wide, 0x5a, sizeof wide);
     CHECK_OK(nurbs_read_options_init(&wide.options, (int64_t)sizeof wide.options));
     CHECK_UNTOUCHED(wide.behind);
@@ -230,7 +231,7 @@ static void longer_options(void) {
     CHECK_OK(nurbs_read(text.bytes, text.size, &wide.options, &list));
     nurbs_list_destroy(list);
     wide.bytes[63] = 1;
-    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "24");
+    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "beyond byte 32");
     wide.options.struct_size = 4097;
     NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "struct_size|4097");
     wide.options.struct_size = INT64_MAX;

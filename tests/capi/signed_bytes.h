@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { most_bytes = 4096, header_bytes = 64 };
+enum { most_bytes = 8192, header_bytes = 64 };
 
 typedef struct Bytes {
     int64_t size;

@@ -1,4 +1,4 @@
-// Bytes of handles: those of splines and lists that were made come back; any others are refused, or are a handle that
+// Bytes of handles: those of splines, lists, faces and models that were made come back; any others are refused, or are a handle that
 // is used, also where their sizes and checksums are put right, so that what they say is looked at.
 #include "fuzz/harness.h"
 
@@ -79,10 +79,55 @@ int32_t use_statistics(const nurbs_statistics *statistics) {
     return NURBS_BYTES_STATISTICS;
 }
 
+constexpr auto face_to = [](auto... given) { return nurbs_face_to_bytes(given...); };
+constexpr auto model_to = [](auto... given) { return nurbs_model_to_bytes(given...); };
+
+int32_t use_face(const nurbs_face *face) {
+    nurbs *g = nullptr;
+    int64_t loops = -1;
+    FUZZ_REQUIRE(nurbs_face_surface(face, &g) == NURBS_OK &&
+                 nurbs_face_loops(face, 0, nullptr, &loops) == NURBS_OK);
+    double u[2] = {0, 0}, v[2] = {0, 0};
+    FUZZ_REQUIRE(nurbs_domain(g, 0, u) == NURBS_OK && nurbs_domain(g, 1, v) == NURBS_OK && loops >= 0);
+    const double middle[] = {u[0] / 2 + u[1] / 2, v[0] / 2 + v[1] / 2};
+    int32_t side = -7;
+    FUZZ_REQUIRE(nurbs_face_classify(face, 1, middle, 0, 0, 0, &side) == NURBS_OK && -1 <= side && side <= 1);
+    nurbs_destroy(g);
+    return NURBS_BYTES_FACE;
+}
+
+int32_t use_model(const nurbs_model *model) {
+    int64_t uses = -1, faces = -1, edges = -1, length = -1;
+    FUZZ_REQUIRE(nurbs_model_counts(model, nullptr, &uses, &faces, &edges, nullptr) == NURBS_OK);
+    for (int64_t i = 0; i < faces; ++i) {
+        nurbs_face *face = nullptr;
+        int32_t shape = -1;
+        FUZZ_REQUIRE(nurbs_model_face(model, i, nullptr, &shape, nullptr, nullptr, &face) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_model_face_name(model, i, nullptr, 0, &length) == NURBS_OK);
+        use_face(face);
+        nurbs_face_destroy(face);
+    }
+    for (int64_t i = 0; i < edges; ++i) {
+        nurbs *g = nullptr;
+        FUZZ_REQUIRE(nurbs_model_edge(model, i, nullptr, nullptr, nullptr, &g) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_model_edge_uses(model, i, 0, nullptr, &length) == NURBS_OK);
+        use_spline(g);
+        nurbs_destroy(g);
+    }
+    for (int64_t i = 0; i < uses; ++i) {
+        FUZZ_REQUIRE(nurbs_model_use(model, i, nullptr, nullptr, nullptr) == NURBS_OK);
+    }
+    return NURBS_BYTES_MODEL;
+}
+
 void read_all(const Bytes &bytes) {
     const auto spline_from = [](auto... given) { return nurbs_from_bytes(given...); };
+    const auto face_from = [](auto... given) { return nurbs_face_from_bytes(given...); };
+    const auto model_from = [](auto... given) { return nurbs_model_from_bytes(given...); };
     read<nurbs>(bytes, spline_from, spline_to, nurbs_destroy, use_spline);
     read<nurbs_list>(bytes, nurbs_list_from_bytes, list_to, nurbs_list_destroy, use_list);
+    read<nurbs_face>(bytes, face_from, face_to, nurbs_face_destroy, use_face);
+    read<nurbs_model>(bytes, model_from, model_to, nurbs_model_destroy, use_model);
     read<nurbs_statistics>(bytes, nurbs_statistics_from_bytes, nurbs_statistics_to_bytes,
                            nurbs_statistics_destroy, use_statistics);
 }
@@ -157,6 +202,47 @@ void send(Input &in) {
     nurbs_list_destroy(list);
 }
 
+// Numbers of good bytes replaced, signed again: whatever is read is a handle that can be used.
+void damage(Input &in, Bytes bytes) {
+    for (int i = in.below(4); i >= 0; --i) {
+        const size_t place = (size_t{in.byte()} * 256 + in.byte()) % (bytes.size() / 8) * 8;
+        if (place >= 64) {
+            put(bytes, place,
+                in.coin()   ? in.byte()
+                : in.coin() ? ~uint64_t{0} - in.byte()
+                : in.coin() ? uint64_t{1} << in.below(64)
+                            : 0x3ff0000000000000u + in.byte());
+        }
+    }
+    put_right(bytes);
+    read_all(bytes);
+}
+
+// The face of a plane within a triangle, alone and in a model.
+void send_faces(Input &in) {
+    const double knots[] = {0, 0, 1, 1, 0, 0, 1, 1},
+                 corners[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, in.number()};
+    const double ways[] = {0, 0, 1, 2, 3, 3}, places[] = {0, 0, 1, 0, 0, 1, 0, 0};
+    const int32_t degrees[] = {1, 1};
+    const int64_t counts[] = {2, 2}, four = 4, one = 1;
+    nurbs *surface = nullptr, *curve = nullptr;
+    nurbs_face *face = nullptr;
+    nurbs_model *model = nullptr;
+    if (FUZZ_OK(nurbs_create(2, degrees, counts, knots, 8, 3, corners, 0, 0, nullptr, 0, 0, &surface))) {
+        FUZZ_REQUIRE(nurbs_create(1, degrees, &four, ways, 6, 2, places, 0, 0, nullptr, 0, 0, &curve) ==
+                     NURBS_OK);
+        if (FUZZ_OK(nurbs_face_create(surface, 1, &one, &curve, nullptr, nullptr, 1e-9, 0, nullptr, &face))) {
+            FUZZ_REQUIRE(nurbs_model_create(1, &face, 1e-3, &model) == NURBS_OK);
+            damage(in, written(face_to, static_cast<const nurbs_face *>(face)));
+            damage(in, written(model_to, static_cast<const nurbs_model *>(model)));
+        }
+    }
+    nurbs_model_destroy(model);
+    nurbs_face_destroy(face);
+    nurbs_destroy(curve);
+    nurbs_destroy(surface);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -166,5 +252,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     read_all(bytes);
     Input in(data, size);
     send(in);
+    send_faces(in);
     return 0;
 }

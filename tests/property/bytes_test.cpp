@@ -1,8 +1,5 @@
 // Splines and lists as bytes: the same values, whatever they are, and any change is found.
-#include "support/cases.h"
-#include "support/handle.h"
-
-#include <gtest/gtest.h>
+#include "property/bytes.h"
 
 namespace bytes_test {
 
@@ -10,21 +7,10 @@ using namespace support;
 
 namespace {
 
-using Bytes = std::vector<unsigned char>;
-
 struct DestroyList {
     void operator()(nurbs_list *list) const noexcept { nurbs_list_destroy(list); }
 };
 using List = std::unique_ptr<nurbs_list, DestroyList>;
-
-template <class Write, class Owner>
-Bytes written(Write &&write, const Owner &owner) {
-    int64_t size = 0;
-    require_ok(write(owner.get(), 0, nullptr, &size));
-    Bytes bytes(static_cast<size_t>(size));
-    require_ok(write(owner.get(), size, bytes.data(), nullptr));
-    return bytes;
-}
 
 Bytes bytes_of(const Handle &g) {
     return written(nurbs_to_bytes, g);
@@ -34,17 +20,10 @@ Bytes bytes_of(const List &list) {
 }
 
 nurbs_status read(const Bytes &bytes, Handle &out) {
-    nurbs *g = nullptr;
-    const nurbs_status status = nurbs_from_bytes(bytes.data(), std::ssize(bytes), &g);
-    out.reset(g);
-    return status;
+    return read_bytes(nurbs_from_bytes, bytes, out);
 }
-
 nurbs_status read(const Bytes &bytes, List &out) {
-    nurbs_list *list = nullptr;
-    const nurbs_status status = nurbs_list_from_bytes(bytes.data(), std::ssize(bytes), &list);
-    out.reset(list);
-    return status;
+    return read_bytes(nurbs_list_from_bytes, bytes, out);
 }
 
 // The same spline, stored homogeneous.
@@ -57,22 +36,6 @@ Handle random_handle(Random &random) {
     int32_t rational = 0;
     require_ok(nurbs_is_rational(g.get(), &rational));
     return rational != 0 && random.chance(30) ? homogeneous(g) : std::move(g);
-}
-
-// Each change is found, and each end that is missing.
-template <class Owner>
-void expect_every_change_found(Random &random, uint64_t seed, const Bytes &bytes) {
-    for (int i = 0; i < 40; ++i) {
-        Bytes other = bytes;
-        Owner none;
-        const size_t place = random.bits() % other.size();
-        other[place] = static_cast<unsigned char>(other[place] ^ (1 + random.bits() % 255));
-        ASSERT_NE(read(other, none), NURBS_OK) << "seed " << seed << " byte " << place;
-        ASSERT_EQ(none, nullptr);
-        other = bytes;
-        other.resize(place);
-        ASSERT_EQ(read(other, none), NURBS_ERROR_TRUNCATED) << "seed " << seed << " byte " << place;
-    }
 }
 
 TEST(Bytes, splines_survive) {
@@ -93,7 +56,7 @@ TEST(Bytes, splines_survive) {
             << where(seed, before);
         const auto params = random_params(random, before, 10);
         ASSERT_TRUE(same_bits(eval(copy.get(), params), eval(g.get(), params))) << where(seed, before);
-        expect_every_change_found<Handle>(random, seed, bytes);
+        expect_every_change_found<Handle>(nurbs_from_bytes, random, seed, bytes);
     });
 }
 
@@ -160,7 +123,7 @@ TEST(Bytes, lists_survive) {
             const Handle g = made([&](nurbs **out) { return nurbs_list_get(copy.get(), index, out); });
             ASSERT_EQ(bytes_of(g), bytes_of(splines[i])) << "seed " << seed;
         }
-        expect_every_change_found<List>(random, seed, bytes);
+        expect_every_change_found<List>(nurbs_list_from_bytes, random, seed, bytes);
     });
 }
 

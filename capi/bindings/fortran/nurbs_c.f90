@@ -186,6 +186,10 @@ module nurbs_c
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! wanted unit in metres (0.001: millimetres); 0 keeps the file's own
         integer(c_int64_t) :: max_bytes  ! largest file accepted; 0 means the default, 2^30
+        ! distances in the unit of the result that count as none, in place of the uncertainty that a STEP file
+        ! states: the tolerance of faces, and how near to what the file states is what has to be made; 0 takes
+        ! what the file states. \since 1.1
+        real(c_double) :: tolerance
     end type nurbs_read_options
 
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
@@ -3461,6 +3465,42 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_list_from_bytes
+        !> A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that
+        !> were made.
+        function nurbs_face_to_bytes(face, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, bytes
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_face_to_bytes
+        !> The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same
+        !> machine.
+        function nurbs_face_from_bytes(bytes, size, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_from_bytes
+        !> A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses,
+        !> names, colours, kinds of curves and surfaces, and the splines, notes and unit of
+        !> nurbs_model_splines().
+        function nurbs_model_to_bytes(model, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: model, bytes
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_model_to_bytes
+        !> The model of the bytes of nurbs_model_to_bytes().
+        function nurbs_model_from_bytes(bytes, size, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_from_bytes
         !> Of which kind bytes are, and in which version of the form, from their first 64.
         function nurbs_bytes_kind(bytes, size, kind, major, minor) bind(c) result(r)
             import

@@ -415,6 +415,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_BYTES_SPLINE = 1  ! a spline: nurbs_from_bytes()
     integer(c_int32_t), parameter :: NURBS_BYTES_LIST = 2  ! a list: nurbs_list_from_bytes()
     integer(c_int32_t), parameter :: NURBS_BYTES_STATISTICS = 3  ! statistics: nurbs_statistics_from_bytes()
+    integer(c_int32_t), parameter :: NURBS_BYTES_FACE = 4  ! a face: nurbs_face_from_bytes()
+    integer(c_int32_t), parameter :: NURBS_BYTES_MODEL = 5  ! a model: nurbs_model_from_bytes()
 
     ! --- Formats of files
     ! STEP: an exchange structure of ISO 10303-21, by AP214

@@ -6,7 +6,7 @@ module nurbs_faces
     use nurbs_constants
     use nurbs_c, only: nurbs_face_create, nurbs_face_surface, nurbs_face_loops, nurbs_face_curve, nurbs_face_edge, &
         nurbs_face_deviation, nurbs_face_tolerance, nurbs_face_classify, nurbs_face_area, nurbs_face_moments, &
-        nurbs_face_box, nurbs_face_create_with, nurbs_face_classify_with, nurbs_face_area_with, &
+        nurbs_face_box, nurbs_face_from_bytes, nurbs_face_create_with, nurbs_face_classify_with, nurbs_face_area_with, &
         nurbs_face_moments_with, nurbs_face_box_with
     use nurbs_support
     use nurbs_calls
@@ -19,6 +19,7 @@ module nurbs_faces
     type, extends(nurbs_face_handle), public :: nurbs_face
     contains
         procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, get_area, moments, box
+        procedure :: from_bytes
     end type nurbs_face
 
 contains
@@ -224,4 +225,16 @@ contains
         end if
         call settle(code, status)
     end subroutine box
+
+    !> The face of what to_bytes() made of it.
+    subroutine from_bytes(this, contents, status)
+        class(nurbs_face), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_face_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine from_bytes
 end module nurbs_faces

@@ -4,10 +4,10 @@ module nurbs_handles
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
-        nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_fit_options, nurbs_fit_options_init, &
-        nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, nurbs_list_write_with, &
-        nurbs_model_clone, nurbs_model_destroy, nurbs_model_write, nurbs_model_write_with, nurbs_read_options, &
-        nurbs_read_options_init, &
+        nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_face_to_bytes, nurbs_fit_options, &
+        nurbs_fit_options_init, nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, &
+        nurbs_list_write_with, nurbs_model_clone, nurbs_model_destroy, nurbs_model_to_bytes, nurbs_model_write, &
+        nurbs_model_write_with, nurbs_read_options, nurbs_read_options_init, &
         nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, nurbs_to_bytes, &
         nurbs_write_options, nurbs_write_options_init
     use nurbs_calls, only: nurbs_call, watched
@@ -57,7 +57,7 @@ module nurbs_handles
     type, public :: nurbs_face_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_face, replace => replace_face
+        procedure :: destroy => destroy_face, replace => replace_face, to_bytes => face_to_bytes
         procedure, private :: copy_face
         generic :: assignment(=) => copy_face
         final :: finish_face
@@ -78,7 +78,7 @@ module nurbs_handles
     type, public :: nurbs_model_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_model, replace => replace_model, write => write_model
+        procedure :: destroy => destroy_model, replace => replace_model, write => write_model, to_bytes => model_to_bytes
         procedure, private :: copy_model
         generic :: assignment(=) => copy_model
         final :: finish_model
@@ -242,6 +242,14 @@ contains
 
     ! Faces
 
+    !> The same bytes on every machine for the same face.
+    subroutine face_to_bytes(this, bytes, status)
+        class(nurbs_face_handle), intent(in) :: this
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        call write_bytes(nurbs_face_to_bytes, this%handle, bytes, status)
+    end subroutine face_to_bytes
+
     subroutine destroy_face(this)
         class(nurbs_face_handle), intent(inout) :: this
         call replace_face(this, c_null_ptr)
@@ -278,6 +286,14 @@ contains
     end function handles_of_faces
 
     ! Models
+
+    !> The same bytes on every machine for the same model.
+    subroutine model_to_bytes(this, bytes, status)
+        class(nurbs_model_handle), intent(in) :: this
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        integer(c_int32_t), intent(out), optional :: status
+        call write_bytes(nurbs_model_to_bytes, this%handle, bytes, status)
+    end subroutine model_to_bytes
 
     subroutine destroy_model(this)
         class(nurbs_model_handle), intent(inout) :: this

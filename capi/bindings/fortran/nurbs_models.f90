@@ -7,8 +7,9 @@ module nurbs_models
     use nurbs_constants
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
         nurbs_model_face, nurbs_model_face_name, nurbs_model_edge, nurbs_model_edge_uses, nurbs_model_vertex, &
-        nurbs_model_part, nurbs_model_use, nurbs_model_splines, nurbs_model_write_file, nurbs_read_model_with, &
-        nurbs_read_model_file_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
+        nurbs_model_part, nurbs_model_use, nurbs_model_splines, nurbs_model_write_file, nurbs_model_from_bytes, &
+        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_write_file_with, nurbs_read_options, &
+        nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -22,7 +23,7 @@ module nurbs_models
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
         procedure :: read, read_file, create, counts, face, face_name, edge, edge_uses, vertex, part, get_use, splines
-        procedure :: write_file
+        procedure :: write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -234,4 +235,16 @@ contains
         end if
         call settle(code, status)
     end subroutine write_file
+
+    !> The model of what to_bytes() made of it.
+    subroutine from_bytes(this, contents, status)
+        class(nurbs_model), intent(inout) :: this
+        character(kind=c_char, len=*), intent(in), target :: contents
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_model_from_bytes(c_loc(contents), len(contents, c_int64_t), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine from_bytes
 end module nurbs_models

@@ -9,6 +9,7 @@
 #include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/spline.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -175,6 +176,10 @@ public:
         detail::call(nurbs_face_box_with, get(), tolerance, found.lower.data(), found.upper.data(),
                      &found.gap, watch.get());
         return found;
+    }
+    /// The face of what to_bytes() made of it.
+    [[nodiscard]] static Returned<Face> from_bytes(std::span<const std::byte> bytes) {
+        return detail::made<Face>(nurbs_face_from_bytes, bytes.data(), detail::length(bytes));
     }
 };
 

@@ -159,6 +159,11 @@ public:
     [[nodiscard]] const nurbs_face *get() const noexcept { return handle_; }
     [[nodiscard]] nurbs_face *release() noexcept { return std::exchange(handle_, nullptr); }
 
+    /// To be kept or sent: the same on every machine for the same face.
+    [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
+        return bytes_of(nurbs_face_to_bytes, handle_);
+    }
+
 private:
     nurbs_face *handle_ = nullptr;
 };
@@ -197,6 +202,10 @@ public:
     write(std::int32_t format, const nurbs_write_options &options, const CallOptions &call) const {
         const Watch watch(call);
         return file_of(nurbs_model_write_with, handle_, format, &options, watch.get());
+    }
+    /// To be kept or sent, with all that it holds: the same on every machine for the same model.
+    [[nodiscard]] Returned<std::vector<std::byte>> to_bytes() const {
+        return bytes_of(nurbs_model_to_bytes, handle_);
     }
 
 private:

@@ -19,6 +19,8 @@ inline namespace NURBS_CPP_POLICY {
 inline constexpr std::int32_t bytes_spline = NURBS_BYTES_SPLINE;
 inline constexpr std::int32_t bytes_list = NURBS_BYTES_LIST;
 inline constexpr std::int32_t bytes_statistics = NURBS_BYTES_STATISTICS;
+inline constexpr std::int32_t bytes_face = NURBS_BYTES_FACE;
+inline constexpr std::int32_t bytes_model = NURBS_BYTES_MODEL;
 
 /// Formats of files that are written.
 inline constexpr std::int32_t format_step = NURBS_FORMAT_STEP;

@@ -171,6 +171,10 @@ public:
         const detail::Watch watch(call);
         return detail::call(nurbs_model_write_file_with, get(), path.c_str(), format, &options, watch.get());
     }
+    /// The model of what to_bytes() made of it.
+    [[nodiscard]] static Returned<Model> from_bytes(std::span<const std::byte> bytes) {
+        return detail::made<Model>(nurbs_model_from_bytes, bytes.data(), detail::length(bytes));
+    }
 };
 
 } // namespace NURBS_CPP_POLICY

@@ -200,6 +200,13 @@ std::array<double, 2> same_places(const Spline &surface, const Covering &coverin
     return {share * covering.period(0), share * covering.period(1)};
 }
 
+// Infinite where the surface cannot be composed with the curve.
+double composed_distance(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
+                         const Spline &edge) {
+    const SplinePtr over = composed_edge(surface, covering, curve);
+    return over == nullptr ? infinity : bounds::deviation(*over, edge).upper;
+}
+
 } // namespace
 
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
@@ -216,11 +223,15 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
     const Projection model(*surface, covering, *edge, rule);
     const FittedCurve fitted =
         fit_curve(model, breaks_of(*edge), same_places(*surface, covering, rule.precision), rule.precision);
-    if (const SplinePtr over = rule.prove ? composed_edge(surface, covering, fitted.spline) : nullptr) {
-        const pieces::Enclosure found = bounds::deviation(*over, *edge);
-        return {fitted.spline, found.upper, std::isfinite(found.upper)};
-    }
-    return {fitted.spline, fitted.error, false};
+    const double found = rule.prove ? composed_distance(surface, covering, fitted.spline, *edge) : infinity;
+    return std::isfinite(found) ? MadeCurve{fitted.spline, found, true}
+                                : MadeCurve{fitted.spline, fitted.error, false};
+}
+
+double proven_distance(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
+                       const Spline &edge) {
+    const auto chart = PlaneChart::of(*surface);
+    return chart ? chart->distance_between(*curve, edge) : composed_distance(surface, covering, curve, edge);
 }
 
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,

@@ -33,6 +33,11 @@ struct UnderRule {
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
                       const UnderRule &rule);
 
+// A proven bound on the distance in space of a curve in the domain and an edge at equal parameters, the same as when curve_under()
+// made it; infinite if there is none.
+double proven_distance(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
+                       const Spline &edge);
+
 // The surface composed with a curve in its domain; null where the degree would be above max_degree, or the curve leaves the domain.
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve);
 

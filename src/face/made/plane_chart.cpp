@@ -10,6 +10,29 @@
 
 namespace nrb::face {
 
+namespace {
+
+std::vector<double> control_point(const Spline &edge, int64_t i) {
+    std::vector<double> point;
+    for (int c = 0; c < edge.dim(); ++c) {
+        point.push_back(edge.coordinate(i, c));
+    }
+    return point;
+}
+
+// Whether two curves combine their control points alike.
+bool same_basis(const Spline &a, const Spline &b) noexcept {
+    const std::span<const double> knots = a.axis(0).knots(), others = b.axis(0).knots();
+    bool same = a.axis(0).degree() == b.axis(0).degree() &&
+                std::equal(knots.begin(), knots.end(), others.begin(), others.end());
+    for (int64_t i = 0; i < a.point_count() && same; ++i) {
+        same = a.weight(i) == b.weight(i);
+    }
+    return same;
+}
+
+} // namespace
+
 std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
     if (surface.form() != Form::polynomial || surface.axis(0).degree() != 1 ||
         surface.axis(1).degree() != 1 || surface.point_count() != 4 || surface.axis(0).periodic() ||
@@ -64,12 +87,9 @@ double PlaneChart::distance_of(const double *point, const Point2 &place) const n
 
 MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
     std::vector<double> points, weights;
-    std::vector<double> point(corner_.size());
     double farthest = 0;
     for (int64_t i = 0; i < edge.point_count(); ++i) {
-        for (size_t c = 0; c < point.size(); ++c) {
-            point[c] = edge.coordinate(i, static_cast<int>(c));
-        }
+        const std::vector<double> point = control_point(edge, i);
         const Point2 x = place(point.data());
         farthest = std::max(farthest, distance_of(point.data(), x));
         points.insert(points.end(), x.begin(), x.end());
@@ -84,6 +104,18 @@ MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
     return {make_result(edge.knot_vectors(), 2, edge.rational() ? Form::rational : Form::polynomial, points,
                         weights),
             farthest, true};
+}
+
+double PlaneChart::distance_between(const Spline &curve, const Spline &edge) const {
+    if (!same_basis(curve, edge)) {
+        return infinity;
+    }
+    double farthest = 0;
+    for (int64_t i = 0; i < edge.point_count(); ++i) {
+        const Point2 x{curve.coordinate(i, 0), curve.coordinate(i, 1)};
+        farthest = std::max(farthest, distance_of(control_point(edge, i).data(), x));
+    }
+    return farthest;
 }
 
 } // namespace nrb::face

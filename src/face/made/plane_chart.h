@@ -17,6 +17,9 @@ public:
     // From the control points of the edge, with its weights; the distance is that of the farthest of them from the plane. Throws
     // Status::gap if it exceeds the tolerance.
     [[nodiscard]] MadeCurve curve_under(const Spline &edge, double tolerance) const;
+    // A bound on the distance in space of a curve in the domain and an edge at equal parameters; infinite if their knots or
+    // weights differ.
+    [[nodiscard]] double distance_between(const Spline &curve, const Spline &edge) const;
 
 private:
     PlaneChart() = default;

@@ -144,6 +144,15 @@ void ByteReader::need(uint64_t count) const {
     }
 }
 
+ByteReader ByteReader::part(int64_t count, size_t numbers) {
+    need(static_cast<uint64_t>(count)); // so that the product does not overflow
+    need(static_cast<uint64_t>(count) * numbers);
+    ByteReader here = *this;
+    place_ += 8 * static_cast<size_t>(count) * numbers;
+    align();
+    return here;
+}
+
 uint64_t ByteReader::take() {
     need(1);
     place_ += 8;

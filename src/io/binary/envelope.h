@@ -21,7 +21,7 @@
 
 namespace nrb::io {
 
-enum class Kind : uint32_t { spline = 1, list = 2, statistics = 3 };
+enum class Kind : uint32_t { spline = 1, list = 2, statistics = 3, face = 4, model = 5 };
 
 inline constexpr size_t header_size = 64;
 inline constexpr uint16_t major_version = 1, minor_version = 0;
@@ -79,6 +79,9 @@ public:
     [[nodiscard]] const HeaderNumbers &numbers() const noexcept { return header_.numbers; }
     // Throws Status::truncated where there are not so many numbers of 64 bits; to be asked before room is made for them.
     void need(uint64_t count) const;
+    // A reader at the part of `count` records of so many numbers each that begins here; this one passes over it. Throws
+    // Status::truncated.
+    [[nodiscard]] ByteReader part(int64_t count, size_t numbers);
     [[nodiscard]] size_t left() const noexcept { return bytes_.size() - place_; }
     [[nodiscard]] uint64_t take();
     [[nodiscard]] int64_t take_integer() { return static_cast<int64_t>(take()); }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/binary/spline_table.h"
-#include "model/model.h"
+#include "io/binary/texts.h"
 
 namespace nrb::io {
 
@@ -27,12 +27,10 @@ public:
     void write(std::span<unsigned char> out) const noexcept;
 
 private:
-    void write_texts(ByteWriter &writer) const noexcept;
-
     const model::Model &model_;
     SplineTable table_;
     std::vector<int64_t> indices_;
-    size_t text_size_ = 0;
+    Texts texts_;
     size_t size_;
 };
 

@@ -26,11 +26,18 @@ SplinePtr numbered_spline(std::span<const unsigned char> bytes, size_t number) {
 } // namespace
 
 int64_t SplineTable::add(const SplinePtr &spline) {
+    const auto [at, fresh] = known_.try_emplace(spline, 0);
+    if (fresh) {
+        at->second = add_contents(spline);
+    }
+    return at->second;
+}
+
+int64_t SplineTable::add_contents(const SplinePtr &spline) {
     const uint64_t checksum = checksum_of_points(*spline);
     const auto found = by_checksum_.equal_range(checksum);
     for (auto at = found.first; at != found.second; ++at) {
-        const SplinePtr &other = splines_[static_cast<size_t>(at->second)];
-        if (other == spline || same_bytes(*other, *spline)) {
+        if (same_bytes(*splines_[static_cast<size_t>(at->second)], *spline)) {
             return at->second;
         }
     }

@@ -25,7 +25,10 @@ public:
     void write(ByteWriter &writer) const noexcept;
 
 private:
+    int64_t add_contents(const SplinePtr &spline);
+
     std::vector<SplinePtr> splines_;
+    std::unordered_map<SplinePtr, int64_t> known_;
     std::unordered_multimap<uint64_t, int64_t> by_checksum_;
 };
 

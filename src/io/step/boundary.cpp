@@ -151,9 +151,16 @@ model::CurvePiece read_edge(Geometry &geometry, const Instance &edge) {
     });
 }
 
-SplinePtr cut_surface(const model::SurfaceShape &surface, const std::vector<Vector3> &points) {
+model::MadeSurface cut_surface(const Geometry &geometry, const model::SurfaceShape &surface,
+                               const std::vector<Vector3> &points) {
     constexpr double margin = 1.0 / 64; // of the size of the boundary
-    return model::surface_spline(surface, model::range_around(surface, points, margin));
+    constexpr double share = 0.25;      // of the uncertainty
+    constexpr int64_t doubles_of_a_patch = 128;
+    const double stated = geometry.units().tolerance;
+    return model::made_surface(surface, model::range_around(surface, points, margin),
+                               {share * (stated > 0 ? stated : usual_tolerance),
+                                geometry.entities().left() / doubles_of_a_patch,
+                                &geometry.entities().patches()});
 }
 
 const Spline *EdgeSplines::find(int64_t number) const noexcept {

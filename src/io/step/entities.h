@@ -21,6 +21,7 @@ public:
     explicit Entities(const Instances &instances) : instances_(instances) {
         const auto size = static_cast<int64_t>(instances.text().size());
         left_ = limit_ = size * most_for_a_byte + most_at_least;
+        patches_ = size / bytes_of_a_patch + patches_at_least;
     }
 
     [[nodiscard]] const Instances &instances() const noexcept { return instances_; }
@@ -40,6 +41,11 @@ public:
     // small file; throws Status::too_large before that.
     void spend(int64_t doubles);
 
+    // How many of them are left.
+    [[nodiscard]] int64_t left() const noexcept { return left_; }
+    // Patches of offset surfaces that may still be looked at, for the same reason.
+    [[nodiscard]] int64_t &patches() noexcept { return patches_; }
+
     // While one exists, its instance is being read. Throws Status::syntax if it is being read already, or lies too deep.
     class Visit {
     public:
@@ -56,10 +62,13 @@ private:
     static constexpr int deepest = 24;
     static constexpr int64_t most_for_a_byte = 6; // doubles
     static constexpr int64_t most_at_least = 1 << 16;
+    static constexpr int64_t bytes_of_a_patch = 256; // each takes some tenths of a millisecond
+    static constexpr int64_t patches_at_least = 1 << 13;
 
     const Instances &instances_;
     int64_t limit_;
     int64_t left_;
+    int64_t patches_;
     int depth_ = 0;
     std::array<int64_t, deepest> path_{};
 };

@@ -72,14 +72,16 @@ public:
         }
         attributes.part("FACE_SURFACE");
         surface_number_ = attributes.reference("face_geometry");
-        FaceSource source{geometry_.surface(surface_number_, attributes, "face_geometry"), {}, false};
+        FaceSource source{geometry_.surface(surface_number_, attributes, "face_geometry"), {}, false, 0};
         source.against = !attributes.boolean("same_sense");
         for (const int64_t number : bounds) {
             add_bound(entities_.at(number, Kind::face_bound, attributes, "bounds", "a FACE_BOUND"),
                       source.against);
         }
-        source.parts.surface = spline_of(*source.shape);
+        model::MadeSurface made = spline_of(*source.shape);
+        source.parts.surface = std::move(made.spline);
         source.parts.nearest = model::nearest_place(*source.shape, source.parts.surface);
+        source.distance = made.distance;
         if (source.shape->kind == model::SurfaceKind::spline) {
             add_parameter_curves(*source.parts.surface);
         }
@@ -170,10 +172,7 @@ private:
     }
 
     // The surface; where it has no ends, as much of it as the edges need.
-    SplinePtr spline_of(const model::SurfaceShape &shape) const {
-        if (model::bounded(shape)) {
-            return model::surface_spline(shape, model::natural_range(shape));
-        }
+    model::MadeSurface spline_of(const model::SurfaceShape &shape) const {
         std::vector<Vector3> points = poles_;
         for (const Bound &bound : bounds_) {
             for (const face::Coedge &coedge : bound.loop) {
@@ -183,7 +182,7 @@ private:
                 }
             }
         }
-        return cut_surface(shape, points);
+        return cut_surface(geometry_, shape, points);
     }
 
     // A seam has two, one for each use.

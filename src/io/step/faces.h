@@ -33,7 +33,8 @@ private:
 struct FaceSource {
     model::SurfaceShapePtr shape;
     face::FaceParts parts;
-    bool against; // the outer normal is against that of the surface
+    bool against;    // the outer normal is against that of the surface
+    double distance; // of the spline from the surface
 };
 
 // Curves in the domain that the file gives are taken for surfaces that are splines in the file, where they lie under their edges;

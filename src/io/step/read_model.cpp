@@ -21,8 +21,7 @@ using step::Instance;
 using step::Kind;
 using step::Units;
 
-// Where a file states no uncertainty, and how often larger ones are tried.
-constexpr double usual_tolerance = 1e-7;
+// How often larger tolerances are tried.
 constexpr int most_tolerances = 5;
 // Doubles that a piece of a loop takes in the maps of its face.
 constexpr int64_t size_of_a_piece = 64;
@@ -94,11 +93,11 @@ private:
     void add_face(int64_t place) {
         const Instance &instance = instances_[place];
         const Units units = units_of(place);
-        double tolerance = units.tolerance > 0 ? units.tolerance : usual_tolerance;
+        double tolerance = units.tolerance > 0 ? units.tolerance : step::usual_tolerance;
         entities_.spend(step::Entities::size_of_a_shape);
         for (int attempt = 0;; ++attempt, tolerance *= 10) {
             try {
-                add_face(place, units, tolerance);
+                note_approximation(instance, add_face(place, units, tolerance));
                 if (attempt > 0) {
                     const std::string text = step::label_of(instances_, instance) +
                                              ": its edges need the tolerance " + Number(tolerance).text;
@@ -112,7 +111,8 @@ private:
             }
         }
     }
-    void add_face(int64_t place, const Units &units, double tolerance) {
+    // How far its surface is from the one of the file.
+    double add_face(int64_t place, const Units &units, double tolerance) {
         const Instance &instance = instances_[place];
         Geometry geometry(entities_, units);
         step::FaceSource source = step::read_face(geometry, sources_, model_.edges, instance, tolerance);
@@ -129,6 +129,7 @@ private:
         made.face = face_of(std::move(source.parts));
         spend(*made.face);
         model_.faces.push_back(std::move(made));
+        return source.distance;
     }
     // What the face took beyond its surface, whatever its loops share with others.
     void spend(const face::Face &made) {

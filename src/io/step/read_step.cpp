@@ -57,7 +57,7 @@ private:
         const Instance &face = instances_[place];
         const Units units = units_of(place);
         Geometry geometry(entities_, units);
-        SplinePtr spline = made(face, [&] {
+        SplinePtr spline = made_surface(face, [&] {
             Attributes attributes(instances_, face);
             attributes.part("REPRESENTATION_ITEM");
             attributes.skip("name");
@@ -72,10 +72,9 @@ private:
             }
             const model::SurfaceShapePtr surface = geometry.surface(number, attributes, "face_geometry");
             if (!model::bounded(*surface)) {
-                return step::cut_surface(*surface, step::boundary_points(geometry, edges_, face));
+                return step::cut_surface(geometry, *surface, step::boundary_points(geometry, edges_, face));
             }
-            return surfaces_[{number, units.length, units.angle}] =
-                       model::surface_spline(*surface, model::natural_range(*surface));
+            return surfaces_[{number, units.length, units.angle}] = step::cut_surface(geometry, *surface, {});
         });
         splines.push_back({step::name_of(instances_, face), std::move(spline)});
     }
@@ -88,7 +87,7 @@ private:
     };
 
     step::EdgeSplines edges_;
-    std::map<SurfaceKey, SplinePtr> surfaces_;
+    std::map<SurfaceKey, model::MadeSurface> surfaces_;
 };
 
 } // namespace

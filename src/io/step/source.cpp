@@ -40,10 +40,11 @@ void check_unit(double metres, double wanted) {
     }
 }
 
-SplinePtr free_surface(Geometry &geometry, const Instance &instance) {
+model::MadeSurface free_surface(Geometry &geometry, const Instance &instance) {
     const model::SurfaceShapePtr surface = geometry.surface(instance);
     const bool outlined = instance.kind() == Kind::curve_bounded_surface && !model::bounded(*surface);
-    return cut_surface(*surface, outlined ? outline_points(geometry, instance) : std::vector<Vector3>());
+    return cut_surface(geometry, *surface,
+                       outlined ? outline_points(geometry, instance) : std::vector<Vector3>());
 }
 
 bool is_context(const Instances &instances, const Instance &instance) {
@@ -54,7 +55,7 @@ bool is_context(const Instances &instances, const Instance &instance) {
 
 Source::Source(const Exchange &file, const ReadSettings &settings)
     : instances_(file.instances), entities_(file.instances), contexts_(entities_),
-      part_(find_parts(file.instances)) {
+      part_(find_parts(file.instances)), tolerance_(settings.tolerance) {
     check_schemas(file.schemas);
     const double stated = contexts_.all().front().metres;
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
@@ -73,7 +74,7 @@ Units Source::units_of(int64_t place) const {
     const Measures &measures = contexts_.of(place);
     const double factor =
         measures.metres > 0 && model_.metres_per_unit > 0 ? measures.metres / model_.metres_per_unit : 1;
-    return {factor, measures.radians, factor * measures.uncertainty};
+    return {factor, measures.radians, tolerance_ > 0 ? tolerance_ : factor * measures.uncertainty};
 }
 
 std::vector<model::NamedSpline> Source::free_splines() {
@@ -87,13 +88,21 @@ std::vector<model::NamedSpline> Source::free_splines() {
         const Instance &instance = instances_[place];
         const Units units = units_of(place);
         Geometry geometry(entities_, units);
-        SplinePtr spline = made(instance, [&] {
-            return is_curve(instance.kind()) ? model::curve_spline(*geometry.curve(instance))
-                                             : free_surface(geometry, instance);
-        });
+        SplinePtr spline =
+            is_curve(instance.kind())
+                ? made(instance, [&] { return model::curve_spline(*geometry.curve(instance)); })
+                : made_surface(instance, [&] { return free_surface(geometry, instance); });
         splines.push_back({name_of(instances_, instance), std::move(spline)});
     });
     return splines;
+}
+
+void Source::note_approximation(const Instance &instance, double distance) {
+    if (distance > 0) {
+        const std::string text = label_of(instances_, instance) +
+                                 ": its offset surface is approximated within " + Number(distance).text;
+        add_note(instance.number(), Status::tolerance, text.c_str());
+    }
 }
 
 void Source::note_items(bool placements_read) {

@@ -8,6 +8,7 @@
 #include "io/step/geometry/geometry.h"
 #include "io/step/structure/exchange.h"
 #include "model/model.h"
+#include "model/shapes/surface_spline.h"
 
 #include <string>
 #include <vector>
@@ -53,6 +54,17 @@ protected:
             return spline;
         });
     }
+    template <class Make>
+    SplinePtr made_surface(const Instance &instance, Make &&make) {
+        double distance = 0;
+        SplinePtr spline = made(instance, [&] {
+            model::MadeSurface surface = make();
+            distance = surface.distance;
+            return surface.spline;
+        });
+        note_approximation(instance, distance);
+        return spline;
+    }
 
     // The curves and surfaces that nothing else is made of.
     std::vector<model::NamedSpline> free_splines();
@@ -62,6 +74,8 @@ protected:
     void note_unread(const Instance &instance, const char *what);
     // With the label of the instance, unless the message begins with it.
     void note_error(const Instance &instance, const Error &error);
+    // Of a surface that is so far from the one of the file, unless that is 0.
+    void note_approximation(const Instance &instance, double distance);
     void add_note(int64_t number, Status reason, const char *text);
     // The model with its notes in the order of their instances.
     model::Model finished();
@@ -75,6 +89,8 @@ protected:
 private:
     static constexpr int64_t work_of_an_entity = 1000; // beyond what its numbers count
     void note_item(const Instance &owner, int64_t number);
+
+    double tolerance_; // 0: those of the contexts
 };
 
 } // namespace nrb::io::step

@@ -191,6 +191,19 @@ std::vector<Vector3> PointsAround::hull_of(const CurveShape &curve, Interval ran
     return points;
 }
 
+// Points of which the hull contains those at a distance from points of the hull.
+std::vector<Vector3> widened(std::span<const Vector3> points, double distance) {
+    std::vector<Vector3> more;
+    for (const Vector3 &point : points) {
+        for (const double sign : {-1.0, 1.0}) {
+            const double by = std::sqrt(3.0) * sign * distance;
+            more.insert(more.end(),
+                        {point + Vector3{by, 0, 0}, point + Vector3{0, by, 0}, point + Vector3{0, 0, by}});
+        }
+    }
+    return more;
+}
+
 } // namespace
 
 Rectangle natural_range(const SurfaceShape &surface) noexcept {
@@ -260,6 +273,9 @@ Rectangle range_around(const SurfaceShape &surface, std::span<const Vector3> poi
     }
     if (points.empty()) {
         fail(Status::too_few_points, "the surface has no ends, and nothing bounds the face");
+    }
+    if (surface.kind == SurfaceKind::offset) {
+        return range_around(*surface.basis, widened(points, surface.distance), margin);
     }
     return PointsAround(surface, points, margin).range();
 }

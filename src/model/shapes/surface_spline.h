@@ -12,6 +12,22 @@ namespace nrb::model {
 // ranges; empty_domain, and what the builders throw.
 SplinePtr surface_spline(const SurfaceShape &surface, const Rectangle &range);
 
+struct MadeSurface {
+    SplinePtr spline;
+    double distance = 0; // from the surface at equal parameters, at most; 0: but for rounding
+};
+
+// How near offset surfaces are to be approximated, with how many patches (fit/offset/offset_surface.h).
+struct SurfaceRule {
+    double tolerance;
+    int64_t most_patches;
+    int64_t *left = nullptr;
+};
+
+// The same of offset surfaces, too; these over the parameters of the spline of the surface from which they are offset. Throws what
+// surface_spline() and fit::offset_surface() do.
+MadeSurface made_surface(const SurfaceShape &surface, const Rectangle &range, const SurfaceRule &rule);
+
 // How the parameters of the surface along an axis and those of its spline belong together (curve_map.h).
 ParameterLaw law_of(const SurfaceShape &surface, int axis) noexcept;
 

@@ -57,6 +57,7 @@ from ._deform import *  # noqa: F403
 from ._edit import *  # noqa: F403
 from ._evaluation import *  # noqa: F403
 from ._faces import *  # noqa: F403
+from ._faces import _restored_face
 from ._files import *  # noqa: F403
 from ._files import _restored_list
 from ._fit import *  # noqa: F403
@@ -67,6 +68,7 @@ from ._knots import *  # noqa: F403
 from ._linear import *  # noqa: F403
 from ._measure import *  # noqa: F403
 from ._models import *  # noqa: F403
+from ._models import _restored_model
 from ._reduce import *  # noqa: F403
 from ._refinement import *  # noqa: F403
 from ._segments import *  # noqa: F403
@@ -82,6 +84,6 @@ for _value in list(globals().values()):
     if isinstance(_value, type) and issubclass(  # noqa: F405
         _value, (tuple, Exception, Spline, SplineList, Statistics, Face, Model)):  # noqa: F405
         _value.__module__ = __name__
-for _value in (_restored, _restored_spline, _restored_list, _restored_statistics):
+for _value in (_restored, _restored_spline, _restored_list, _restored_statistics, _restored_face, _restored_model):
     _value.__module__ = __name__
 del _value

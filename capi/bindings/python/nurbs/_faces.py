@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Dict, Iterable, List, NamedTuple, NoReturn, Optional, Tuple, Type, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple, Type
+from typing import TypeVar, Union
 
 import numpy
 
 from ._arrays import address, if_given, parameters, vector
 from ._base import handle_of
 from ._bounds import Box
+from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
 from ._errors import NurbsError
 from ._library import call, get, lib
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._arrays import Floats, Int32s
+    from ._bytes import Contents
     from ._calls import Progress
 
     #: One curve that closes, or curves that follow one another; None where the other array has one.
@@ -160,8 +163,19 @@ class Face:
     def __deepcopy__(self, memo: Dict[int, Any]) -> Face:
         return self.copy()
 
-    def __reduce__(self) -> NoReturn:
-        raise TypeError("a Face cannot be pickled; its surface and its curves can")
+    def to_bytes(self) -> bytes:
+        """The face as bytes, to be kept or sent: the same on every machine for the same face."""
+        return written(lib.nurbs_face_to_bytes, self._handle).tobytes()
+
+    @classmethod
+    def from_bytes(cls: Type[_Face], contents: Contents) -> _Face:
+        """The face of what to_bytes() gave. Raises ContentsError for other bytes."""
+        given = given_bytes(contents)
+        return cls._made(lib.nurbs_face_from_bytes, given.ctypes.data, given.size)
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., Face], Tuple[Any, ...], Dict[str, Any]]:
+        known = {name: value for name, value in self.__dict__.items() if name != "_handle"}
+        return _restored_face, (type(self), pickled(lib.nurbs_face_to_bytes, self._handle, protocol)), known
 
     def __repr__(self) -> str:
         sizes = self.loops
@@ -245,3 +259,9 @@ class Face:
         gap = get(ctypes.c_double, watched(lib.nurbs_face_box, progress, work), self._handle, tolerance,
                   lower.ctypes.data, upper.ctypes.data)
         return Box(lower, upper, gap)
+
+
+# A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.
+def _restored_face(kind: Type[Face], contents: Any) -> Face:
+    """A pickled face."""
+    return kind.from_bytes(contents)

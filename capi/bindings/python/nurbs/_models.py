@@ -6,11 +6,12 @@ from __future__ import annotations
 import ctypes
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Callable, Dict, Generic, Iterable, List, NamedTuple, NoReturn, Optional, Tuple
-from typing import TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, Generic, Iterable, List, NamedTuple, Optional, SupportsIndex
+from typing import Tuple, Type, TypeVar, Union, overload
 
 import numpy
 
+from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
 from ._faces import Face
 from ._files import Note, SplineList, _options
@@ -21,6 +22,7 @@ from .constants import NURBS_FORMAT_STEP
 
 if TYPE_CHECKING:
     from ._arrays import Floats
+    from ._bytes import Contents
     from ._calls import Progress
 
 __all__ = ["EdgeUse", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelUse"]
@@ -164,20 +166,20 @@ class Model:
 
     @classmethod
     def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
-             progress: Progress = None, work: Optional[int] = None) -> Model:
+             tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Model:
         """The faces, edges and vertices of a STEP file in memory; unit is the wanted one in metres, 0 keeps the file's
-        own. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
+        own; tolerance is the distance in it that counts as none, that of the faces, 0 takes what the file states. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
         given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
-        return cls._made(watched(lib.nurbs_read_model, progress, work), given, len(given), _options(unit, max_bytes))
+        return cls._made(watched(lib.nurbs_read_model, progress, work), given, len(given), _options(unit, max_bytes, tolerance))
 
     @classmethod
     def read_file(cls, path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
-                  progress: Progress = None, work: Optional[int] = None) -> Model:
+                  tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Model:
         """Those of a STEP file, as read() gives them. Raises FileError if it cannot be read."""
         name = os.fsencode(path)
         if b"\0" in name:
             raise ValueError("a path with a zero in it")
-        return cls._made(watched(lib.nurbs_read_model_file, progress, work), name, _options(unit, max_bytes))
+        return cls._made(watched(lib.nurbs_read_model_file, progress, work), name, _options(unit, max_bytes, tolerance))
 
     @classmethod
     def _made(cls, function: Any, *arguments: Any) -> Model:
@@ -209,8 +211,19 @@ class Model:
     def __deepcopy__(self, memo: Dict[int, Any]) -> Model:
         return self.copy()
 
-    def __reduce__(self) -> NoReturn:
-        raise TypeError("a Model cannot be pickled; what its faces consist of can")
+    def to_bytes(self) -> bytes:
+        """The model as bytes, to be kept or sent, with everything that it holds: the same on every machine for the same
+        model."""
+        return written(lib.nurbs_model_to_bytes, self._handle).tobytes()
+
+    @classmethod
+    def from_bytes(cls, contents: Contents) -> Model:
+        """The model of what to_bytes() gave. Raises ContentsError for other bytes."""
+        given = given_bytes(contents)
+        return cls._made(lib.nurbs_model_from_bytes, given.ctypes.data, given.size)
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Tuple[Callable[..., Model], Tuple[Any, ...]]:
+        return _restored_model, (type(self), pickled(lib.nurbs_model_to_bytes, self._handle, protocol))
 
     def __repr__(self) -> str:
         counts = self.counts
@@ -325,3 +338,9 @@ class Model:
         parent, part, placement = ctypes.c_int64(), ctypes.c_int64(), numpy.empty((3, 4))
         call(lib.nurbs_model_use, self._handle, index, ctypes.byref(parent), ctypes.byref(part), placement.ctypes.data)
         return ModelUse(parent.value, part.value, placement)
+
+
+# A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.
+def _restored_model(kind: Type[Model], contents: Any) -> Model:
+    """A pickled model."""
+    return kind.from_bytes(contents)

@@ -284,6 +284,8 @@ NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2
 NURBS_BYTES_SPLINE = 1  # a spline: nurbs_from_bytes()
 NURBS_BYTES_LIST = 2  # a list: nurbs_list_from_bytes()
 NURBS_BYTES_STATISTICS = 3  # statistics: nurbs_statistics_from_bytes()
+NURBS_BYTES_FACE = 4  # a face: nurbs_face_from_bytes()
+NURBS_BYTES_MODEL = 5  # a model: nurbs_model_from_bytes()
 
 # --- Formats of files
 NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214

@@ -2,6 +2,7 @@
 //! Trimmed faces: the handle. What can be asked of it is in the module `faces`.
 
 use crate::error::{check, Result};
+use crate::list::bytes_of;
 use crate::sys;
 use std::fmt;
 use std::ptr::{null_mut, NonNull};
@@ -46,6 +47,11 @@ impl Face {
     /// The handle, for the functions of [`sys`]. It lives as long as this face.
     pub fn raw(&self) -> *const sys::nurbs_face {
         self.handle.as_ptr()
+    }
+
+    /// To be kept or sent: the same on every machine for the same face.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        bytes_of(|cap, bytes, length| unsafe { sys::nurbs_face_to_bytes(self.raw(), cap, bytes, length) })
     }
 
     /// The dimension of its surface.

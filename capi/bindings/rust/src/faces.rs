@@ -280,4 +280,11 @@ impl Face {
         })?;
         Ok(BoundingBox { lower, upper, gap })
     }
+
+    /// The face of what to_bytes() made of it.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Face> {
+        Face::made(|out| unsafe {
+            sys::nurbs_face_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out)
+        })
+    }
 }

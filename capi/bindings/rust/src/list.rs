@@ -21,7 +21,7 @@ impl ReadOptions {
     /// The defaults.
     pub fn new() -> Result<ReadOptions> {
         let size = std::mem::size_of::<sys::nurbs_read_options>() as i64;
-        let mut raw = sys::nurbs_read_options { struct_size: size, unit: 0.0, max_bytes: 0 };
+        let mut raw = sys::nurbs_read_options { struct_size: size, unit: 0.0, max_bytes: 0, tolerance: 0.0 };
         check(unsafe { sys::nurbs_read_options_init(&mut raw, size) })?;
         Ok(ReadOptions { raw })
     }
@@ -33,6 +33,11 @@ impl ReadOptions {
     /// Largest file accepted.
     pub fn max_bytes(mut self, bytes: i64) -> ReadOptions {
         self.raw.max_bytes = bytes;
+        self
+    }
+    /// Distances in the unit of the result that count as none; 0 takes what the file states.
+    pub fn tolerance(mut self, distance: f64) -> ReadOptions {
+        self.raw.tolerance = distance;
         self
     }
 }

@@ -65,4 +65,9 @@ impl Model {
     pub fn raw(&self) -> *const sys::nurbs_model {
         self.handle.as_ptr()
     }
+
+    /// To be kept or sent, with all that it holds: the same on every machine for the same model.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        bytes_of(|cap, bytes, length| unsafe { sys::nurbs_model_to_bytes(self.raw(), cap, bytes, length) })
+    }
 }

@@ -254,4 +254,11 @@ impl Model {
             )
         })
     }
+
+    /// The model of what to_bytes() made of it.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Model> {
+        Model::made(|out| unsafe {
+            sys::nurbs_model_from_bytes(bytes.as_ptr().cast(), bytes.len() as i64, out)
+        })
+    }
 }

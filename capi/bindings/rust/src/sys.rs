@@ -345,6 +345,10 @@ pub struct nurbs_read_options {
     pub unit: f64,
     /// largest file accepted; 0 means the default, 2^30
     pub max_bytes: i64,
+    /// distances in the unit of the result that count as none, in place of the uncertainty that a STEP file
+    /// states: the tolerance of faces, and how near to what the file states is what has to be made; 0 takes
+    /// what the file states. \since 1.1
+    pub tolerance: f64,
 }
 
 /// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
@@ -848,6 +852,10 @@ pub const NURBS_BYTES_SPLINE: i32 = 1;
 pub const NURBS_BYTES_LIST: i32 = 2;
 /// statistics: nurbs_statistics_from_bytes()
 pub const NURBS_BYTES_STATISTICS: i32 = 3;
+/// a face: nurbs_face_from_bytes()
+pub const NURBS_BYTES_FACE: i32 = 4;
+/// a model: nurbs_model_from_bytes()
+pub const NURBS_BYTES_MODEL: i32 = 5;
 
 // --- Formats of files
 /// STEP: an exchange structure of ISO 10303-21, by AP214
@@ -4112,6 +4120,34 @@ extern "C" {
     ) -> nurbs_status;
     /// The list of the bytes of nurbs_list_to_bytes().
     pub fn nurbs_list_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs_list) -> nurbs_status;
+    /// A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that were
+    /// made.
+    ///
+    /// May be null: `bytes`, `length`.
+    pub fn nurbs_face_to_bytes(
+        face: *const nurbs_face,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
+    pub fn nurbs_face_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs_face) -> nurbs_status;
+    /// A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
+    /// colours, kinds of curves and surfaces, and the splines, notes and unit of nurbs_model_splines().
+    ///
+    /// May be null: `bytes`, `length`.
+    pub fn nurbs_model_to_bytes(
+        model: *const nurbs_model,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// The model of the bytes of nurbs_model_to_bytes().
+    pub fn nurbs_model_from_bytes(
+        bytes: *const c_void,
+        size: i64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
     /// Of which kind bytes are, and in which version of the form, from their first 64.
     ///
     /// May be null: `kind`, `major`, `minor`.

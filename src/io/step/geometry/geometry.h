@@ -44,7 +44,7 @@ private:
     void set_degenerate_range(model::SurfaceShape &torus, Attributes &attributes) const;
     model::SurfaceShape revolution(Attributes &attributes);
     model::SurfaceShape extrusion(Attributes &attributes);
-    model::SurfaceShape offset(Attributes &attributes);
+    model::SurfaceShapePtr offset(Attributes &attributes);
     model::SurfaceShape rectangular_trimmed(Attributes &attributes);
     [[nodiscard]] double in_radians(double parameter, model::Measure measure) const noexcept;
 

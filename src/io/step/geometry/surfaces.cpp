@@ -3,6 +3,7 @@
 #include "io/step/geometry/geometry.h"
 #include "io/step/geometry/placements.h"
 #include "io/step/geometry/spline_data.h"
+#include "model/shapes/offset_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +72,7 @@ SurfaceShapePtr Geometry::read_surface(const Instance &instance) {
         shape = extrusion(attributes);
         break;
     case Kind::offset_surface:
-        shape = offset(attributes);
-        break;
+        return offset(attributes);
     case Kind::rectangular_trimmed_surface:
         shape = rectangular_trimmed(attributes);
         break;
@@ -167,12 +167,13 @@ SurfaceShape Geometry::extrusion(Attributes &attributes) {
     return shape;
 }
 
-SurfaceShape Geometry::offset(Attributes &attributes) {
+SurfaceShapePtr Geometry::offset(Attributes &attributes) {
     attributes.part("OFFSET_SURFACE");
     SurfaceShape shape = shape_of(SurfaceKind::offset);
     shape.basis = surface(attributes.reference("basis_surface"), attributes, "basis_surface");
     shape.distance = units_.length * attributes.real("distance");
-    return shape;
+    const SurfaceShapePtr known = model::known_offset(shape.basis, shape.distance);
+    return known != nullptr ? known : std::make_shared<const SurfaceShape>(std::move(shape));
 }
 
 double Geometry::in_radians(double parameter, Measure measure) const noexcept {

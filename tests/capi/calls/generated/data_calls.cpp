@@ -180,6 +180,22 @@ const Call group[] = {
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_list_from_bytes(texts::list_bytes, 640, &o.list);
      }},
+    {"face_to_bytes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_to_bytes(in.face, 0, o.text, o.spans);
+     }},
+    {"face_from_bytes",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_face_from_bytes(texts::face_bytes, 960, &o.face);
+     }},
+    {"model_to_bytes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_to_bytes(in.model, 0, o.text, o.spans);
+     }},
+    {"model_from_bytes",
+     [](const Inputs &, Output &o) -> nurbs_status {
+         return nurbs_model_from_bytes(texts::model_bytes, 1984, &o.model);
+     }},
     {"list_create",
      [](const Inputs &in, Output &o) -> nurbs_status {
          const nurbs *const splines[] = {in.curve, in.loop, in.curve};

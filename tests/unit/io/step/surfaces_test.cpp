@@ -282,12 +282,58 @@ TEST(StepSurfaces, b_spline_surfaces_run_along_u_from_row_to_row) {
     expect_near(point_of(bezier, 1, 1), {1, 1, 5}, 0);
 }
 
-TEST(StepSurfaces, offset_surfaces_and_others_are_noted) {
+// Of a ball they are a ball again.
+TEST(StepSurfaces, offsets_of_known_surfaces_are_known) {
     StepBuilder builder;
     const std::string ball = builder.add("SPHERICAL_SURFACE(''," + builder.some_placement() + ",2.)");
-    const std::string offset = builder.add("OFFSET_SURFACE(''," + ball + ",0.5,.F.)");
+    builder.add("OFFSET_SURFACE(''," + ball + ",0.5,.F.)");
+    const nrb::model::Model document = read(builder);
+    EXPECT_TRUE(document.notes.empty());
+    ASSERT_EQ(document.splines.size(), 1U);
+    expect_at_eighths(*document.splines[0].spline, true, [](double u, double v) {
+        return placed(2.5 * std::cos(v) * std::cos(u), 2.5 * std::cos(v) * std::sin(u), 2.5 * std::sin(v));
+    });
+}
+
+// The others are approximated, and a note tells how nearly: z = x^2 / 4 over [0, 2] x [0, 1] on y, at 1/8 above it.
+TEST(StepSurfaces, offsets_of_splines_are_approximated) {
+    StepBuilder builder;
+    std::string rows;
+    for (const char *row : {"0.,%,0.", "1.,%,0.", "2.,%,1."}) {
+        std::string columns;
+        for (const char *y : {"0.", "1."}) {
+            std::string text = row;
+            text.replace(text.find('%'), 1, y);
+            columns += (columns.empty() ? "" : ",") + builder.add("CARTESIAN_POINT('',(" + text + "))");
+        }
+        rows += (rows.empty() ? "(" : ",(") + columns + ")";
+    }
+    const std::string sheet = builder.add("BEZIER_SURFACE('',2,1,(" + rows + "),.U.,.F.,.F.,.F.)");
+    const std::string offset = builder.add("OFFSET_SURFACE(''," + sheet + ",0.125,.F.)");
+    const nrb::model::Model document = read(builder);
+    ASSERT_EQ(document.splines.size(), 1U);
+    ASSERT_EQ(document.notes.size(), 1U);
+    EXPECT_EQ(document.notes[0].reason, Status::tolerance);
+    EXPECT_EQ(document.notes[0].text.rfind(
+                  offset + " OFFSET_SURFACE: its offset surface is approximated within ", 0),
+              0U);
+    for (int i = 0; i <= 20; ++i) {
+        const double t = i / 20.0, x = 2 * t, slope = x / 2, norm = std::hypot(1, slope);
+        expect_near(point_of(*document.splines[0].spline, t, 0.3),
+                    {x - 0.125 * slope / norm, 0.3, x * x / 4 + 0.125 / norm}, 2.5e-8);
+    }
+}
+
+TEST(StepSurfaces, offsets_of_kinks_and_others_are_noted) {
+    StepBuilder builder;
+    const std::string corner = "CARTESIAN_POINT('',(0.,0.,0.))", a = builder.add(corner),
+                      b = builder.add(corner);
+    const std::string fan = builder.add(
+        "BEZIER_SURFACE('',1,1,((" + a + "," + b + "),(" + builder.add("CARTESIAN_POINT('',(1.,0.,0.))") +
+        "," + builder.add("CARTESIAN_POINT('',(1.,1.,0.))") + ")),.U.,.F.,.F.,.F.)");
+    const std::string offset = builder.add("OFFSET_SURFACE(''," + fan + ",0.5,.F.)");
     EXPECT_EQ(only_note(builder).text,
-              offset + " OFFSET_SURFACE: an offset surface does not become a spline in this version");
+              offset + " OFFSET_SURFACE: the surface has no normal at (0, 0), where its offset is not known");
     EXPECT_EQ(only_note(builder).reason, Status::unsupported);
     StepBuilder other;
     const std::string replica = other.add("SURFACE_REPLICA('',#98,#99)");
