@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/step/read_step.h"
 
+#include "io/faces/make_face.h"
 #include "io/step/boundary.h"
 #include "io/step/source.h"
 #include "model/shapes/curve_spline.h"
@@ -72,7 +73,7 @@ private:
             }
             const model::SurfaceShapePtr surface = geometry.surface(number, attributes, "face_geometry");
             if (!model::bounded(*surface)) {
-                return step::cut_surface(*surface, step::boundary_points(geometry, edges_, face));
+                return spline_around(*surface, step::boundary_points(geometry, edges_, face));
             }
             return surfaces_[{number, units.length, units.angle}] =
                        model::surface_spline(*surface, model::natural_range(*surface));

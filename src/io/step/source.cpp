@@ -2,11 +2,11 @@
 #include "io/step/source.h"
 
 #include "base/error.h"
+#include "io/faces/make_face.h"
 #include "io/iges/text.h"
 #include "io/step/boundary.h"
 #include "io/step/parts.h"
 #include "model/shapes/curve_spline.h"
-#include "model/shapes/surface_spline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ void check_unit(double metres, double wanted) {
 SplinePtr free_surface(Geometry &geometry, const Instance &instance) {
     const model::SurfaceShapePtr surface = geometry.surface(instance);
     const bool outlined = instance.kind() == Kind::curve_bounded_surface && !model::bounded(*surface);
-    return cut_surface(*surface, outlined ? outline_points(geometry, instance) : std::vector<Vector3>());
+    return spline_around(*surface, outlined ? outline_points(geometry, instance) : std::vector<Vector3>());
 }
 
 bool is_context(const Instances &instances, const Instance &instance) {

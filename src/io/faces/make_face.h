@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Faces from the surfaces, edges and loops that files state.
+#pragma once
+
+#include "base/error.h"
+#include "face/face.h"
+#include "model/shapes/surface_shape.h"
+
+#include <vector>
+
+namespace nrb::io {
+
+// Of faces and edges, where a file states none.
+inline constexpr double usual_tolerance = 1e-7;
+
+// The spline of a surface; where it has no ends, as much of it as contains the points, and a little more.
+SplinePtr spline_around(const model::SurfaceShape &surface, const std::vector<Vector3> &points);
+void append_points(const Spline &curve, std::vector<Vector3> &points);
+
+// Whether a curve in the domain has the ends of an edge, and its middle too unless the edge is rational: the two have equal
+// parameters where neither is a conic.
+bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge, double tolerance);
+
+// With the loops as they run, or turned where that makes no sense. Curves that are missing are made as precisely as the surface is
+// written, since files state tolerances that are much larger.
+face::FacePtr make_face(face::FaceParts parts, double tolerance);
+
+// What a face took beyond its surface, whatever its loops share with others, if a coedge takes so many doubles besides its numbers.
+int64_t doubles_of(const face::Face &face, int64_t size_of_a_coedge);
+
+// Calls make(tolerance) with a tolerance, or the least one larger by powers of ten that leaves no gap; returns it.
+template <class Make>
+double least_tolerance(double tolerance, Make &&make) {
+    constexpr int most_tolerances = 5;
+    for (int attempt = 1;; ++attempt, tolerance *= 10) {
+        try {
+            make(tolerance);
+            return tolerance;
+        } catch (const Error &error) {
+            if (error.status() != Status::gap || attempt == most_tolerances) {
+                throw;
+            }
+        }
+    }
+}
+
+} // namespace nrb::io
