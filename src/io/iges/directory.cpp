@@ -127,11 +127,11 @@ void ParameterData::claim(int64_t line, const Entry &entry) {
              static_cast<long long>(line), excerpt(back_pointer_text(lines_[index])).c_str(),
              static_cast<long long>(entry.line));
     }
-    if (taken_[index]) {
+    if (owners_[index] != 0 && owners_[index] != entry.line) {
         fail(Status::syntax, "line %lld of the parameter section belongs to another entity too",
              static_cast<long long>(line));
     }
-    taken_[index] = true;
+    owners_[index] = entry.line;
 }
 
 Record ParameterData::take(const Entry &entry) {

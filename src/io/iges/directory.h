@@ -38,12 +38,12 @@ private:
     std::vector<Entry> entries_;
 };
 
-// The parameter section. Each of its lines belongs to one entry and is handed out once, which keeps reading
-// linear however the pointers lie.
+// The parameter section. Each of its lines belongs to one entry, which keeps what is read at all linear however the
+// pointers lie; how often an entry is read is its reader's to limit.
 class ParameterData {
 public:
     ParameterData(const Lines &lines, Delimiters delimiters)
-        : lines_(lines), delimiters_(delimiters), taken_(lines.size(), false) {}
+        : lines_(lines), delimiters_(delimiters), owners_(lines.size(), 0) {}
 
     // The record of an entry, positioned after the entity type. Throws Status::syntax if the pointer, the
     // back pointers, the type or the delimiters are wrong.
@@ -55,7 +55,7 @@ private:
 
     const Lines &lines_;
     Delimiters delimiters_;
-    std::vector<bool> taken_;
+    std::vector<int64_t> owners_; // directory lines; 0: nobody yet
 };
 
 } // namespace nrb::io::iges

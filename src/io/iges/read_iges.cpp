@@ -4,12 +4,12 @@
 #include "base/error.h"
 #include "base/watch.h"
 #include "io/iges/directory.h"
+#include "io/iges/geometry/geometry.h"
 #include "io/iges/global.h"
 #include "io/iges/lines.h"
 #include "io/iges/names.h"
 #include "io/iges/roles.h"
-#include "io/iges/spline.h"
-#include "io/iges/transform.h"
+#include "io/iges/types.h"
 
 #include <cmath>
 
@@ -36,15 +36,22 @@ double unit_factor(double metres_per_unit, const ReadSettings &settings) {
     return factor;
 }
 
+iges::Units units_of(const iges::Global &global, const ReadSettings &settings) {
+    const double factor = unit_factor(global.metres_per_unit, settings);
+    return {factor, factor * global.resolution};
+}
+
 constexpr int64_t work_of_an_entity = 1000; // beyond what its parameters count
 
 class Reader {
 public:
-    Reader(const iges::Sections &sections, const iges::Global &global, const ReadSettings &settings)
+    Reader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
+           const ReadSettings &settings)
         : directory_(sections.directory), data_(sections.parameter, global.delimiters),
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
           transforms_(directory_, data_), names_(directory_, data_),
-          factor_(unit_factor(global.metres_per_unit, settings)) {
+          entities_(bytes.size(), directory_, data_, transforms_, names_),
+          geometry_(entities_, units_of(global, settings)) {
         model_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
     }
 
@@ -55,7 +62,7 @@ public:
             try {
                 read_entity(entry, parameter_plane_[i]);
             } catch (const Error &error) {
-                add_note(entry, error.status(), error.what());
+                note_error(entry, error);
             }
         }
         std::erase_if(model_.notes, [this](const model::Note &note) { return used(note); });
@@ -67,10 +74,14 @@ private:
         if (!entry.damage.empty()) {
             fail(Status::syntax, "%s", entry.damage.c_str());
         }
-        if (entry.type == iges::curve_type || entry.type == iges::surface_type) {
-            add_spline(entry, parameter_plane && entry.type == iges::curve_type);
+        if (entry.type == iges::spline_curve_type) {
+            add_spline(entry, iges::spline_of(parameter_plane ? geometry_.parameter_curve(entry.line)
+                                                              : geometry_.curve(entry.line)));
+        } else if (entry.type == iges::spline_surface_type) {
+            const model::SurfaceShapePtr shape = geometry_.surface(entry.line).shape;
+            add_spline(entry, shape->spline);
         } else {
-            add_note(entry, Status::unsupported, "does not become a spline in this version");
+            fail(Status::unsupported, "does not become a spline in this version");
         }
     }
 
@@ -81,23 +92,15 @@ private:
         return index && (transforms_.used(*index) || names_.used(*index));
     }
 
-    void add_spline(const Entry &entry, bool parameter_plane) {
-        iges::Record record = data_.take(entry);
-        iges::SplineData data =
-            entry.type == iges::curve_type ? iges::read_curve_data(record) : iges::read_surface_data(record);
-        iges::Placement placement;
-        placement.transform = entry.transform == 0 ? nullptr : &transforms_.resolve(entry.transform);
-        placement.factor = parameter_plane ? 1 : factor_;
-        placement.parameter_plane = parameter_plane;
-        SplinePtr spline = iges::build_spline(std::move(data), placement);
-        model_.splines.push_back({names_.name(entry, record), std::move(spline)});
+    void add_spline(const Entry &entry, SplinePtr spline) {
+        model_.splines.push_back({geometry_.name(entry.line), std::move(spline)});
     }
 
-    void add_note(const Entry &entry, Status reason, const char *text) {
-        const std::string where = std::string(iges::type_name(entry.type)) + " (" +
-                                  std::to_string(entry.type) + ") at directory line " +
-                                  std::to_string(entry.line) + ": ";
-        model_.notes.push_back({entry.type, entry.line, reason, where + text});
+    // With the label of the entity, unless the message begins with it.
+    void note_error(const Entry &entry, const Error &error) {
+        const std::string label = iges::label_of(entry), text = error.what();
+        model_.notes.push_back(
+            {entry.type, entry.line, error.status(), text.starts_with(label) ? text : label + text});
     }
 
     iges::Directory directory_;
@@ -105,7 +108,8 @@ private:
     std::vector<bool> parameter_plane_;
     iges::Transforms transforms_;
     iges::Names names_;
-    double factor_;
+    iges::Entities entities_;
+    iges::Geometry geometry_;
     model::Model model_;
 };
 
@@ -114,7 +118,7 @@ private:
 model::Model read_iges(std::span<const char> bytes, const ReadSettings &settings) {
     const iges::Sections sections = iges::split_sections(bytes);
     const iges::Global global = iges::read_global(sections.global);
-    return Reader(sections, global, settings).run();
+    return Reader(bytes, sections, global, settings).run();
 }
 
 } // namespace nrb::io

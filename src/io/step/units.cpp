@@ -89,7 +89,7 @@ double read_uncertainty(Entities &entities, Attributes &attributes, double metre
 } // namespace
 
 Unit read_unit(Entities &entities, const Instance &instance) {
-    const Entities::Visit visit(entities, instance);
+    const Entities::Visit visit(entities, instance.number());
     Attributes attributes(entities.instances(), instance);
     if (instance.kind() == Kind::si_unit) {
         return read_si_unit(attributes);
