@@ -79,17 +79,15 @@ face::FacePtr make_face(face::FaceParts parts, double tolerance) {
     return std::make_shared<const face::Face>(std::move(parts), nullptr);
 }
 
-int64_t doubles_of(const face::Face &face, int64_t size_of_a_coedge) {
-    int64_t sum = 0;
+void spend(Limits &limits, const face::Face &face) {
     for (const face::Loop &loop : face.loops()) {
         for (const face::Coedge &coedge : loop) {
-            sum += size_of_a_coedge + 3 * coedge.curve->point_count();
+            limits.spend(Limits::size_of_a_shape + 3 * coedge.curve->point_count());
         }
     }
     for (const face::TrimPiece &piece : face.trims().pieces().all()) {
-        sum += size_of_a_piece + 3 * piece.degree;
+        limits.spend(size_of_a_piece + 3 * piece.degree);
     }
-    return sum;
 }
 
 } // namespace nrb::io

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "face/face.h"
+#include "io/limits.h"
 #include "model/shapes/surface_shape.h"
 
 #include <vector>
@@ -25,8 +26,8 @@ bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge, 
 // written, since files state tolerances that are much larger.
 face::FacePtr make_face(face::FaceParts parts, double tolerance);
 
-// What a face took beyond its surface, whatever its loops share with others, if a coedge takes so many doubles besides its numbers.
-int64_t doubles_of(const face::Face &face, int64_t size_of_a_coedge);
+// What a face took beyond its surface, whatever its loops share with others. Throws Status::too_large.
+void spend(Limits &limits, const face::Face &face);
 
 // Calls make(tolerance) with a tolerance, or the least one larger by powers of ten that leaves no gap; returns it.
 template <class Make>

@@ -55,6 +55,7 @@ void read_fields(std::string_view first, std::string_view second, Entry &entry) 
     entry.parameter_plane = in_parameter_plane(first);
     entry.data_count = field_integer(second, 4, "14 (parameter line count)");
     entry.form = field_integer(second, 5, "15 (form)");
+    parse_integer(field_text(second, 3), entry.colour); // no shape depends on it
     entry.label = field_text(second, 8);
     entry.subscript = field_integer(second, 9, "19 (subscript)");
 }

@@ -20,6 +20,7 @@ struct Entry {
     int64_t transform = 0; // pointer to a transformation matrix, 0: none
     bool parameter_plane = false;
     int64_t form = 0;
+    int64_t colour = 0; // one of eight, or minus a pointer to a definition (314); 0: none
     std::string_view label;
     int64_t subscript = 0;
     std::string damage; // what is wrong with these two lines; empty: nothing

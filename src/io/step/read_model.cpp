@@ -113,7 +113,7 @@ private:
             made.colour = colour->second;
         }
         made.face = make_face(std::move(source.parts), tolerance);
-        entities_.spend(doubles_of(*made.face, step::Entities::size_of_a_shape));
+        spend(entities_, *made.face);
         model_.faces.push_back(std::move(made));
     }
     std::vector<int64_t> part_of_;

@@ -6,10 +6,10 @@
 #include "io/iges/text.h"
 #include "io/step/boundary.h"
 #include "io/step/parts.h"
+#include "io/unit_factor.h"
 #include "model/shapes/curve_spline.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb::io::step {
 namespace {
@@ -21,22 +21,6 @@ void check_schemas(const std::vector<std::string> &schemas) {
             fail(Status::format, "FILE_SCHEMA names %s, which is not read; AP203, AP214 and AP242 are",
                  iges::excerpt(schema).c_str());
         }
-    }
-}
-
-// Whether splines in this unit can be converted to the one that is wanted.
-void check_unit(double metres, double wanted) {
-    if (wanted == 0) {
-        return;
-    }
-    if (metres == 0) {
-        fail(Status::options, "unit = %s cannot be reached: the unit of the file is not known",
-             Number(wanted).text);
-    }
-    const double factor = metres / wanted;
-    if (!std::isnormal(factor)) {
-        fail(Status::options, "unit = %s cannot be reached from units of %s metres", Number(wanted).text,
-             Number(metres).text);
     }
 }
 
@@ -58,7 +42,7 @@ Source::Source(const Exchange &file, const ReadSettings &settings)
     check_schemas(file.schemas);
     const double stated = contexts_.all().front().metres;
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
-    check_unit(stated, settings.unit);
+    (void)unit_factor(stated, settings); // whether it can be reached
     for (const ContextDamage &damage : contexts_.damages()) {
         add_note(damage.number, damage.reason, damage.text.c_str());
     }

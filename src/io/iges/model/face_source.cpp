@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "io/iges/model/face_source.h"
+
+#include "io/faces/domain_curve.h"
+#include "io/faces/make_face.h"
+#include "model/shapes/surface_spline.h"
+#include "refine/forms/parametrization.h"
+
+#include <algorithm>
+
+namespace nrb::io::iges {
+namespace {
+
+std::vector<SplinePtr> curves_of(const std::vector<LoopSource> &loops) {
+    std::vector<SplinePtr> result;
+    for (const LoopSource &loop : loops) {
+        result.insert(result.end(), loop.curves.begin(), loop.curves.end());
+    }
+    return result;
+}
+
+// Curves in space come first: where they are missing, only parameters can tell.
+SplinePtr surface_of(const model::SurfaceShape &shape, const std::vector<LoopSource> &loops,
+                     std::vector<Vector3> points) {
+    for (const LoopSource &loop : loops) {
+        for (const SpaceCurve &edge : loop.edges) {
+            append_points(*edge.spline, points);
+        }
+    }
+    const std::vector<SplinePtr> curves = curves_of(loops);
+    if (points.empty() && !curves.empty()) {
+        return model::surface_spline(shape, range_under(shape, curves));
+    }
+    return spline_around(shape, points);
+}
+
+// What cannot be carried over to the parameters of the spline is left to be made from the edges.
+void carry_over(const model::SurfaceShape &shape, const Spline &surface, LoopSource &loop) {
+    try {
+        for (SplinePtr &curve : loop.curves) {
+            curve = in_spline_parameters(shape, surface, curve);
+        }
+    } catch (const Error &) {
+        if (loop.edges.empty()) {
+            throw;
+        }
+        loop.curves.clear();
+    }
+}
+
+class PartsMaker {
+public:
+    PartsMaker(const FaceSource &source, double tolerance, int64_t first_key)
+        : source_(source), tolerance_(tolerance), next_key_(first_key) {}
+
+    MadeParts run(bool second) {
+        made_.parts.surface = source_.surface;
+        if (source_.whole_domain) {
+            add_boundary_of_domain();
+        }
+        for (const LoopSource &loop : source_.loops) {
+            made_.parts.loops.emplace_back();
+            const bool domain_rules = loop.edges.empty() || (loop.both() && loop.domain_rules != second);
+            domain_rules ? add_curves(loop) : add_edges(loop);
+        }
+        return std::move(made_);
+    }
+
+private:
+    void add_boundary_of_domain() {
+        for (face::Loop &loop : face::natural_loops(face::Covering(*source_.surface, tolerance_))) {
+            made_.parts.loops.emplace_back();
+            for (face::Coedge &coedge : loop) {
+                add_own(std::move(coedge), nullptr);
+            }
+        }
+    }
+    void add_curves(const LoopSource &loop) {
+        const bool paired = loop.curves.size() == loop.edges.size();
+        for (size_t i = 0; i < loop.curves.size(); ++i) {
+            const SpaceCurve *const edge = paired ? &loop.edges[i] : nullptr;
+            face::Coedge coedge{loop.curves[i], nullptr};
+            if (edge != nullptr) {
+                const Match match = matched(*coedge.curve, *edge);
+                coedge.edge = match == Match::none ? nullptr : edge->spline;
+                coedge.against = edge->against != (match == Match::backwards);
+            }
+            add(std::move(coedge), edge);
+        }
+    }
+    void add_edges(const LoopSource &loop) {
+        const bool paired = loop.curves.size() == loop.edges.size();
+        for (size_t i = 0; i < loop.edges.size(); ++i) {
+            const SpaceCurve &edge = loop.edges[i];
+            face::Coedge coedge{nullptr, edge.spline, 0, edge.against};
+            if (paired) {
+                const SplinePtr &curve = loop.curves[i];
+                const Match match = matched(*curve, edge);
+                coedge.curve = match == Match::none        ? nullptr
+                               : match == Match::backwards ? refine::reverse(*curve, 0, false)
+                                                           : curve;
+            }
+            add(std::move(coedge), &edge);
+        }
+    }
+
+    // How a curve in the domain belongs to an edge that runs as the boundary does: files differ on the direction.
+    enum class Match { none, along, backwards };
+    [[nodiscard]] Match matched(const Spline &curve, const SpaceCurve &edge) const {
+        const SplinePtr along = edge.against ? refine::reverse(*edge.spline, 0, false) : edge.spline;
+        if (lies_under(*source_.surface, curve, *along, tolerance_)) {
+            return Match::along;
+        }
+        const SplinePtr back = refine::reverse(curve, 0, false);
+        return lies_under(*source_.surface, *back, *along, tolerance_) ? Match::backwards : Match::none;
+    }
+
+    void add(face::Coedge coedge, const SpaceCurve *edge) {
+        if (edge != nullptr && edge->edge >= 0) {
+            coedge.key = edge->edge + 1;
+            made_.parts.loops.back().push_back(std::move(coedge));
+        } else {
+            add_own(std::move(coedge), edge == nullptr ? nullptr : edge->shape);
+        }
+    }
+    void add_own(face::Coedge coedge, model::CurveShapePtr shape) {
+        coedge.key = next_key_++;
+        if (coedge.edge != nullptr && coedge.against) { // it runs as the boundary does
+            coedge.edge = refine::reverse(*coedge.edge, 0, false);
+            coedge.against = false;
+        }
+        made_.own.push_back(
+            {coedge.edge == nullptr ? nullptr : std::move(shape), made_.parts.loops.size() - 1});
+        made_.parts.loops.back().push_back(std::move(coedge));
+    }
+
+    const FaceSource &source_;
+    double tolerance_;
+    int64_t next_key_;
+    MadeParts made_;
+};
+
+} // namespace
+
+FaceSource make_source(model::SurfaceShapePtr shape, std::vector<LoopSource> loops, bool whole_domain,
+                       const std::vector<Vector3> &poles) {
+    FaceSource source{std::move(shape), nullptr, std::move(loops), whole_domain};
+    source.surface = surface_of(*source.shape, source.loops, poles);
+    for (LoopSource &loop : source.loops) {
+        carry_over(*source.shape, *source.surface, loop);
+    }
+    return source;
+}
+
+MadeParts parts_of(const FaceSource &source, bool second, double tolerance, int64_t first_key) {
+    return PartsMaker(source, tolerance, first_key).run(second);
+}
+
+bool has_two_ways(const FaceSource &source) noexcept {
+    return std::any_of(source.loops.begin(), source.loops.end(),
+                       [](const LoopSource &loop) { return loop.both(); });
+}
+
+} // namespace nrb::io::iges

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "io/iges/read_model.h"
+
+#include "base/watch.h"
+#include "io/faces/make_face.h"
+#include "io/iges/global.h"
+#include "io/iges/lines.h"
+#include "io/iges/model/assembly.h"
+#include "io/iges/model/colours.h"
+#include "io/iges/model/edges.h"
+#include "io/iges/model/face_source.h"
+#include "io/iges/model/uses.h"
+#include "io/iges/source.h"
+#include "io/iges/types.h"
+#include "model/from_faces.h"
+
+namespace nrb::io {
+namespace {
+
+using iges::Entry;
+using iges::FaceSource;
+using iges::LoopReader;
+using iges::LoopSource;
+
+class ModelReader : public iges::Source {
+public:
+    ModelReader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
+                const ReadSettings &settings)
+        : Source(bytes, sections, global, settings), colours_(entities_),
+          used_(directory_.entries().size(), false) {}
+
+    model::Model run() {
+        Steps steps(3);
+        topology_ = iges::read_topology(entities_, geometry_.units().factor, damages_);
+        assembly_ = iges::read_assembly(entities_, geometry_.units().factor, topology_, damages_);
+        iges::mark_used(topology_, directory_, used_);
+        mark_orientations();
+        edges_ = iges::read_edges(geometry_, topology_, model_, damages_);
+        steps.next();
+        read_shapes();
+        steps.next();
+        read_all([this](const Entry &entry) { read_entity(entry); });
+        steps.next();
+        model_.parts = std::move(assembly_.parts);
+        model_.uses = std::move(assembly_.uses);
+        model::index_uses(model_);
+        for (model::Edge &edge : model_.edges) {
+            if (!edge.uses.empty()) {
+                edge.part = model_.faces[static_cast<size_t>(edge.uses.front().face)].part;
+            }
+        }
+        for (const iges::Damage &damage : damages_) {
+            add_note(damage.pointer, damage.reason, damage.text);
+        }
+        return finished();
+    }
+
+private:
+    static bool is_topology(int type) noexcept {
+        switch (type) {
+        case iges::boundary_type:
+        case iges::curve_on_surface_type:
+        case iges::solid_type:
+        case iges::vertex_list_type:
+        case iges::edge_list_type:
+        case iges::loop_type:
+        case iges::shell_type:
+        case iges::colour_type:
+            return true;
+        default:
+            return false;
+        }
+    }
+
+    // Which shapes are parts of others is known once all have been read. What is wrong with one is told where it is needed.
+    void read_shapes() {
+        for (const Entry &entry : directory_.entries()) {
+            try {
+                if (iges::is_surface(entry.type)) {
+                    (void)geometry_.surface(entry.line);
+                } else if (iges::is_curve(entry.type) && !entry.parameter_plane) {
+                    (void)geometry_.curve(entry.line);
+                }
+            } catch (const Error &) {
+                continue;
+            }
+        }
+    }
+
+    void read_entity(const Entry &entry) {
+        const auto index = static_cast<size_t>(&entry - directory_.entries().data());
+        if (entry.type == iges::trimmed_surface_type || entry.type == iges::bounded_surface_type ||
+            entry.type == iges::face_type) {
+            read_face(entry);
+        } else if (used_[index] || geometry_.is_part(entry.line) || assembly_.told[index] ||
+                   is_topology(entry.type)) {
+            return;
+        } else if (iges::is_surface(entry.type)) {
+            add_face(entry, untrimmed(entry));
+        } else if (iges::is_curve(entry.type)) {
+            add_curve(entry);
+        } else {
+            fail(Status::unsupported, "is not read in this version");
+        }
+    }
+    void add_curve(const Entry &entry) {
+        const SplinePtr spline = iges::spline_of(entry.parameter_plane ? geometry_.parameter_curve(entry.line)
+                                                                       : geometry_.curve(entry.line));
+        entities_.spend(iges::Entities::size_of_a_shape + spline->point_count() * spline->width());
+        model_.splines.push_back({geometry_.name(entry.line), spline});
+    }
+
+    // Those that could not be read have been told.
+    void read_face(const Entry &entry) {
+        if (const auto trimmed = topology_.trimmed.find(entry.line); trimmed != topology_.trimmed.end()) {
+            add_face(entry, trimmed_surface(trimmed->second));
+        } else if (const auto bounded = topology_.bounded.find(entry.line);
+                   bounded != topology_.bounded.end()) {
+            add_face(entry, bounded_surface(bounded->second));
+        } else if (const auto face = topology_.faces.find(entry.line); face != topology_.faces.end()) {
+            add_face(entry, face_of_shell(face->second));
+        }
+    }
+    FaceSource trimmed_surface(const iges::TrimmedSurface &trimmed) {
+        const iges::Surface surface = geometry_.surface(trimmed.surface);
+        LoopReader reader(geometry_, topology_, surface);
+        std::vector<LoopSource> loops;
+        if (trimmed.outer != 0) {
+            loops.push_back(reader.curve_on_surface(trimmed.outer));
+        }
+        for (const int64_t inner : trimmed.inner) {
+            loops.push_back(reader.curve_on_surface(inner));
+        }
+        return iges::make_source(surface.shape, std::move(loops), trimmed.outer == 0, {});
+    }
+    FaceSource bounded_surface(const iges::BoundedSurface &bounded) {
+        const iges::Surface surface = geometry_.surface(bounded.surface);
+        LoopReader reader(geometry_, topology_, surface);
+        std::vector<LoopSource> loops;
+        for (const int64_t boundary : bounded.boundaries) {
+            loops.push_back(reader.boundary(boundary));
+        }
+        return iges::make_source(surface.shape, std::move(loops), bounded.boundaries.empty(), {});
+    }
+    FaceSource face_of_shell(const iges::FaceEntity &face) {
+        const iges::Surface surface = geometry_.surface(face.surface);
+        LoopReader reader(geometry_, topology_, surface);
+        std::vector<LoopSource> loops;
+        for (const int64_t pointer : face.loops) {
+            LoopSource loop = reader.loop(pointer, edges_);
+            if (!loop.edges.empty() || !loop.curves.empty()) { // not a pole alone
+                loops.push_back(std::move(loop));
+            }
+        }
+        const bool whole = loops.empty();
+        return iges::make_source(surface.shape, std::move(loops), whole, reader.poles());
+    }
+    // A surface alone, over all of its domain; a plane has a curve that bounds it.
+    FaceSource untrimmed(const Entry &entry) {
+        const iges::Surface surface = geometry_.surface(entry.line);
+        if (surface.hole) {
+            fail(Status::unsupported, "is a hole in another plane, which is not read in this version");
+        }
+        LoopReader reader(geometry_, topology_, surface);
+        std::vector<LoopSource> loops;
+        if (surface.boundary != 0) {
+            loops.push_back(reader.closed_curve(surface.boundary));
+        } else if (!model::bounded(*surface.shape)) {
+            fail(Status::length, "has no ends, and nothing bounds it");
+        }
+        return iges::make_source(surface.shape, std::move(loops), surface.boundary == 0, {});
+    }
+
+    // By the rule of the file, or else, where the file has both kinds of curves, by the other one.
+    void add_face(const Entry &entry, const FaceSource &source) {
+        entities_.spend(iges::Entities::size_of_a_shape +
+                        source.surface->point_count() * source.surface->width());
+        try {
+            add_face(entry, source, false);
+        } catch (const Error &error) {
+            if (!iges::has_two_ways(source) || error.status() == Status::too_large) {
+                throw;
+            }
+            add_by_other_rule(entry, source, error);
+        }
+    }
+    void add_by_other_rule(const Entry &entry, const FaceSource &source, const Error &first) {
+        try {
+            add_face(entry, source, true);
+        } catch (const Error &) {
+            throw first;
+        }
+        tell(entry, first.status(),
+             std::string("its other curves are taken than the file prefers, of which ") + first.what());
+    }
+    void add_face(const Entry &entry, const FaceSource &source, bool second) {
+        const double resolution = geometry_.units().resolution;
+        const double stated = resolution > 0 ? resolution : usual_tolerance;
+        const double tolerance =
+            least_tolerance(stated, [&](double wide) { add_face(entry, source, second, wide); });
+        if (tolerance > stated) {
+            tell(entry, Status::tolerance,
+                 std::string("its edges need the tolerance ") + Number(tolerance).text);
+        }
+    }
+    void add_face(const Entry &entry, const FaceSource &source, bool second, double tolerance) {
+        iges::MadeParts made = iges::parts_of(source, second, tolerance, std::ssize(model_.edges) + 1);
+        model::ModelFace face;
+        face.face = make_face(std::move(made.parts), tolerance);
+        spend(entities_, *face.face);
+        face.name = name_of(entry);
+        face.shape = source.shape;
+        face.part = assembly_.part(entry.line);
+        face.against = oriented(entry.line).against;
+        face.colour = colour_of(entry);
+        iges::add_own_edges(geometry_, *face.face, made.own, face.part, model_);
+        model_.faces.push_back(std::move(face));
+    }
+    [[nodiscard]] std::string name_of(const Entry &entry) const {
+        const auto name = topology_.names.find(entry.line);
+        return name != topology_.names.end() ? name->second : geometry_.name(entry.line);
+    }
+
+    // The shell and the solid around a face, and whether its normal is turned in them.
+    struct Around {
+        int64_t owner = 0;
+        bool against = false;
+    };
+    [[nodiscard]] Around around(int64_t pointer) const noexcept {
+        const auto found = around_.find(pointer);
+        return found == around_.end() ? Around{} : found->second;
+    }
+    [[nodiscard]] Around oriented(int64_t face) const noexcept {
+        const Around shell = around(face);
+        return {shell.owner, shell.against != around(shell.owner).against};
+    }
+    void mark_orientations() {
+        for (const auto *const collections : {&topology_.solids, &topology_.shells}) {
+            for (const auto &[owner, members] : *collections) {
+                for (const iges::Oriented &member : members) {
+                    around_.try_emplace(member.pointer, Around{owner, member.against});
+                }
+            }
+        }
+    }
+    // Its own, or that of its shell, or of its solid.
+    std::optional<std::array<double, 3>> colour_of(const Entry &entry) {
+        const Entry *at = &entry;
+        for (int level = 0; level < 3; ++level) {
+            const std::optional<std::array<double, 3>> colour = colours_.of(*at);
+            const std::optional<size_t> owner = directory_.find(around(at->line).owner);
+            if (colour || !owner) {
+                return colour;
+            }
+            at = &directory_.entries()[*owner];
+        }
+        return std::nullopt;
+    }
+
+    iges::Colours colours_;
+    std::vector<bool> used_;
+    std::vector<iges::Damage> damages_;
+    iges::Topology topology_;
+    iges::Assembly assembly_;
+    iges::EdgeLists edges_;
+    std::map<int64_t, Around> around_; // of faces and shells
+};
+
+} // namespace
+
+model::Model read_iges_model(std::span<const char> bytes, const ReadSettings &settings) {
+    const iges::Sections sections = iges::split_sections(bytes);
+    const iges::Global global = iges::read_global(sections.global);
+    return ModelReader(bytes, sections, global, settings).run();
+}
+
+} // namespace nrb::io
