@@ -29,16 +29,20 @@ face::FacePtr make_face(face::FaceParts parts, double tolerance);
 // What a face took beyond its surface, whatever its loops share with others. Throws Status::too_large.
 void spend(Limits &limits, const face::Face &face);
 
-// Calls make(tolerance) with a tolerance, or the least one larger by powers of ten that leaves no gap; returns it.
+// How much larger than what a file states tolerances may get.
+inline constexpr double most_of_stated = 1e4;
+
+// Calls make(tolerance) with a tolerance, or the least one larger by powers of ten that leaves no gap; returns it. None is larger
+// than `most` if the first one is not.
 template <class Make>
-double least_tolerance(double tolerance, Make &&make) {
-    constexpr int most_tolerances = 5;
-    for (int attempt = 1;; ++attempt, tolerance *= 10) {
+double least_tolerance(double tolerance, double most, Make &&make) {
+    constexpr double rounding = 1.5; // of the powers, which are multiplied one by one
+    for (;; tolerance *= 10) {
         try {
             make(tolerance);
             return tolerance;
         } catch (const Error &error) {
-            if (error.status() != Status::gap || attempt == most_tolerances) {
+            if (error.status() != Status::gap || !(10 * tolerance <= rounding * most)) {
                 throw;
             }
         }

@@ -2,6 +2,7 @@
 #include "io/iges/read_model.h"
 
 #include "base/watch.h"
+#include "bounds/box.h"
 #include "io/faces/make_face.h"
 #include "io/iges/global.h"
 #include "io/iges/lines.h"
@@ -14,6 +15,8 @@
 #include "io/iges/types.h"
 #include "model/from_faces.h"
 
+#include <algorithm>
+
 namespace nrb::io {
 namespace {
 
@@ -21,6 +24,10 @@ using iges::Entry;
 using iges::FaceSource;
 using iges::LoopReader;
 using iges::LoopSource;
+
+// Writers state the digits that they print as the resolution, whatever their edges are worth: gaps that are no larger than this part
+// of the surface are closed.
+constexpr double share_of_gaps = 1e-4;
 
 class ModelReader : public iges::Source {
 public:
@@ -196,8 +203,10 @@ private:
     void add_face(const Entry &entry, const FaceSource &source, bool second) {
         const double resolution = geometry_.units().resolution;
         const double stated = resolution > 0 ? resolution : usual_tolerance;
+        const double most =
+            std::max(most_of_stated * stated, share_of_gaps * bounds::extent(*source.surface));
         const double tolerance =
-            least_tolerance(stated, [&](double wide) { add_face(entry, source, second, wide); });
+            least_tolerance(stated, most, [&](double wide) { add_face(entry, source, second, wide); });
         if (tolerance > stated) {
             tell(entry, Status::tolerance,
                  std::string("its edges need the tolerance ") + Number(tolerance).text);

@@ -91,7 +91,8 @@ private:
         const Units units = units_of(place);
         const double stated = units.tolerance > 0 ? units.tolerance : usual_tolerance;
         entities_.spend(step::Entities::size_of_a_shape);
-        const double tolerance = least_tolerance(stated, [&](double wide) { add_face(place, units, wide); });
+        const double tolerance = least_tolerance(stated, most_of_stated * stated,
+                                                 [&](double wide) { add_face(place, units, wide); });
         if (tolerance > stated) {
             const std::string text = step::label_of(instances_, instance) +
                                      ": its edges need the tolerance " + Number(tolerance).text;
