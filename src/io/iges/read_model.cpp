@@ -27,7 +27,7 @@ using iges::LoopSource;
 
 // Writers state the digits that they print as the resolution, whatever their edges are worth: gaps that are no larger than this part
 // of the surface are closed.
-constexpr double share_of_gaps = 1e-4;
+constexpr double share_of_gaps = 1e-2;
 
 class ModelReader : public iges::Source {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/geometry/geometry.h"
 
-#include "io/iges/geometry/spline.h"
+#include "io/iges/geometry/polylines.h"
 #include "model/shapes/curve_spline.h"
 #include "refine/forms/transform.h"
 
@@ -23,38 +23,14 @@ CurvePiece mapped(CurvePiece piece, const ParameterMap &map) {
 
 } // namespace
 
+void expect(const Entry &entry, int type) {
+    if (entry.type != type) {
+        fail(Status::syntax, "where a %s (%d) was expected", type_name(type), type);
+    }
+}
+
 bool ParameterMap::identity() const noexcept {
     return !swapped && scale == std::array<double, 2>{1, 1} && shift == std::array<double, 2>{0, 0};
-}
-
-CurvePiece whole(model::CurveShapePtr curve) {
-    const Interval range = model::natural_range(*curve);
-    return {std::move(curve), range, true};
-}
-
-SplinePtr spline_of(const CurvePiece &piece) {
-    const bool all = piece.curve->kind == model::CurveKind::spline && piece.forward &&
-                     piece.range.lower == model::natural_range(*piece.curve).lower &&
-                     piece.range.upper == model::natural_range(*piece.curve).upper;
-    return all ? piece.curve->spline : model::piece_spline(piece);
-}
-
-// What read(reading) returns; its name and its parts count once it has been read to its end.
-template <class Read>
-auto Geometry::read(int64_t pointer, const char *what, const Transform *outer, bool parameter_plane,
-                    Read &&read) {
-    const Entry &entry = entities_.at(pointer, what);
-    return labelling(entry, [&] {
-        const Entities::Visit visit(entities_, pointer);
-        entities_.spend(Entities::size_of_a_shape);
-        Reading reading{entry, entities_.record(entry), {}};
-        reading.place =
-            entities_.placement(entry, outer, parameter_plane ? 1 : units_.factor, parameter_plane);
-        auto result = read(reading);
-        names_[pointer] = entities_.name(entry, reading.record);
-        parts_.insert(reading.parts.begin(), reading.parts.end());
-        return result;
-    });
 }
 
 CurvePiece Geometry::any_curve(int64_t pointer, const Transform *outer, bool parameter_plane) {
@@ -84,10 +60,6 @@ Surface Geometry::surface(int64_t pointer, const Transform *outer) {
     return outer == nullptr ? surfaces_[pointer] = std::move(surface) : surface;
 }
 
-std::vector<CurvePiece> Geometry::pieces(int64_t pointer, const Transform *outer, bool parameter_plane) {
-    return {any_curve(pointer, outer, parameter_plane)};
-}
-
 std::vector<CurvePiece> Geometry::curve_pieces(int64_t pointer, const Transform *outer) {
     return pieces(pointer, outer, false);
 }
@@ -98,6 +70,26 @@ std::vector<CurvePiece> Geometry::parameter_pieces(int64_t pointer, const Parame
         piece = mapped(std::move(piece), map);
     }
     return result;
+}
+
+Vector3 Geometry::point(int64_t pointer, const Transform *outer) {
+    return read(pointer, "point", outer, false, [](Reading &reading) {
+        expect(reading.entry, point_type);
+        const auto [x, y, z] = reading.place.point(read_point(reading.record, "point"));
+        return Vector3{x, y, z};
+    });
+}
+
+void Geometry::keep_parts(int64_t pointer, std::vector<int64_t> parts) {
+    if (!parts.empty()) {
+        is_part_.insert(parts.begin(), parts.end());
+        parts_[pointer] = std::move(parts);
+    }
+}
+
+std::span<const int64_t> Geometry::parts(int64_t pointer) const noexcept {
+    const auto found = parts_.find(pointer);
+    return found == parts_.end() ? std::span<const int64_t>() : found->second;
 }
 
 std::string Geometry::name(int64_t pointer) const {

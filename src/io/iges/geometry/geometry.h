@@ -3,10 +3,13 @@
 #pragma once
 
 #include "io/iges/geometry/entities.h"
+#include "io/iges/geometry/placed_splines.h"
+#include "io/iges/types.h"
 #include "model/shapes/surface_shape.h"
 
 #include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace nrb::io::iges {
@@ -63,10 +66,15 @@ public:
     // Entities 108, 114, 118, 120, 122, 128, 140, 190, 192, 194, 196, 198.
     Surface surface(int64_t pointer, const Transform *outer = nullptr);
 
+    // Entity 116.
+    Vector3 point(int64_t pointer, const Transform *outer = nullptr);
+
     // The name of an entity that has been read.
     [[nodiscard]] std::string name(int64_t pointer) const;
     // Whether an entity became part of another one's shape.
-    [[nodiscard]] bool is_part(int64_t pointer) const noexcept { return parts_.contains(pointer); }
+    [[nodiscard]] bool is_part(int64_t pointer) const noexcept { return is_part_.contains(pointer); }
+    // What the shape of an entity that has been read consists of: curves, points, directions, surfaces.
+    [[nodiscard]] std::span<const int64_t> parts(int64_t pointer) const noexcept;
     [[nodiscard]] const std::vector<Remark> &remarks() const noexcept { return remarks_; }
 
     [[nodiscard]] const Units &units() const noexcept { return units_; }
@@ -78,34 +86,74 @@ private:
         const Entry &entry;
         Record record;
         Placement place;
-        std::vector<int64_t> parts{};
+        std::vector<int64_t> parts{}; // pointers to what its shape consists of
+
+        // What its parts are placed with after their own matrices.
+        [[nodiscard]] const Transform *outer() const noexcept {
+            return place.transform ? &*place.transform : nullptr;
+        }
     };
     using Key = std::pair<int64_t, bool>; // whether in the parameter plane
 
     template <class Read>
     auto read(int64_t pointer, const char *what, const Transform *outer, bool parameter_plane, Read &&read);
+    void keep_parts(int64_t pointer, std::vector<int64_t> parts);
     model::CurvePiece any_curve(int64_t pointer, const Transform *outer, bool parameter_plane);
     std::vector<model::CurvePiece> pieces(int64_t pointer, const Transform *outer, bool parameter_plane);
     model::CurvePiece read_curve(Reading &reading);
+    std::vector<int64_t> constituents(Reading &reading);
+    model::CurvePiece composite(Reading &reading);
+    model::CurvePiece part_curve(Reading &reading, const char *what);
+    Vector3 part_point(Reading &reading, const char *what);
+    Vector3 part_direction(Reading &reading, const char *what);
+
     Surface read_surface(Reading &reading);
+    Surface plane(Reading &reading);
+    Surface elementary(Reading &reading);
+    Surface ruled(Reading &reading);
+    struct Rail {
+        model::CurvePiece piece;
+        SplinePtr spline;
+        bool is_point = false;
+    };
+    Rail rail(Reading &reading, const char *what);
+    Surface revolution(Reading &reading);
+    Surface tabulated(Reading &reading);
+    Surface offset(Reading &reading);
 
     Entities &entities_;
     Units units_;
     std::map<Key, model::CurvePiece> curves_; // read already, with no matrix but their own
     std::map<int64_t, Surface> surfaces_;
     std::map<int64_t, std::string> names_;
-    std::set<int64_t> parts_;
+    std::map<int64_t, std::vector<int64_t>> parts_; // of those that have some
+    std::set<int64_t> is_part_;
     std::vector<Remark> remarks_;
 };
+
+// What read(reading) returns; its name and its parts count once it has been read to its end.
+template <class Read>
+auto Geometry::read(int64_t pointer, const char *what, const Transform *outer, bool parameter_plane,
+                    Read &&read) {
+    const Entry &entry = entities_.at(pointer, what);
+    return labelling(entry, [&] {
+        const Entities::Visit visit(entities_, pointer);
+        entities_.spend(Entities::size_of_a_shape);
+        Reading reading{entry, entities_.record(entry), {}};
+        reading.place =
+            entities_.placement(entry, outer, parameter_plane ? 1 : units_.factor, parameter_plane);
+        auto result = read(reading);
+        names_[pointer] = entities_.name(entry, reading.record);
+        keep_parts(pointer, std::move(reading.parts));
+        return result;
+    });
+}
+
+// Throws Status::syntax unless an entity is of this type.
+void expect(const Entry &entry, int type);
 
 // Whether an entity of this type is read as a curve, or as a surface.
 bool is_curve(int type) noexcept;
 bool is_surface(int type) noexcept;
-
-// All of a curve.
-model::CurvePiece whole(model::CurveShapePtr curve);
-
-// Exact, over the range of the piece. Throws what model::piece_spline() throws.
-SplinePtr spline_of(const model::CurvePiece &piece);
 
 } // namespace nrb::io::iges

@@ -36,8 +36,8 @@ bool reads_or_throws(const std::string &text) {
 
 TEST(IgesMutation, the_file_itself_is_good) {
     const nrb::model::Model document = read(everything());
-    EXPECT_EQ(document.splines.size(), 3U);
-    EXPECT_EQ(document.notes.size(), 3U); // the matrix and the name have been used
+    EXPECT_EQ(document.splines.size(), 4U);
+    EXPECT_EQ(document.notes.size(), 2U); // the matrix and the name have been used
     EXPECT_EQ(document.splines[0].name, "name");
     EXPECT_EQ(document.splines[1].spline->dim(), 2);
 }
