@@ -15,6 +15,8 @@ using model::ParameterLaw;
 
 // Of curves that are fitted, as a part of the domain.
 constexpr double share_of_domain = 0x1p-34;
+// What seven decimals leave open.
+constexpr double share_of_decimals = 0x1p-24;
 
 class ParameterChart {
 public:
@@ -74,6 +76,27 @@ SplinePtr in_spline_parameters(const model::SurfaceShape &shape, const Spline &s
         }
     };
     return fit::fit_image(curve, map, chart.precision()).spline;
+}
+
+SplinePtr snapped_to_ends(const SplinePtr &curve, const Spline &surface) {
+    if (curve->form() == Form::homogeneous) {
+        return curve;
+    }
+    std::vector<double> points(curve->points().begin(), curve->points().end());
+    bool moved = false;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const Interval domain = surface.axis(static_cast<int>(i % 2)).domain();
+        for (const double end : {domain.lower, domain.upper}) {
+            if (points[i] != end &&
+                std::abs(points[i] - end) <= share_of_decimals * (domain.upper - domain.lower)) {
+                points[i] = end;
+                moved = true;
+            }
+        }
+    }
+    return moved ? make_spline(curve->knot_vectors(), 2, curve->form(), std::move(points),
+                               {curve->weights().begin(), curve->weights().end()})
+                 : curve;
 }
 
 model::Rectangle range_under(const model::SurfaceShape &shape, const std::vector<SplinePtr> &curves) {

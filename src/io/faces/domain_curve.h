@@ -13,6 +13,10 @@ namespace nrb::io {
 SplinePtr in_spline_parameters(const model::SurfaceShape &shape, const Spline &spline,
                                const SplinePtr &curve);
 
+// The curve with control points at the ends of the domain where they are as near to them as decimals of files are: else a loop
+// around a closed surface would overlap itself, or lack a sliver.
+SplinePtr snapped_to_ends(const SplinePtr &curve, const Spline &surface);
+
 // The range of a surface; where it has no ends, as much of it as contains the curves, and a little more.
 model::Rectangle range_under(const model::SurfaceShape &shape, const std::vector<SplinePtr> &curves);
 

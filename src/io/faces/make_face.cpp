@@ -33,6 +33,23 @@ void set_tolerance(face::FaceParts &parts, double tolerance) {
     parts.prove = false;
 }
 
+face::FacePtr face_as(face::FaceParts parts, bool as_oriented) {
+    parts.as_oriented = as_oriented;
+    return std::make_shared<const face::Face>(std::move(parts), nullptr);
+}
+
+// Null where the loops have no common inside.
+face::FacePtr face_if_oriented(const face::FaceParts &parts, bool as_oriented) {
+    try {
+        return face_as(parts, as_oriented);
+    } catch (const Error &error) {
+        if (error.status() != Status::orientation) {
+            throw;
+        }
+        return nullptr;
+    }
+}
+
 } // namespace
 
 SplinePtr spline_around(const model::SurfaceShape &surface, const std::vector<Vector3> &points) {
@@ -67,16 +84,21 @@ bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge, 
 
 face::FacePtr make_face(face::FaceParts parts, double tolerance) {
     set_tolerance(parts, tolerance);
-    parts.as_oriented = true;
-    try {
-        return std::make_shared<const face::Face>(parts, nullptr);
-    } catch (const Error &error) {
-        if (error.status() != Status::orientation) {
-            throw;
-        }
+    const face::FacePtr face = face_if_oriented(parts, true);
+    return face != nullptr ? face : face_as(std::move(parts), false);
+}
+
+face::FacePtr make_nested_face(face::FaceParts parts, double tolerance) {
+    set_tolerance(parts, tolerance);
+    const face::FacePtr face = face_if_oriented(parts, false);
+    if (face == nullptr) {
+        return face_as(std::move(parts), true);
     }
-    parts.as_oriented = false;
-    return std::make_shared<const face::Face>(std::move(parts), nullptr);
+    if (face::natural_loops(face->covering()).empty()) {
+        const face::FacePtr as_it_runs = face_if_oriented(parts, true);
+        return as_it_runs != nullptr ? as_it_runs : face;
+    }
+    return face;
 }
 
 void spend(Limits &limits, const face::Face &face) {

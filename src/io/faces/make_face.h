@@ -26,6 +26,10 @@ bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge, 
 // written, since files state tolerances that are much larger.
 face::FacePtr make_face(face::FaceParts parts, double tolerance);
 
+// The same for files that say which loop is the outer one rather than in which direction it runs: loops are turned by which of them
+// lie in which, and count as they run only where that makes no sense, and on surfaces that have no boundary of their own.
+face::FacePtr make_nested_face(face::FaceParts parts, double tolerance);
+
 // What a face took beyond its surface, whatever its loops share with others. Throws Status::too_large.
 void spend(Limits &limits, const face::Face &face);
 

@@ -56,13 +56,19 @@ public:
                 edge.part = model_.faces[static_cast<size_t>(edge.uses.front().face)].part;
             }
         }
-        for (const iges::Damage &damage : damages_) {
-            add_note(damage.pointer, damage.reason, damage.text);
-        }
+        add_notes();
         return finished();
     }
 
 private:
+    void add_notes() {
+        for (const iges::Damage &damage : damages_) {
+            add_note(damage.pointer, damage.reason, damage.text);
+        }
+        for (const iges::Remark &remark : geometry_.remarks()) {
+            tell(directory_.entries()[*directory_.find(remark.pointer)], Status::unsupported, remark.text);
+        }
+    }
     static bool is_topology(int type) noexcept {
         switch (type) {
         case iges::boundary_type:
@@ -138,7 +144,7 @@ private:
         for (const int64_t inner : trimmed.inner) {
             loops.push_back(reader.curve_on_surface(inner));
         }
-        return iges::make_source(surface.shape, std::move(loops), trimmed.outer == 0, {});
+        return iges::make_source(surface, std::move(loops), trimmed.outer == 0, {});
     }
     FaceSource bounded_surface(const iges::BoundedSurface &bounded) {
         const iges::Surface surface = geometry_.surface(bounded.surface);
@@ -147,7 +153,7 @@ private:
         for (const int64_t boundary : bounded.boundaries) {
             loops.push_back(reader.boundary(boundary));
         }
-        return iges::make_source(surface.shape, std::move(loops), bounded.boundaries.empty(), {});
+        return iges::make_source(surface, std::move(loops), bounded.boundaries.empty(), {});
     }
     FaceSource face_of_shell(const iges::FaceEntity &face) {
         const iges::Surface surface = geometry_.surface(face.surface);
@@ -160,7 +166,7 @@ private:
             }
         }
         const bool whole = loops.empty();
-        return iges::make_source(surface.shape, std::move(loops), whole, reader.poles());
+        return iges::make_source(surface, std::move(loops), whole, reader.poles());
     }
     // A surface alone, over all of its domain; a plane has a curve that bounds it.
     FaceSource untrimmed(const Entry &entry) {
@@ -175,52 +181,69 @@ private:
         } else if (!model::bounded(*surface.shape)) {
             fail(Status::length, "has no ends, and nothing bounds it");
         }
-        return iges::make_source(surface.shape, std::move(loops), surface.boundary == 0, {});
+        return iges::make_source(surface, std::move(loops), surface.boundary == 0, {});
     }
 
-    // By the rule of the file, or else, where the file has both kinds of curves, by the other one.
+    // How the loops of a face are taken.
+    struct Way {
+        bool second;    // by the rule against the preference of the file
+        bool keep_gaps; // closed by segments in the domain
+        const char *told;
+    };
+    // As the file wants it; else by the other rule, if it has both kinds of curves; else with gaps closed. The first error counts.
     void add_face(const Entry &entry, const FaceSource &source) {
         entities_.spend(iges::Entities::size_of_a_shape +
                         source.surface->point_count() * source.surface->width());
+        static constexpr Way ways[] = {{false, false, ""},
+                                       {true, false, "the curves are taken that the file does not prefer: "},
+                                       {false, true, "loops that are open are closed in the domain: "}};
+        std::optional<Error> first;
+        for (const Way &way : ways) {
+            const bool tried =
+                !first || (way.second ? iges::has_two_ways(source) : first->status() == Status::gap);
+            if (tried && added(entry, source, way, first)) {
+                return;
+            }
+        }
+        throw *first;
+    }
+    bool added(const Entry &entry, const FaceSource &source, const Way &way, std::optional<Error> &first) {
         try {
-            add_face(entry, source, false);
+            add_face(entry, source, way);
         } catch (const Error &error) {
-            if (!iges::has_two_ways(source) || error.status() == Status::too_large) {
+            if (error.status() == Status::too_large) {
                 throw;
             }
-            add_by_other_rule(entry, source, error);
+            first = first ? first : error;
+            return false;
         }
-    }
-    void add_by_other_rule(const Entry &entry, const FaceSource &source, const Error &first) {
-        try {
-            add_face(entry, source, true);
-        } catch (const Error &) {
-            throw first;
+        if (first) {
+            tell(entry, first->status(), way.told + std::string(first->what()));
         }
-        tell(entry, first.status(),
-             std::string("its other curves are taken than the file prefers, of which ") + first.what());
+        return true;
     }
-    void add_face(const Entry &entry, const FaceSource &source, bool second) {
+    void add_face(const Entry &entry, const FaceSource &source, const Way &way) {
         const double resolution = geometry_.units().resolution;
         const double stated = resolution > 0 ? resolution : usual_tolerance;
         const double most =
             std::max(most_of_stated * stated, share_of_gaps * bounds::extent(*source.surface));
         const double tolerance =
-            least_tolerance(stated, most, [&](double wide) { add_face(entry, source, second, wide); });
+            least_tolerance(stated, most, [&](double wide) { add_face(entry, source, way, wide); });
         if (tolerance > stated) {
             tell(entry, Status::tolerance,
                  std::string("its edges need the tolerance ") + Number(tolerance).text);
         }
     }
-    void add_face(const Entry &entry, const FaceSource &source, bool second, double tolerance) {
-        iges::MadeParts made = iges::parts_of(source, second, tolerance, std::ssize(model_.edges) + 1);
+    void add_face(const Entry &entry, const FaceSource &source, const Way &way, double tolerance) {
+        iges::MadeParts made = iges::parts_of(source, way.second, tolerance, std::ssize(model_.edges) + 1);
+        made.parts.keep_gaps = way.keep_gaps;
         model::ModelFace face;
-        face.face = make_face(std::move(made.parts), tolerance);
+        face.face = make_nested_face(std::move(made.parts), tolerance);
         spend(entities_, *face.face);
         face.name = name_of(entry);
         face.shape = source.shape;
         face.part = assembly_.part(entry.line);
-        face.against = oriented(entry.line).against;
+        face.against = oriented(entry.line).against != source.mirrored;
         face.colour = colour_of(entry);
         iges::add_own_edges(geometry_, *face.face, made.own, face.part, model_);
         model_.faces.push_back(std::move(face));

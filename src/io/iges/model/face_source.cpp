@@ -38,13 +38,22 @@ SplinePtr surface_of(const model::SurfaceShape &shape, const std::vector<LoopSou
 void carry_over(const model::SurfaceShape &shape, const Spline &surface, LoopSource &loop) {
     try {
         for (SplinePtr &curve : loop.curves) {
-            curve = in_spline_parameters(shape, surface, curve);
+            curve = snapped_to_ends(in_spline_parameters(shape, surface, curve), surface);
         }
     } catch (const Error &) {
         if (loop.edges.empty()) {
             throw;
         }
         loop.curves.clear();
+    }
+}
+
+// Backwards; curves may be missing yet.
+void turn(face::Loop &loop) {
+    std::reverse(loop.begin(), loop.end());
+    for (face::Coedge &coedge : loop) {
+        coedge.curve = coedge.curve == nullptr ? nullptr : refine::reverse(*coedge.curve, 0, false);
+        coedge.against = !coedge.against;
     }
 }
 
@@ -62,6 +71,9 @@ public:
             made_.parts.loops.emplace_back();
             const bool domain_rules = loop.edges.empty() || (loop.both() && loop.domain_rules != second);
             domain_rules ? add_curves(loop) : add_edges(loop);
+            if (source_.mirrored) {
+                turn(made_.parts.loops.back());
+            }
         }
         return std::move(made_);
     }
@@ -142,9 +154,10 @@ private:
 
 } // namespace
 
-FaceSource make_source(model::SurfaceShapePtr shape, std::vector<LoopSource> loops, bool whole_domain,
+FaceSource make_source(const Surface &surface, std::vector<LoopSource> loops, bool whole_domain,
                        const std::vector<Vector3> &poles) {
-    FaceSource source{std::move(shape), nullptr, std::move(loops), whole_domain};
+    const bool mirrored = surface.map.swapped != (surface.map.scale[0] * surface.map.scale[1] < 0);
+    FaceSource source{surface.shape, nullptr, std::move(loops), whole_domain, mirrored};
     source.surface = surface_of(*source.shape, source.loops, poles);
     for (LoopSource &loop : source.loops) {
         carry_over(*source.shape, *source.surface, loop);

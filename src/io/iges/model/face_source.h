@@ -14,11 +14,12 @@ struct FaceSource {
     SplinePtr surface;
     std::vector<LoopSource> loops;
     bool whole_domain = false; // the boundary of the domain is one of the face
+    bool mirrored = false;     // the normal of the shape is against that of the entity's parameters
 };
 
 // With the curves in the parameters of the spline; a surface without ends is cut to what its loops and `poles` need. Throws what
 // the making of its spline does.
-FaceSource make_source(model::SurfaceShapePtr shape, std::vector<LoopSource> loops, bool whole_domain,
+FaceSource make_source(const Surface &surface, std::vector<LoopSource> loops, bool whole_domain,
                        const std::vector<Vector3> &poles);
 
 // An edge that no other face has.
