@@ -90,13 +90,19 @@ private:
         for (const Entry &entry : directory_.entries()) {
             try {
                 if (iges::is_surface(entry.type)) {
-                    (void)geometry_.surface(entry.line);
+                    mark_used(geometry_.surface(entry.line).boundary);
                 } else if (iges::is_curve(entry.type) && !entry.parameter_plane) {
                     (void)geometry_.curve(entry.line);
                 }
             } catch (const Error &) {
                 continue;
             }
+        }
+    }
+
+    void mark_used(int64_t pointer) {
+        if (const std::optional<size_t> index = directory_.find(pointer)) {
+            used_[*index] = true;
         }
     }
 

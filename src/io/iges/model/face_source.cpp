@@ -93,9 +93,10 @@ private:
             const SpaceCurve *const edge = paired ? &loop.edges[i] : nullptr;
             face::Coedge coedge{loop.curves[i], nullptr};
             if (edge != nullptr) {
-                const Match match = matched(*coedge.curve, *edge);
-                coedge.edge = match == Match::none ? nullptr : edge->spline;
-                coedge.against = edge->against != (match == Match::backwards);
+                const SplinePtr curve = curve_under(loop.curves[i], *edge);
+                coedge.edge = curve == nullptr ? nullptr : edge->spline;
+                coedge.curve = curve == nullptr ? coedge.curve : curve;
+                coedge.against = edge->against;
             }
             add(std::move(coedge), edge);
         }
@@ -104,27 +105,18 @@ private:
         const bool paired = loop.curves.size() == loop.edges.size();
         for (size_t i = 0; i < loop.edges.size(); ++i) {
             const SpaceCurve &edge = loop.edges[i];
-            face::Coedge coedge{nullptr, edge.spline, 0, edge.against};
-            if (paired) {
-                const SplinePtr &curve = loop.curves[i];
-                const Match match = matched(*curve, edge);
-                coedge.curve = match == Match::none        ? nullptr
-                               : match == Match::backwards ? refine::reverse(*curve, 0, false)
-                                                           : curve;
-            }
-            add(std::move(coedge), &edge);
+            add({paired ? curve_under(loop.curves[i], edge) : nullptr, edge.spline, 0, edge.against}, &edge);
         }
     }
 
-    // How a curve in the domain belongs to an edge that runs as the boundary does: files differ on the direction.
-    enum class Match { none, along, backwards };
-    [[nodiscard]] Match matched(const Spline &curve, const SpaceCurve &edge) const {
+    // The curve in the domain as the edge runs in the boundary, if it belongs to that: files differ on its direction. Else null.
+    [[nodiscard]] SplinePtr curve_under(const SplinePtr &curve, const SpaceCurve &edge) const {
         const SplinePtr along = edge.against ? refine::reverse(*edge.spline, 0, false) : edge.spline;
-        if (lies_under(*source_.surface, curve, *along, tolerance_)) {
-            return Match::along;
+        if (lies_under(*source_.surface, *curve, *along, tolerance_)) {
+            return curve;
         }
-        const SplinePtr back = refine::reverse(curve, 0, false);
-        return lies_under(*source_.surface, *back, *along, tolerance_) ? Match::backwards : Match::none;
+        SplinePtr back = refine::reverse(*curve, 0, false);
+        return lies_under(*source_.surface, *back, *along, tolerance_) ? back : nullptr;
     }
 
     void add(face::Coedge coedge, const SpaceCurve *edge) {
@@ -137,10 +129,6 @@ private:
     }
     void add_own(face::Coedge coedge, model::CurveShapePtr shape) {
         coedge.key = next_key_++;
-        if (coedge.edge != nullptr && coedge.against) { // it runs as the boundary does
-            coedge.edge = refine::reverse(*coedge.edge, 0, false);
-            coedge.against = false;
-        }
         made_.own.push_back(
             {coedge.edge == nullptr ? nullptr : std::move(shape), made_.parts.loops.size() - 1});
         made_.parts.loops.back().push_back(std::move(coedge));
