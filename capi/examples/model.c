@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Opens a STEP file, lists its faces with their areas, and takes the first one apart. model.py does the same.
+/* Opens a STEP or IGES file, lists its faces with their areas, and takes the first one apart. model.py does the same.
  * Compile: cc -std=c99 model.c $(pkg-config --cflags --libs nurbs) -o model */
 #include <nurbs/nurbs.h>
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Opens a STEP file, lists its faces with their areas, and takes the first one apart.
+"""Opens a STEP or IGES file, lists its faces with their areas, and takes the first one apart.
 
 usage: model.py [FILE.step]
 """

@@ -6538,13 +6538,31 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
  * threads at once.
  * @{ */
 
-/** \brief Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242). Planes,
- * cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines exactly, and keep
- * their kind. Those without ends are cut to the boundary of their face. The curve in space of an edge rules:
- * curves in the domain of a spline surface are taken from the file where they lie under their edges, all
- * others are made (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if
- * none is stated, or one larger by powers of ten where its edges need that, which a note tells. What is wrong
- * with a face or an edge becomes a note and does not affect the others.
+/** \brief Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
+ * says. Planes, cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines
+ * exactly, and keep their kind. Those without ends are cut to the boundary of their face. A face has the
+ * tolerance that the file states, 1e-7 if it states none, or one larger by powers of ten where its edges need
+ * that, which a note tells. What is wrong with a face or an edge becomes a note and does not affect the others.
+ * However the entities name each other, memory stays below 64 times the size of the file and 1 MB more, and
+ * parts are not multiplied; a use that would put a part into itself is left out, and its note has the reason
+ * NURBS_ERROR_CYCLE.
+ *
+ * STEP (ISO 10303-21; AP203, AP214, AP242): the curve in space of an edge rules: curves in the domain of a
+ * spline surface are taken from the file where they lie under their edges, all others are made
+ * (nurbs_face_create()). The tolerance stated is the uncertainty of the context.
+ *
+ * IGES 5.x (fixed-length ASCII form): faces are trimmed surfaces (entity 144), bounded surfaces (143), faces
+ * (510) of shells (514) and solids (186), and surfaces that nothing else consists of: those over their whole
+ * domain, a plane (108) within its curve. Where a boundary (142, 141) has curves in space and in the domain, those
+ * that the file prefers rule, without preference those in space, and the others are taken where they belong to
+ * them. Where a face cannot be made so, the others rule, and loops that are open are closed by segments in the
+ * domain; a note tells either. Loops are turned as nurbs_face_create() does it. Faces share the edges and
+ * vertices of lists (504, 502); other edges are those of one face, and meet each other in vertices of their own.
+ * The tolerance stated is the resolution of the file. The first part holds what no subfigure (308) lists, alone
+ * or in groups (402); subfigures are parts, which their instances (408) place with translation, scale and
+ * matrix (124). A solid with instances (430), an entity in several subfigures, and a face, shell or solid with
+ * a matrix are parts of their own. The colour of a face (314 or one of the eight that have numbers) is its own,
+ * or that of its shell or solid. Curves that nothing else consists of are in nurbs_model_splines().
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6633,8 +6651,9 @@ NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *par
 NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *part,
                                         int32_t *shape, int32_t *against, double *colour, nurbs_face **out);
 
-/** \brief The name of a face, from the file; else "#" and the number of its entity, or its index in other
- * models.
+/** \brief The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
+ * subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other models its
+ * index.
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.
