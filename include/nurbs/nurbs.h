@@ -6253,15 +6253,30 @@ typedef struct nurbs_read_options {
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
 /** \brief Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
- * IGES 5.x (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order
- * of the directory; transformation matrices (124), parameter ranges (as far as they lie inside the knots),
- * delimiters, unit and model scale are respected. Curves used in the parameter plane of a surface have
- * dimension 2, everything else dimension 3; parameter-plane curves are not scaled to `unit`. An entity
- * whose weights are all equal becomes a polynomial spline, whatever its flags say; an axis becomes
- * periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a clamped axis
- * with equal first and last layers becomes a wrapped one, with the same knots and points in its domain, and
- * the seam as a knot of multiplicity `degree`. Every other entity that did not go into a
- * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
+ * IGES 5.x (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline
+ * surface) become splines, in the order of the directory; transformation matrices (124), parameter ranges (as
+ * far as they lie inside the knots), delimiters, unit and model scale are respected. Curves used in the
+ * parameter plane of a surface have dimension 2, everything else dimension 3; parameter-plane curves are not
+ * scaled to `unit`. An entity whose weights are all equal becomes a polynomial spline, whatever its flags say;
+ * an axis becomes periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a
+ * clamped axis with equal first and last layers becomes a wrapped one, with the same knots and points in its
+ * domain, and the seam as a knot of multiplicity `degree`. Every other entity that did not go into a spline,
+ * and every 126 or 128 that is not a valid spline, is listed in the notes.
+ *
+ * Since 1.1, in the same order, exactly but for rounding: circular and conic arcs (100, 104), composite
+ * curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and surfaces
+ * (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres (196),
+ * tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite curves
+ * and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
+ * parameters of IGES, angles in radians; of hyperbolas and parabolas those of ISO 10303-42 (negated where
+ * they run against them), of a tabulated cylinder those of its directrix. The angle of a surface of
+ * revolution is its first parameter, the one along the generatrix the second. The ends of pieces of 112 and
+ * 114 are joined where they are no farther apart than the resolution that the file states, or 1e-9 of the
+ * size. Matrices count as rotations, mirrors and one scale to 1e-9; others make arcs splines of what they are
+ * mapped to, and of spheres, tori and surfaces of revolution notes. Rulings join points of equal parameters
+ * of the two splines; where the file asks for others (of equal arc length, or equal angles of an arc and
+ * parameters of something else), a note with NURBS_ERROR_UNSUPPORTED says so beside the spline. Surfaces and
+ * lines without ends, offset curves and surfaces, and trimmed faces are listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
  * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
@@ -6272,8 +6287,9 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * of their face and 1/64 of its size more. Lengths are in the unit of the first context that states units; what
  * stands in other contexts is converted. Parts stay where they are modelled: their placements in assemblies,
  * curves in parameter planes, and how faces are trimmed are not read. Offset surfaces and whatever else
- * shapes contain are listed in the notes. However the instances name each other, memory stays below 64 times
- * the size of the file and 1 MB more.
+ * shapes contain are listed in the notes.
+ *
+ * However the entities of a file name each other, memory stays below 64 times its size and 1 MB more.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.

@@ -128,6 +128,30 @@ def add_subfigures(iges):
     iges.add(308, ["1", "4Hring"] + numbers(1, ring))
 
 
+def add_all_curves(iges):
+    """One of each kind of curve, and surfaces that are made of them."""
+    entities = [
+        (110, "0.,0.,0.,0.,0.,1.", 0), (100, "0.,5.,0.,7.,0.,5.,2.", 0),
+        (104, "4.,0.,9.,0.,0.,-36.,7.,3.,0.,0.,2.", 1), (104, "1.,0.,0.,0.,-4.,0.,0.,-2.,1.,4.,4.", 3),
+        (104, ".25,0.,-1.,0.,0.,-1.,0.,2.,0.,2.5,.75", 2), (106, "1,3,5.,0.,0.,1.,0.,1.,2.", 11),
+        (112, "3,2,3,1,0.,1.,0.,1.,0.,1.,0.,0.,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.", 0),
+        (118, "1,3,0,0", 0), (120, "1,11,0.,3.", 0), (122, "3,3.,1.,5.", 0), (102, "1,3", 0), (140, "0.,0.,1.,.5,17", 0),
+    ]
+    for entity_type, data, form in entities:
+        iges.add(entity_type, data.split(","), form)
+
+
+def add_elementary_surfaces(iges):
+    iges.add(116, "1.,2.,3.,0".split(","))
+    iges.add(123, "0.,0.,1.".split(","))
+    iges.add(123, "1.,0.,0.".split(","))
+    for entity_type, data in [(190, "1,3,5"), (192, "1,3,2.,5"), (194, "1,3,2.,30.,5"), (196, "1,2.,3,5"), (198, "1,3,5.,2.,5")]:
+        iges.add(entity_type, data.split(","), 1)
+    iges.add(106, "1,4,0.,0.,0.,1.,0.,1.,1.,0.,0.".split(","), 63)
+    iges.add(108, "0.,0.,1.,0.,17,0.,0.,0.,0.".split(","), 1)
+    iges.add(114, ["3", "1", "1", "1", "0.", "1.", "0.", "1."] + ["0.", "1.", "0.", "0."] * 12)
+
+
 class StepFile:
     """Instances in the order in which they are added; add() returns the name of one."""
 
@@ -263,9 +287,11 @@ def dictionary():
 def seeds():
     loop_and_others = one(make_models.add_polynomial_curves)
     return {
+        "all_curves.igs": one(add_all_curves),
         "circle.igs": one(make_models.add_circle),
         "curves.igs": loop_and_others,
         "curves_crlf.igs": loop_and_others.replace("\n", "\r\n"),
+        "elementary_surfaces.igs": one(add_elementary_surfaces),
         "empty.igs": one(lambda iges: None),
         "matrix_chain.igs": one(add_matrix_chain),
         "other_unit.igs": one(add_patch).replace(",1.,2,2HMM,", ",2.,3,2HIN,"),

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/watch.h"
 #include "io/iges/directory.h"
-#include "io/iges/geometry/geometry.h"
+#include "io/iges/geometry/shapes.h"
 #include "io/iges/global.h"
 #include "io/iges/lines.h"
 #include "io/iges/names.h"
@@ -94,17 +94,18 @@ private:
             fail(Status::syntax, "%s", entry.damage.c_str());
         }
         entities_.spend(iges::Entities::size_of_a_shape);
-        SplinePtr spline;
         if (iges::is_curve(entry.type)) {
-            spline = iges::spline_of(parameter_plane ? geometry_.parameter_curve(entry.line)
-                                                     : geometry_.curve(entry.line));
-        } else if (iges::is_surface(entry.type)) {
-            spline = surface_spline(geometry_.surface(entry.line));
-        } else {
+            const model::CurvePiece piece =
+                parameter_plane ? geometry_.parameter_curve(entry.line) : geometry_.curve(entry.line);
+            entities_.spend(piece.curve->kind == model::CurveKind::spline ? 0 : iges::size_of(piece));
+            return iges::spline_of(piece);
+        }
+        if (!iges::is_surface(entry.type)) {
             fail(Status::unsupported, "does not become a spline in this version");
         }
-        entities_.spend(spline->point_count() * spline->width());
-        return spline;
+        const iges::Surface surface = geometry_.surface(entry.line);
+        entities_.spend(iges::size_of(*surface.shape));
+        return surface_spline(surface);
     }
 
     SplinePtr surface_spline(const iges::Surface &surface) {

@@ -19,7 +19,7 @@ Record Entities::record(const Entry &entry) {
         fail(Status::syntax, "%s", entry.damage.c_str());
     }
     Record record = data_.take(entry);
-    spend(record.length() / static_cast<int64_t>(sizeof(double)));
+    spend(record.remaining() + record.length() / static_cast<int64_t>(sizeof(double)));
     return record;
 }
 

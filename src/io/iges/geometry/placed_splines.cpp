@@ -4,6 +4,8 @@
 #include "model/shapes/curve_spline.h"
 #include "refine/forms/transform.h"
 
+#include <algorithm>
+
 namespace nrb::io::iges {
 
 SplinePtr placed_spline(const Spline &spline, const Placement &place) {
@@ -31,14 +33,18 @@ SplinePtr spline_of(const model::CurvePiece &piece) {
 }
 
 int64_t size_of(const model::CurvePiece &piece) noexcept {
-    const model::CurveShape *curve = piece.curve.get();
-    while (curve->kind == model::CurveKind::trimmed) {
-        curve = curve->pieces.front().curve.get();
+    const model::CurveShape &curve = *piece.curve;
+    if (curve.kind == model::CurveKind::trimmed) {
+        return size_of(curve.pieces.front());
     }
-    if (curve->spline != nullptr) {
-        return curve->spline->point_count() * (curve->spline->dim() + 2);
+    if (curve.spline != nullptr) {
+        return curve.spline->point_count() * (curve.spline->dim() + 2);
     }
-    return curve->kind == model::CurveKind::hyperbola ? 4096 : 64;
+    if (curve.kind == model::CurveKind::hyperbola) { // a few control points for each unit of the parameter
+        const double length = piece.range.upper - piece.range.lower;
+        return 64 + static_cast<int64_t>(32 * std::min(length, 4096.0));
+    }
+    return 64;
 }
 
 } // namespace nrb::io::iges

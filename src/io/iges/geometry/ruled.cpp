@@ -89,7 +89,7 @@ Geometry::Rail Geometry::rail(Reading &reading, const char *what) {
         rail.piece = any_curve(pointer, reading.outer(), false);
     }
     reading.parts.push_back(pointer);
-    entities_.spend(2 * size_of(rail.piece));
+    entities_.spend(size_of(rail.piece));
     rail.spline = refine::reparametrize(spline_of(rail.piece), 0, {0, 1});
     return rail;
 }
@@ -115,6 +115,9 @@ Surface Geometry::ruled(Reading &reading) {
                  ? "its rulings join points of equal parameters of splines, not of equal angles"
                  : "its rulings join points of equal parameters, not of equal arc length"});
     }
+    // over the knots of both, and of the sum of their degrees if the weights differ
+    const bool rational = first.spline->rational() || second.spline->rational();
+    entities_.spend((size_of(first.piece) + size_of(second.piece)) * (rational ? 16 : 4));
     return surface_of_spline(build::ruled(first.spline, second.spline, true));
 }
 

@@ -108,6 +108,23 @@ Vector3 normal_in_the_middle(const SurfaceShape &surface) {
     return cross({out[3], out[4], out[5]}, {out[6], out[7], out[8]});
 }
 
+int64_t size_of(const SurfaceShape &surface) noexcept {
+    constexpr int64_t elementary = 700, around = 10, along = 4; // layers across the profile
+    switch (surface.kind) {
+    case SurfaceKind::revolution:
+        return around * size_of(whole(surface.curve));
+    case SurfaceKind::extrusion:
+        return along * size_of(whole(surface.curve));
+    case SurfaceKind::offset:
+    case SurfaceKind::trimmed:
+        return size_of(*surface.basis);
+    case SurfaceKind::spline:
+        return 0; // it is there already
+    default:
+        return elementary;
+    }
+}
+
 bool standard_parameters(const CurvePiece &piece) noexcept {
     switch (piece.curve->kind) {
     case CurveKind::parabola:

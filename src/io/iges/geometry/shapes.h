@@ -22,6 +22,9 @@ Vector3 start_of(const model::CurvePiece &piece);
 // Of any length; around the middle of the range, and of its part around 0 where it has no ends.
 Vector3 normal_in_the_middle(const model::SurfaceShape &surface);
 
+// Doubles that making a spline of the surface may take.
+int64_t size_of(const model::SurfaceShape &surface) noexcept;
+
 // Whether parameters between the ends of a piece are those of the standard but for a shift: those of parabolas and
 // hyperbolas are others.
 bool standard_parameters(const model::CurvePiece &piece) noexcept;

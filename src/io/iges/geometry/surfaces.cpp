@@ -115,6 +115,7 @@ Surface Geometry::offset(Reading &reading) {
     if (scale == 0) {
         fail(Status::unsupported, "a matrix that is not a rotation does not keep distances");
     }
+    entities_.spend(size_of(*result.shape));
     const Vector3 indicator = reading.place.vector({x, y, z});
     const double side = dot(normal_in_the_middle(*result.shape), indicator) < 0 ? -1 : 1;
     SurfaceShape shape = shape_of(SurfaceKind::offset);
