@@ -3,7 +3,7 @@
 #include "iges_text.h"
 #include "models.h"
 
-static const char square[] = "128,1,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1,";
+static const char bilinear[] = "128,1,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1,";
 
 /* [0, 4]^2 without [1, 3] x [1, 2], in a subfigure with two instances, and a face of no surface. */
 static IgesText plate(void) {
@@ -19,7 +19,7 @@ static IgesText plate(void) {
     iges_directory(&t, 408, 8, 1, "", 11);
     iges_directory(&t, 408, 9, 1, "", 13);
     iges_directory(&t, 144, 10, 1, "", 15);
-    iges_data(&t, square, 1, 1);
+    iges_data(&t, bilinear, 1, 1);
     iges_data(&t, "0,0,0,4,0,0,0,4,0,4,4,0,0,1,0,1;", 1, 2);
     iges_data(&t, "126,4,1,0,1,1,0,0,0,1,2,3,4,4,1,1,1,1,1,", 3, 3);
     iges_data(&t, "1,1,0,3,1,0,3,2,0,1,2,0,1,1,0,0,4,0,0,1;", 3, 4);

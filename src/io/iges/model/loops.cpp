@@ -54,7 +54,7 @@ void LoopReader::add_curves(const std::vector<int64_t> &pointers, std::vector<Sp
     }
 }
 
-// What edges() and curves() fill, with at least one curve each; one of the two may throw.
+// What edges() and curves() fill; one of the two may throw, or find none.
 template <class Edges, class Curves>
 LoopSource LoopReader::either(Edges &&edges, Curves &&curves) {
     LoopSource result;
@@ -72,6 +72,9 @@ LoopSource LoopReader::either(Edges &&edges, Curves &&curves) {
         damage = damage != nullptr ? damage : std::current_exception();
     }
     if (result.edges.empty() && result.curves.empty()) {
+        if (damage == nullptr) {
+            fail(Status::syntax, "a boundary has no curves");
+        }
         std::rethrow_exception(damage);
     }
     return result;
