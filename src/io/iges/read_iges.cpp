@@ -1,45 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/read_iges.h"
 
-#include "base/error.h"
-#include "base/watch.h"
-#include "io/iges/directory.h"
+#include "io/faces/make_face.h"
 #include "io/iges/geometry/shapes.h"
-#include "io/iges/global.h"
-#include "io/iges/lines.h"
-#include "io/iges/names.h"
 #include "io/iges/roles.h"
+#include "io/iges/source.h"
 #include "io/iges/types.h"
-#include "io/unit_factor.h"
-#include "model/shapes/surface_spline.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb::io {
 namespace {
 
 using iges::Entry;
 
-iges::Units units_of(const iges::Global &global, const ReadSettings &settings) {
-    const double factor = unit_factor(global.metres_per_unit, settings);
-    return {factor, factor * global.resolution};
-}
-
-constexpr int64_t work_of_an_entity = 1000; // beyond what its parameters count
-
-class Reader {
+class ListReader : public iges::Source {
 public:
-    Reader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
-           const ReadSettings &settings)
-        : directory_(sections.directory), data_(sections.parameter, global.delimiters),
+    ListReader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
+               const ReadSettings &settings)
+        : Source(bytes, sections, global, settings),
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
-          transforms_(directory_, data_), names_(directory_, data_),
-          entities_(bytes.size(), directory_, data_, transforms_, names_),
-          geometry_(entities_, units_of(global, settings)), splines_(directory_.entries().size()),
-          is_part_(directory_.entries().size(), false) {
-        model_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
-    }
+          splines_(directory_.entries().size()), is_part_(directory_.entries().size(), false) {}
 
     // What other splines consist of is known once they have been read, so they come first.
     model::Model run() {
@@ -49,36 +30,22 @@ public:
         read_entities(false);
         steps.next();
         collect_splines();
-        collect_remarks();
-        std::erase_if(model_.notes, [this](const model::Note &note) { return used(note); });
-        std::ranges::stable_sort(model_.notes, {}, &model::Note::line);
-        return std::move(model_);
+        drop_notes_on_parts();
+        return finished();
     }
 
 private:
     void read_entities(bool with_parts) {
-        Steps steps(std::ssize(directory_.entries()));
-        for (size_t i = 0; i < directory_.entries().size(); ++i) {
-            const Entry &entry = directory_.entries()[i];
-            const bool wanted =
-                has_parts(entry.type) == with_parts && (!is_part_[i] || always_listed(entry.type));
-            if (wanted) {
-                read_entity(i);
-            }
-            steps.next(wanted ? work_of_an_entity : 1);
-        }
-    }
-
-    void read_entity(size_t index) {
-        const Entry &entry = directory_.entries()[index];
-        try {
-            splines_[index] = spline_of(entry, parameter_plane_[index]);
+        const auto wanted = [&](const Entry &entry) {
+            return has_parts(entry.type) == with_parts &&
+                   (!is_part_[index_of(entry)] || always_listed(entry.type));
+        };
+        read_all(wanted, [this](const Entry &entry) {
+            splines_[index_of(entry)] = spline_of(entry, parameter_plane_[index_of(entry)]);
             for (const int64_t pointer : geometry_.parts(entry.line)) {
                 is_part_[*directory_.find(pointer)] = true;
             }
-        } catch (const Error &error) {
-            note_error(entry, error);
-        }
+        });
     }
 
     // Whose spline takes the place of those of its parts.
@@ -90,9 +57,6 @@ private:
     }
 
     SplinePtr spline_of(const Entry &entry, bool parameter_plane) {
-        if (!entry.damage.empty()) {
-            fail(Status::syntax, "%s", entry.damage.c_str());
-        }
         entities_.spend(iges::Entities::size_of_a_shape);
         if (iges::is_curve(entry.type)) {
             const model::CurvePiece piece =
@@ -113,20 +77,14 @@ private:
         if (shape.kind == model::SurfaceKind::spline) {
             return shape.spline;
         }
-        if (model::bounded(shape)) {
-            return model::surface_spline(shape, model::natural_range(shape));
-        }
-        if (surface.boundary == 0 || surface.hole) {
-            fail(Status::length, "the surface has no ends");
-        }
-        constexpr double margin = 1.0 / 64; // of the size of the boundary
-        const SplinePtr boundary = iges::spline_of(geometry_.curve(surface.boundary));
         std::vector<Vector3> points;
-        for (int64_t i = 0; i < boundary->point_count(); ++i) {
-            points.push_back(
-                {boundary->coordinate(i, 0), boundary->coordinate(i, 1), boundary->coordinate(i, 2)});
+        if (!model::bounded(shape)) {
+            if (surface.boundary == 0 || surface.hole) {
+                fail(Status::length, "the surface has no ends");
+            }
+            append_points(*iges::spline_of(geometry_.curve(surface.boundary)), points);
         }
-        return model::surface_spline(shape, model::range_around(shape, points, margin));
+        return spline_around(shape, points);
     }
 
     void collect_splines() {
@@ -138,39 +96,17 @@ private:
         }
     }
 
-    // Matrices, names, points and directions that became part of a spline are not lost. Which ones these are is known
-    // only at the end.
-    [[nodiscard]] bool used(const model::Note &note) const noexcept {
-        const std::optional<size_t> index = directory_.find(note.line);
-        return index && (transforms_.used(*index) || names_.used(*index) ||
-                         (is_part_[*index] && note.reason == Status::unsupported));
+    // Points and directions that became part of a spline are not lost. Which ones these are is known only at the end.
+    void drop_notes_on_parts() {
+        std::erase_if(model_.notes, [this](const model::Note &note) {
+            const std::optional<size_t> index = directory_.find(note.line);
+            return index && is_part_[*index] && note.reason == Status::unsupported;
+        });
     }
 
-    void collect_remarks() {
-        for (const iges::Remark &remark : geometry_.remarks()) {
-            const Entry &entry = directory_.entries()[*directory_.find(remark.pointer)];
-            model_.notes.push_back(
-                {entry.type, entry.line, Status::unsupported, iges::label_of(entry) + remark.text});
-        }
-    }
-
-    // With the label of the entity, unless the message begins with it.
-    void note_error(const Entry &entry, const Error &error) {
-        const std::string label = iges::label_of(entry), text = error.what();
-        model_.notes.push_back(
-            {entry.type, entry.line, error.status(), text.starts_with(label) ? text : label + text});
-    }
-
-    iges::Directory directory_;
-    iges::ParameterData data_;
     std::vector<bool> parameter_plane_;
-    iges::Transforms transforms_;
-    iges::Names names_;
-    iges::Entities entities_;
-    iges::Geometry geometry_;
     std::vector<SplinePtr> splines_; // of the entries of the directory; null for those that have none
     std::vector<bool> is_part_;      // of another entry's spline
-    model::Model model_;
 };
 
 } // namespace
@@ -178,7 +114,7 @@ private:
 model::Model read_iges(std::span<const char> bytes, const ReadSettings &settings) {
     const iges::Sections sections = iges::split_sections(bytes);
     const iges::Global global = iges::read_global(sections.global);
-    return Reader(bytes, sections, global, settings).run();
+    return ListReader(bytes, sections, global, settings).run();
 }
 
 } // namespace nrb::io

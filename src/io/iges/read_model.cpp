@@ -4,6 +4,7 @@
 #include "base/watch.h"
 #include "bounds/box.h"
 #include "io/faces/make_face.h"
+#include "io/iges/geometry/shapes.h"
 #include "io/iges/global.h"
 #include "io/iges/lines.h"
 #include "io/iges/model/assembly.h"
@@ -46,7 +47,7 @@ public:
         steps.next();
         read_shapes();
         steps.next();
-        read_all([this](const Entry &entry) { read_entity(entry); });
+        read_all([](const Entry &) { return true; }, [this](const Entry &entry) { read_entity(entry); });
         steps.next();
         model_.parts = std::move(assembly_.parts);
         model_.uses = std::move(assembly_.uses);
@@ -64,9 +65,6 @@ private:
     void add_notes() {
         for (const iges::Damage &damage : damages_) {
             add_note(damage.pointer, damage.reason, damage.text);
-        }
-        for (const iges::Remark &remark : geometry_.remarks()) {
-            tell(directory_.entries()[*directory_.find(remark.pointer)], Status::unsupported, remark.text);
         }
     }
     static bool is_topology(int type) noexcept {
@@ -107,7 +105,7 @@ private:
     }
 
     void read_entity(const Entry &entry) {
-        const auto index = static_cast<size_t>(&entry - directory_.entries().data());
+        const size_t index = index_of(entry);
         if (entry.type == iges::trimmed_surface_type || entry.type == iges::bounded_surface_type ||
             entry.type == iges::face_type) {
             read_face(entry);
@@ -123,10 +121,10 @@ private:
         }
     }
     void add_curve(const Entry &entry) {
-        const SplinePtr spline = iges::spline_of(entry.parameter_plane ? geometry_.parameter_curve(entry.line)
-                                                                       : geometry_.curve(entry.line));
-        entities_.spend(iges::Entities::size_of_a_shape + spline->point_count() * spline->width());
-        model_.splines.push_back({geometry_.name(entry.line), spline});
+        const model::CurvePiece piece =
+            entry.parameter_plane ? geometry_.parameter_curve(entry.line) : geometry_.curve(entry.line);
+        entities_.spend(iges::Entities::size_of_a_shape + iges::size_of(piece));
+        model_.splines.push_back({geometry_.name(entry.line), iges::spline_of(piece)});
     }
 
     // Those that could not be read have been told.
@@ -140,8 +138,14 @@ private:
             add_face(entry, face_of_shell(face->second));
         }
     }
+    // What its spline takes is spent before that is made.
+    iges::Surface surface_at(int64_t pointer) {
+        iges::Surface surface = geometry_.surface(pointer);
+        entities_.spend(iges::Entities::size_of_a_shape + iges::size_of(*surface.shape));
+        return surface;
+    }
     FaceSource trimmed_surface(const iges::TrimmedSurface &trimmed) {
-        const iges::Surface surface = geometry_.surface(trimmed.surface);
+        const iges::Surface surface = surface_at(trimmed.surface);
         LoopReader reader(geometry_, topology_, surface);
         std::vector<LoopSource> loops;
         if (trimmed.outer != 0) {
@@ -153,7 +157,7 @@ private:
         return iges::make_source(surface, std::move(loops), trimmed.outer == 0, {});
     }
     FaceSource bounded_surface(const iges::BoundedSurface &bounded) {
-        const iges::Surface surface = geometry_.surface(bounded.surface);
+        const iges::Surface surface = surface_at(bounded.surface);
         LoopReader reader(geometry_, topology_, surface);
         std::vector<LoopSource> loops;
         for (const int64_t boundary : bounded.boundaries) {
@@ -162,7 +166,7 @@ private:
         return iges::make_source(surface, std::move(loops), bounded.boundaries.empty(), {});
     }
     FaceSource face_of_shell(const iges::FaceEntity &face) {
-        const iges::Surface surface = geometry_.surface(face.surface);
+        const iges::Surface surface = surface_at(face.surface);
         LoopReader reader(geometry_, topology_, surface);
         std::vector<LoopSource> loops;
         for (const int64_t pointer : face.loops) {
@@ -176,7 +180,7 @@ private:
     }
     // A surface alone, over all of its domain; a plane has a curve that bounds it.
     FaceSource untrimmed(const Entry &entry) {
-        const iges::Surface surface = geometry_.surface(entry.line);
+        const iges::Surface surface = surface_at(entry.line);
         if (surface.hole) {
             fail(Status::unsupported, "is a hole in another plane, which is not read in this version");
         }
@@ -198,8 +202,6 @@ private:
     };
     // As the file wants it; else by the other rule, if it has both kinds of curves; else with gaps closed. The first error counts.
     void add_face(const Entry &entry, const FaceSource &source) {
-        entities_.spend(iges::Entities::size_of_a_shape +
-                        source.surface->point_count() * source.surface->width());
         static constexpr Way ways[] = {{false, false, ""},
                                        {true, false, "the curves are taken that the file does not prefer: "},
                                        {false, true, "loops that are open are closed in the domain: "}};

@@ -23,19 +23,25 @@ public:
     Source &operator=(const Source &) = delete;
 
 protected:
-    // Calls read(entry) for every entry that is not damaged; what it throws becomes a note.
-    template <class Read>
-    void read_all(Read &&read) {
+    // Calls read(entry) for the entries that are wanted and not damaged; what it throws becomes a note.
+    template <class Wants, class Read>
+    void read_all(Wants &&wants, Read &&read) {
         Steps steps(std::ssize(directory_.entries()));
         for (const Entry &entry : directory_.entries()) {
-            try {
-                check(entry);
-                read(entry);
-            } catch (const Error &error) {
-                note_error(entry, error);
+            const bool wanted = wants(entry);
+            if (wanted) {
+                try {
+                    check(entry);
+                    read(entry);
+                } catch (const Error &error) {
+                    note_error(entry, error);
+                }
             }
-            steps.next(work_of_an_entity);
+            steps.next(wanted ? work_of_an_entity : 1);
         }
+    }
+    [[nodiscard]] size_t index_of(const Entry &entry) const noexcept {
+        return static_cast<size_t>(&entry - directory_.entries().data());
     }
 
     // With the label of the entity before the text.
@@ -44,8 +50,8 @@ protected:
     void note_error(const Entry &entry, const Error &error);
     // The text begins with the label.
     void add_note(int64_t pointer, Status reason, std::string text);
-    // The model with its notes in the order of the directory, but for those on what has become part of something: matrices and
-    // names.
+    // The model with its notes in the order of the directory, and those on shapes that could not be made exactly; without those on
+    // matrices and names that have become part of something.
     model::Model finished();
 
     Directory directory_;

@@ -50,10 +50,9 @@ private:
         }
     }
     ListedEdge read(const EdgeEntity &entity) {
-        geometry_.entities().spend(Limits::size_of_a_shape);
         model::CurvePiece piece = geometry_.curve(entity.curve);
+        geometry_.entities().spend(Limits::size_of_a_shape + size_of(piece));
         SplinePtr spline = spline_of(piece);
-        geometry_.entities().spend(spline->point_count() * spline->width());
         model::Edge edge;
         for (size_t end = 0; end < 2; ++end) {
             edge.vertices[end] = vertex(entity.vertex_lists[end], entity.vertex_indices[end]);

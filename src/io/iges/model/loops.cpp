@@ -23,9 +23,8 @@ const Value &entity_at(const std::map<int64_t, Value> &all, int64_t pointer, con
 } // namespace
 
 SplinePtr LoopReader::spline(const model::CurvePiece &piece) {
-    SplinePtr result = spline_of(piece);
-    geometry_.entities().spend(Limits::size_of_a_shape + result->point_count() * result->width());
-    return result;
+    geometry_.entities().spend(Limits::size_of_a_shape + size_of(piece));
+    return spline_of(piece);
 }
 
 void LoopReader::add_edges(int64_t pointer, bool reversed, std::vector<SpaceCurve> &edges) {
