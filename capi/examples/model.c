@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Opens a STEP file, lists its faces with their areas, takes the first one apart, and writes a copy in inches. model.py
- * does the same.
+/* Opens a STEP or IGES file, lists its faces with their areas, takes the first one apart, and writes a copy in inches.
+ * model.py does the same.
  * Compile: cc -std=c99 model.c $(pkg-config --cflags --libs nurbs) -o model */
 #include <nurbs/nurbs.h>
 

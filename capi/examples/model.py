@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Opens a STEP file, lists its faces with their areas, takes the first one apart, and writes a copy in inches.
+"""Opens a STEP or IGES file, lists its faces with their areas, takes the first one apart, and writes a copy in inches.
 
 usage: model.py [FILE.step [COPY.step]]
 """

@@ -6256,15 +6256,30 @@ typedef struct nurbs_read_options {
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
 /** \brief Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
- * IGES 5.x (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order
- * of the directory; transformation matrices (124), parameter ranges (as far as they lie inside the knots),
- * delimiters, unit and model scale are respected. Curves used in the parameter plane of a surface have
- * dimension 2, everything else dimension 3; parameter-plane curves are not scaled to `unit`. An entity
- * whose weights are all equal becomes a polynomial spline, whatever its flags say; an axis becomes
- * periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a clamped axis
- * with equal first and last layers becomes a wrapped one, with the same knots and points in its domain, and
- * the seam as a knot of multiplicity `degree`. Every other entity that did not go into a
- * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
+ * IGES 5.x (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline
+ * surface) become splines, in the order of the directory; transformation matrices (124), parameter ranges (as
+ * far as they lie inside the knots), delimiters, unit and model scale are respected. Curves used in the
+ * parameter plane of a surface have dimension 2, everything else dimension 3; parameter-plane curves are not
+ * scaled to `unit`. An entity whose weights are all equal becomes a polynomial spline, whatever its flags say;
+ * an axis becomes periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a
+ * clamped axis with equal first and last layers becomes a wrapped one, with the same knots and points in its
+ * domain, and the seam as a knot of multiplicity `degree`. Every other entity that did not go into a spline,
+ * and every 126 or 128 that is not a valid spline, is listed in the notes.
+ *
+ * Since 1.1, in the same order, exactly but for rounding: circular and conic arcs (100, 104), composite
+ * curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and surfaces
+ * (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres (196),
+ * tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite curves
+ * and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
+ * parameters of IGES, angles in radians; of hyperbolas and parabolas those of ISO 10303-42 (negated where
+ * they run against them), of a tabulated cylinder those of its directrix. The angle of a surface of
+ * revolution is its first parameter, the one along the generatrix the second. The ends of pieces of 112 and
+ * 114 are joined where they are no farther apart than the resolution that the file states, or 1e-9 of the
+ * size. Matrices count as rotations, mirrors and one scale to 1e-9; others make arcs splines of what they are
+ * mapped to, and of spheres, tori and surfaces of revolution notes. Rulings join points of equal parameters
+ * of the two splines; where the file asks for others (of equal arc length, or equal angles of an arc and
+ * parameters of something else), a note with NURBS_ERROR_UNSUPPORTED says so beside the spline. Surfaces and
+ * lines without ends, offset curves and surfaces, and trimmed faces are listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
  * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
@@ -6277,8 +6292,9 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * note with the reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not
  * read. Lengths are in the unit of the first context that states units; what stands in other contexts is
  * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
- * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes. However the
- * instances name each other, memory stays below 64 times the size of the file and 1 MB more.
+ * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes.
+ *
+ * However the entities of a file name each other, memory stays below 64 times its size and 1 MB more.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6592,14 +6608,32 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
  * threads at once.
  * @{ */
 
-/** \brief Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242). Planes,
- * cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines exactly, and keep
- * their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their kind, too. Those
- * without ends are cut to the boundary of their face. The curve in space of an edge rules: curves in the
- * domain of a spline surface are taken from the file where they lie under their edges, all others are made
- * (nurbs_face_create()). A face has the uncertainty of its context as its tolerance, 1e-7 if none is stated,
- * or one larger by powers of ten where its edges need that, which a note tells. What is wrong with a face or
- * an edge becomes a note and does not affect the others.
+/** \brief Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
+ * says. Planes, cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines
+ * exactly, and keep their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their
+ * kind, too. Surfaces without ends are cut to the boundary of their face. A face has the
+ * tolerance that the file states, 1e-7 if it states none, or one larger by powers of ten where its edges need
+ * that, which a note tells. What is wrong with a face or an edge becomes a note and does not affect the others.
+ * However the entities name each other, memory stays below 64 times the size of the file and 1 MB more, and
+ * parts are not multiplied; a use that would put a part into itself is left out, and its note has the reason
+ * NURBS_ERROR_CYCLE.
+ *
+ * STEP (ISO 10303-21; AP203, AP214, AP242): the curve in space of an edge rules: curves in the domain of a
+ * spline surface are taken from the file where they lie under their edges, all others are made
+ * (nurbs_face_create()). The tolerance stated is the uncertainty of the context.
+ *
+ * IGES 5.x (fixed-length ASCII form): faces are trimmed surfaces (entity 144), bounded surfaces (143), faces
+ * (510) of shells (514) and solids (186), and surfaces that nothing else consists of: those over their whole
+ * domain, a plane (108) within its curve. Where a boundary (142, 141) has curves in space and in the domain, those
+ * that the file prefers rule, without preference those in space, and the others are taken where they belong to
+ * them. Where a face cannot be made so, the others rule, and loops that are open are closed by segments in the
+ * domain; a note tells either. Loops are turned as nurbs_face_create() does it. Faces share the edges and
+ * vertices of lists (504, 502); other edges are those of one face, and meet each other in vertices of their own.
+ * The tolerance stated is the resolution of the file. The first part holds what no subfigure (308) lists, alone
+ * or in groups (402); subfigures are parts, which their instances (408) place with translation, scale and
+ * matrix (124). A solid with instances (430), an entity in several subfigures, and a face, shell or solid with
+ * a matrix are parts of their own. The colour of a face (314 or one of the eight that have numbers) is its own,
+ * or that of its shell or solid. Curves that nothing else consists of are in nurbs_model_splines().
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6688,8 +6722,9 @@ NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *par
 NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *part,
                                         int32_t *shape, int32_t *against, double *colour, nurbs_face **out);
 
-/** \brief The name of a face, from the file; else "#" and the number of its entity, or its index in other
- * models.
+/** \brief The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
+ * subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other models its
+ * index.
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "io/iges/lines.h"
 #include "io/iges/read_iges.h"
+#include "io/iges/read_model.h"
 #include "io/step/read_model.h"
 #include "io/step/read_step.h"
 #include "io/step/structure/exchange.h"
@@ -19,7 +20,7 @@ namespace {
 // STEP comes first: it has a word of its own, and a long line of it may have a section letter of IGES in its place.
 constexpr Format known[] = {
     {"STEP", step::begins_step, read_step, read_step_model},
-    {"IGES", iges::begins_iges, read_iges, nullptr},
+    {"IGES", iges::begins_iges, read_iges, read_iges_model},
     {"compressed IGES", iges::begins_compressed, nullptr, nullptr},
 };
 
@@ -72,7 +73,8 @@ model::Model read(std::span<const char> bytes, const ReadSettings &settings) {
 model::Model read_model(std::span<const char> bytes, const ReadSettings &settings) {
     const Format &format = format_of(bytes, settings);
     if (format.read_model == nullptr) {
-        fail(Status::format, "line 1: this is a %s file, of which faces are not read; of STEP they are",
+        fail(Status::format,
+             "line 1: this is a %s file, of which faces are not read; of IGES and STEP they are",
              format.name);
     }
     return format.read_model(bytes, settings);

@@ -12,6 +12,7 @@ import nurbs
 from helpers import np, status_of
 
 BUSHING = pathlib.Path(__file__).resolve().parents[2] / "capi/examples/models/bushing.step"
+MODELS = BUSHING.with_name("models.igs")
 
 
 class Models(unittest.TestCase):
@@ -77,6 +78,15 @@ class Models(unittest.TestCase):
             self.model.write(99)
         with self.assertRaises(nurbs.WorkError):
             self.model.write(work=1)
+
+    def test_faces_of_an_iges_file(self):
+        model = nurbs.Model.read_file(MODELS)
+        faces = {face.name: face for face in model.faces}
+        self.assertEqual((len(model.faces), len(model.splines), model.notes), (31, 7, []))
+        self.assertAlmostEqual(faces["torus"].area(1e-12).value, 4 * math.pi**2 * 60 * 20, 6)
+        self.assertAlmostEqual(faces["cylinder"].area(1e-12).value, 2 * math.pi * 30 * 80, 7)
+        self.assertEqual((faces["torus"].loops, faces["cylinder"].loops, faces["hull"].loops), ((), (1, 1), (4,)))
+        self.assertEqual(nurbs.Model.read(MODELS.read_bytes(), unit=1.0).unit, 1.0)
 
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)

@@ -382,11 +382,11 @@ class Errors(unittest.TestCase):
         same(found[-1].points, found[37].points)
         self.assertEqual(len(found[:5]), 5)
         self.assertEqual(repr(nurbs.sphere_patches()), "<SplineList of 6: +X, +Y, -X, -Y, ...>")
-        # A line in place of the first surface.
-        others = nurbs.read(models.read_bytes().replace(b"     128", b"     110", 2))
+        # A point in place of the first surface.
+        others = nurbs.read(models.read_bytes().replace(b"     128", b"     116", 2))
         self.assertEqual((len(others), others.names[0]), (37, found.names[1]))
         note, _ = others.notes
-        self.assertEqual((note.entity_type, note.line, note.reason), (110, 1, nurbs.NURBS_ERROR_UNSUPPORTED))
+        self.assertEqual((note.entity_type, note.line, note.reason), (116, 1, nurbs.NURBS_ERROR_UNSUPPORTED))
         self.assertTrue(note.text)
         with self.assertRaises(IndexError):
             found[38]

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A small IGES file in memory: the arch of shapes.h as entity 126 in space, a second curve with a label, and
- * a line (110). */
+ * a point (116). */
 #ifndef NURBS_TESTS_CAPI_IGES_TEXT_H
 #define NURBS_TESTS_CAPI_IGES_TEXT_H
 
@@ -37,11 +37,11 @@ static inline IgesText small_file(void) {
     iges_line(&t, "1H,,1H;,4Htest,8Htest.igs,4Hnone,4Hnone,32,38,6,308,15,4Htest,1.,2,2HMM,", 'G', 1);
     iges_line(&t, "1,0.01,15H20260101.000000,1.E-6,10.,2Hme,4Hhere,11,0,15H20260101.000000;", 'G', 2);
     iges_directory(&t, 126, 1, 2, "", 1);
-    iges_directory(&t, 110, 3, 1, "", 3);
+    iges_directory(&t, 116, 3, 1, "", 3);
     iges_directory(&t, 126, 4, 1, "BOW", 5);
     iges_data(&t, "126,3,3,0,0,1,0,0,0,0,0,1,1,1,1,1,1,1,1,", 1, 1);
     iges_data(&t, "0,0,0,1,2,0,3,2,0,4,0,0,0,1;", 1, 2);
-    iges_data(&t, "110,0,0,0,1,1,1;", 3, 3);
+    iges_data(&t, "116,0,0,0,0;", 3, 3);
     iges_data(&t, "126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;", 5, 4);
     iges_line(&t, "S      1G      2D      6P      4", 'T', 1);
     return t;

@@ -161,7 +161,7 @@ static void notes_survive(void) {
         CHECK_OK(nurbs_list_unit(both[i], &unit[i]));
     }
     CHECK_INT(type[1], type[0]);
-    CHECK_INT(type[1], 110);
+    CHECK_INT(type[1], 116);
     CHECK_INT(row[1], row[0]);
     CHECK_INT(reason[1], reason[0]);
     CHECK(strcmp(text[0], text[1]) == 0 && strlen(text[0]) > 3);
@@ -299,12 +299,12 @@ static void numbers_of_no_note(void) {
     enum { notes = 192 };
     nurbs_list *whole = from_file(), *list;
     Bytes made = bytes_of(whole);
-    CHECK_INT(number_from(made.data + notes, 8), 110);
+    CHECK_INT(number_from(made.data + notes, 8), 116);
     number_into(made.data + notes, UINT64_C(1) << 32, 8);
     sign(made.data, made.size);
     NO_LIST(list, nurbs_list_from_bytes(made.data, made.size, &list), NURBS_ERROR_SYNTAX,
             "entity type = 4294967296");
-    number_into(made.data + notes, 110, 8);
+    number_into(made.data + notes, 116, 8);
     number_into(made.data + notes + 16, UINT64_C(1) << 40, 8);
     sign(made.data, made.size);
     NO_LIST(list, nurbs_list_from_bytes(made.data, made.size, &list), NURBS_ERROR_SYNTAX,

@@ -129,8 +129,11 @@ static int32_t stop(double done, void *user) {
 static void files(void) {
     static const char iges[] =
         "a file                                                                  S      1\n";
+    static const char compressed[] =
+        "                                                                        C      1\n";
     CHECK_NO_MODEL(out_, reading("solid"), NURBS_ERROR_FORMAT, "");
-    CHECK_NO_MODEL(out_, reading(iges), NURBS_ERROR_FORMAT, "IGES file|faces are not read");
+    CHECK_NO_MODEL(out_, reading(iges), NURBS_ERROR_TRUNCATED, "");
+    CHECK_NO_MODEL(out_, reading(compressed), NURBS_ERROR_FORMAT, "compressed IGES file|faces are not read");
     CHECK_NO_MODEL(out_, reading(HALF_BALL_START), NURBS_ERROR_TRUNCATED, "before END-ISO-10303-21");
     CHECK_NO_MODEL(out_, reading(HALF_BALL_START "#99 PLANE();\n" STEP_END), NURBS_ERROR_SYNTAX,
                    "found PLANE");

@@ -78,7 +78,7 @@ static void contents(void) {
     CHECK_OK(nurbs_list_note_count(list, &count));
     CHECK_INT(count, 1);
     CHECK_OK(nurbs_list_note(list, 0, &type, &line, &reason, text, 64, &length));
-    CHECK_INT(type, 110);
+    CHECK_INT(type, 116);
     CHECK_INT(line, 3);
     CHECK_INT(reason, NURBS_ERROR_UNSUPPORTED);
     CHECK(length > 0 && (length > 63 || (int64_t)strlen(text) == length));

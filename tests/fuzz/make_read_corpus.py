@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes corpus/read, the seeds of fuzz_read: small IGES and STEP files that use all that the readers know; solids for
-fuzz_model and fuzz_write; and read.dict, model.dict and write.dict, the words of STEP, which libFuzzer would not find by itself.
+"""Writes corpus/read, the seeds of fuzz_read: small IGES and STEP files that use all that the readers know; faces and
+solids for fuzz_model and fuzz_write; and read.dict, model.dict and write.dict, the words of STEP, which libFuzzer would not
+find by itself.
 
     make_read_corpus.py            writes the files
     make_read_corpus.py --check    exits with 1 if they are not what this script writes
@@ -54,6 +55,102 @@ def add_matrix_chain(iges):
     outer = iges.add(make_models.MATRIX, identity)
     inner = iges.add(make_models.MATRIX, identity, transform=outer)
     iges.add(make_models.CURVE, "0,0,0,0,1,0,0.,1.,1.,1.,2.,3.,0.,1.,0.,0.,1.".split(","), transform=inner)
+
+
+def numbers(*values):
+    return [str(value) for value in values]
+
+
+def corners(*points):
+    return [f"{c:.1f}" for point in points for c in point]
+
+
+def add_square(iges, a, b, c, d):
+    """The bilinear patch with corners a, b (along u), c (along v), d."""
+    knots = "0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.".split(",")
+    return iges.add(make_models.SURFACE, numbers(1, 1, 1, 1, 0, 0, 1, 0, 0) + knots + corners(a, b, c, d) +
+                    ["0.", "1.", "0.", "1."])
+
+
+def add_polygon(iges, points):
+    sides = [iges.add(110, corners(a, b)) for a, b in zip(points, points[1:] + points[:1])]
+    return iges.add(102, numbers(len(sides), *sides))
+
+
+def add_plate(iges):
+    """With a hole, in space and in the domain, whose outer boundary is that of the domain; and a bounded surface."""
+    surface = add_square(iges, (0, 0, 0), (4, 0, 0), (0, 4, 0), (4, 4, 0))
+    space = add_polygon(iges, [(1, 1, 0), (3, 1, 0), (3, 2, 0)])
+    domain = iges.add(102, numbers(3, *(iges.add(110, side.split(",")) for side in (
+        ".25,.25,0.,.75,.25,0.", ".75,.25,0.,.75,.5,0.", ".75,.5,0.,.25,.25,0."))))
+    hole = iges.add(142, numbers(0, surface, domain, space, 1))
+    iges.add(144, numbers(surface, 0, 1, 0, hole), form=0)
+    boundary = iges.add(141, numbers(0, 1, surface, 1, space, 2, 1, domain))
+    iges.add(143, numbers(0, surface, 1, boundary))
+
+
+def add_tube(iges):
+    """The side of a cylinder, cut open by its parameters."""
+    axis, side = iges.add(110, corners((0, 0, 0), (0, 0, 1))), iges.add(110, corners((2, 0, 0), (2, 0, 3)))
+    surface = iges.add(120, numbers(axis, side) + ["0.", "6.283185307"])
+    turn = 6.283185307
+    loop = [(0, 0, 0), (1, 0, 0), (1, turn, 0), (0, turn, 0)]
+    sides = [iges.add(110, [f"{c:.9f}" for c in a + b]) for a, b in zip(loop, loop[1:] + loop[:1])]
+    boundary = iges.add(102, numbers(4, *sides))
+    iges.add(144, numbers(surface, 1, 0, iges.add(142, numbers(0, surface, boundary, 0, 1))))
+
+
+def add_wedge(iges):
+    """Two squares that share an edge, in a shell of a solid, which an instance places."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1), (1, 0, 1)]
+    vertices = iges.add(502, numbers(6) + corners(*points))
+    ends = [(0, 1), (1, 3), (3, 2), (2, 0), (1, 5), (5, 4), (4, 0)]
+    lines = [iges.add(110, corners(points[a], points[b])) for a, b in ends]
+    edges = iges.add(504, numbers(7, *(x for line, (a, b) in zip(lines, ends) for x in (line, vertices, a + 1, vertices, b + 1))))
+    faces = []
+    for corner, loop in (((0, 1, 2, 3), ((1, 1), (2, 1), (3, 1), (4, 1))), ((0, 1, 4, 5), ((1, 1), (5, 1), (6, 1), (7, 1)))):
+        surface = add_square(iges, *(points[k] for k in corner))
+        ring = iges.add(508, numbers(4, *(x for number, way in loop for x in (0, edges, number, way, 0))))
+        faces += [iges.add(510, numbers(surface, 1, 1, ring)), 1]
+    solid = iges.add(186, numbers(iges.add(514, numbers(2, *faces)), 1, 0))
+    matrix = iges.add(make_models.MATRIX, "1.,0.,0.,5.,0.,1.,0.,6.,0.,0.,1.,7.".split(","))
+    iges.add(430, numbers(solid), transform=matrix)
+
+
+def add_subfigures(iges):
+    """One that lists a group, its instance in another one, and one that lists itself."""
+    patch = add_square(iges, (0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0))
+    group = iges.add(402, numbers(1, patch), form=7)
+    bolt = iges.add(308, ["0", "4Hbolt"] + numbers(1, group))
+    instance = iges.add(408, numbers(bolt) + ["1.", "2.", "3.", ".5"])
+    iges.add(308, ["1", "4Hnuts"] + numbers(2, instance, patch))
+    ring = iges.next_pointer()
+    iges.add(408, numbers(ring + 2) + ["0.", "0.", "0."])
+    iges.add(308, ["1", "4Hring"] + numbers(1, ring))
+
+
+def add_all_curves(iges):
+    """One of each kind of curve, and surfaces that are made of them."""
+    entities = [
+        (110, "0.,0.,0.,0.,0.,1.", 0), (100, "0.,5.,0.,7.,0.,5.,2.", 0),
+        (104, "4.,0.,9.,0.,0.,-36.,7.,3.,0.,0.,2.", 1), (104, "1.,0.,0.,0.,-4.,0.,0.,-2.,1.,4.,4.", 3),
+        (104, ".25,0.,-1.,0.,0.,-1.,0.,2.,0.,2.5,.75", 2), (106, "1,3,5.,0.,0.,1.,0.,1.,2.", 11),
+        (112, "3,2,3,1,0.,1.,0.,1.,0.,1.,0.,0.,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.", 0),
+        (118, "1,3,0,0", 0), (120, "1,11,0.,3.", 0), (122, "3,3.,1.,5.", 0), (102, "1,3", 0), (140, "0.,0.,1.,.5,17", 0),
+    ]
+    for entity_type, data, form in entities:
+        iges.add(entity_type, data.split(","), form)
+
+
+def add_elementary_surfaces(iges):
+    iges.add(116, "1.,2.,3.,0".split(","))
+    iges.add(123, "0.,0.,1.".split(","))
+    iges.add(123, "1.,0.,0.".split(","))
+    for entity_type, data in [(190, "1,3,5"), (192, "1,3,2.,5"), (194, "1,3,2.,30.,5"), (196, "1,2.,3,5"), (198, "1,3,5.,2.,5")]:
+        iges.add(entity_type, data.split(","), 1)
+    iges.add(106, "1,4,0.,0.,0.,1.,0.,1.,1.,0.,0.".split(","), 63)
+    iges.add(108, "0.,0.,1.,0.,17,0.,0.,0.,0.".split(","), 1)
+    iges.add(114, ["3", "1", "1", "1", "0.", "1.", "0.", "1."] + ["0.", "1.", "0.", "0."] * 12)
 
 
 class StepFile:
@@ -191,9 +288,11 @@ def dictionary():
 def seeds():
     loop_and_others = one(make_models.add_polynomial_curves)
     return {
+        "all_curves.igs": one(add_all_curves),
         "circle.igs": one(make_models.add_circle),
         "curves.igs": loop_and_others,
         "curves_crlf.igs": loop_and_others.replace("\n", "\r\n"),
+        "elementary_surfaces.igs": one(add_elementary_surfaces),
         "empty.igs": one(lambda iges: None),
         "matrix_chain.igs": one(add_matrix_chain),
         "other_unit.igs": one(add_patch).replace(",1.,2,2HMM,", ",2.,3,2HIN,"),
@@ -207,7 +306,15 @@ def seeds():
 
 
 def solids():
-    return {"half_ball.stp": step_half_ball(), "tube.stp": step_tube(), "surfaces.stp": step_surfaces()}
+    return {
+        "half_ball.stp": step_half_ball(),
+        "tube.stp": step_tube(),
+        "surfaces.stp": step_surfaces(),
+        "plate.igs": one(add_plate),
+        "tube.igs": one(add_tube),
+        "wedge.igs": one(add_wedge),
+        "subfigures.igs": one(add_subfigures),
+    }
 
 
 def main(arguments):

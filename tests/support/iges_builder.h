@@ -17,6 +17,7 @@ struct Fields {
     int64_t form = 0;
     std::string label = "";
     int64_t subscript = 0;
+    int64_t colour = 0;
 };
 
 class IgesBuilder {
@@ -159,7 +160,8 @@ private:
                                           zero + padded(fields.transform, 8) + zero +
                                           padded(fields.status, 8),
                                       'D', line));
-        result.push_back(section_line(type + zero + zero + padded(static_cast<int64_t>(data_count), 8) +
+        result.push_back(section_line(type + zero + padded(fields.colour, 8) +
+                                          padded(static_cast<int64_t>(data_count), 8) +
                                           padded(fields.form, 8) + std::string(16, ' ') +
                                           padded(fields.label, 8) + padded(fields.subscript, 8),
                                       'D', line + 1));

@@ -3510,7 +3510,8 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_bytes_kind
         ! --- Models
-        !> Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242).
+        !> Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
+        !> says.
         function nurbs_read_model(bytes, size, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -3585,8 +3586,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_face
-        !> The name of a face, from the file; else "#" and the number of its entity, or its index in other
-        !> models.
+        !> The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
+        !> subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other
+        !> models its index.
         function nurbs_model_face_name(model, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: model

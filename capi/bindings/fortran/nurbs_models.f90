@@ -28,7 +28,7 @@ module nurbs_models
 
 contains
 
-    !> Reads the faces, edges and vertices of a STEP file from memory.
+    !> Reads the faces, edges and vertices of a STEP or an IGES file from memory.
     subroutine read(this, contents, options, status, call)
         class(nurbs_model), intent(inout) :: this
         character(kind=c_char, len=*), intent(in), target :: contents
@@ -48,7 +48,7 @@ contains
         call settle(code, status)
     end subroutine read
 
-    !> Reads a STEP file by its path.
+    !> Reads a STEP or an IGES file by its path.
     subroutine read_file(this, path, options, status, call)
         class(nurbs_model), intent(inout) :: this
         character(kind=c_char, len=*), intent(in) :: path

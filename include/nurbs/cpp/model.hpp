@@ -59,7 +59,7 @@ public:
 
     // Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong
 
-    /// Reads the faces, edges and vertices of a STEP file from memory.
+    /// Reads the faces, edges and vertices of a STEP or an IGES file from memory.
     [[nodiscard]] static Returned<Model> read(std::span<const std::byte> bytes,
                                               const ReadOptions &options = {}) {
         return detail::made<Model>(nurbs_read_model, bytes.data(), detail::length(bytes), &options);
@@ -71,7 +71,7 @@ public:
         return detail::made<Model>(nurbs_read_model_with, bytes.data(), detail::length(bytes), &options,
                                    watch.get());
     }
-    /// Reads a STEP file by its path.
+    /// Reads a STEP or an IGES file by its path.
     [[nodiscard]] static Returned<Model> read_file(const std::string &path, const ReadOptions &options = {}) {
         if (path.find('\0') != std::string::npos) {
             detail::fail(Status::file, "path contains a zero byte");

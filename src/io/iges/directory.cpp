@@ -55,6 +55,7 @@ void read_fields(std::string_view first, std::string_view second, Entry &entry) 
     entry.parameter_plane = in_parameter_plane(first);
     entry.data_count = field_integer(second, 4, "14 (parameter line count)");
     entry.form = field_integer(second, 5, "15 (form)");
+    parse_integer(field_text(second, 3), entry.colour); // no shape depends on it
     entry.label = field_text(second, 8);
     entry.subscript = field_integer(second, 9, "19 (subscript)");
 }
@@ -127,11 +128,11 @@ void ParameterData::claim(int64_t line, const Entry &entry) {
              static_cast<long long>(line), excerpt(back_pointer_text(lines_[index])).c_str(),
              static_cast<long long>(entry.line));
     }
-    if (taken_[index]) {
+    if (owners_[index] != 0 && owners_[index] != entry.line) {
         fail(Status::syntax, "line %lld of the parameter section belongs to another entity too",
              static_cast<long long>(line));
     }
-    taken_[index] = true;
+    owners_[index] = entry.line;
 }
 
 Record ParameterData::take(const Entry &entry) {

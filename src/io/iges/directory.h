@@ -20,6 +20,7 @@ struct Entry {
     int64_t transform = 0; // pointer to a transformation matrix, 0: none
     bool parameter_plane = false;
     int64_t form = 0;
+    int64_t colour = 0; // one of eight, or minus a pointer to a definition (314); 0: none
     std::string_view label;
     int64_t subscript = 0;
     std::string damage; // what is wrong with these two lines; empty: nothing
@@ -38,12 +39,12 @@ private:
     std::vector<Entry> entries_;
 };
 
-// The parameter section. Each of its lines belongs to one entry and is handed out once, which keeps reading
-// linear however the pointers lie.
+// The parameter section. Each of its lines belongs to one entry, which keeps what is read at all linear however the
+// pointers lie; how often an entry is read is its reader's to limit.
 class ParameterData {
 public:
     ParameterData(const Lines &lines, Delimiters delimiters)
-        : lines_(lines), delimiters_(delimiters), taken_(lines.size(), false) {}
+        : lines_(lines), delimiters_(delimiters), owners_(lines.size(), 0) {}
 
     // The record of an entry, positioned after the entity type. Throws Status::syntax if the pointer, the
     // back pointers, the type or the delimiters are wrong.
@@ -55,7 +56,7 @@ private:
 
     const Lines &lines_;
     Delimiters delimiters_;
-    std::vector<bool> taken_;
+    std::vector<int64_t> owners_; // directory lines; 0: nobody yet
 };
 
 } // namespace nrb::io::iges

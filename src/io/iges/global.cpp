@@ -103,6 +103,16 @@ Delimiters read_delimiters(std::string_view text) {
     return result;
 }
 
+// Nothing that is read depends on it so much that a file without a good one would be refused.
+double read_resolution(Record &record) {
+    try {
+        const double value = record.real("global section: resolution");
+        return value > 0 ? value : 0;
+    } catch (const Error &) {
+        return 0;
+    }
+}
+
 } // namespace
 
 Global read_global(const Lines &lines) {
@@ -127,6 +137,8 @@ Global read_global(const Lines &lines) {
     if (unit > 0 && !std::isnormal(global.metres_per_unit)) {
         fail(Status::syntax, "global section: model space scale %s is out of range", Number(scale).text);
     }
+    record.skip(3); // line weights, date
+    global.resolution = read_resolution(record);
     return global;
 }
 

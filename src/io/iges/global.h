@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The global section: delimiters and the unit of length.
+// The global section: delimiters, unit of length, resolution.
 #pragma once
 
 #include "io/iges/lines.h"
@@ -10,6 +10,7 @@ namespace nrb::io::iges {
 struct Global {
     Delimiters delimiters;
     double metres_per_unit = 0; // of the coordinates in the file; 0: unknown
+    double resolution = 0; // least distance that the file tells from none, in its coordinates; 0: not stated
 };
 
 // Throws Status::syntax.

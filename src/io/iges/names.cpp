@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "io/iges/text.h"
+#include "io/iges/types.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,7 +12,6 @@
 namespace nrb::io::iges {
 namespace {
 
-constexpr int property_type = 406;
 constexpr int64_t name_form = 15;
 
 // In rising order.

@@ -1,112 +1,114 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/read_iges.h"
 
-#include "base/error.h"
-#include "base/watch.h"
-#include "io/iges/directory.h"
-#include "io/iges/global.h"
-#include "io/iges/lines.h"
-#include "io/iges/names.h"
+#include "io/faces/make_face.h"
+#include "io/iges/geometry/shapes.h"
 #include "io/iges/roles.h"
-#include "io/iges/spline.h"
-#include "io/iges/transform.h"
+#include "io/iges/source.h"
+#include "io/iges/types.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace nrb::io {
 namespace {
 
 using iges::Entry;
 
-// The factor from the unit of the file to the wanted one. A unit that the file does not state cannot be
-// converted.
-double unit_factor(double metres_per_unit, const ReadSettings &settings) {
-    if (settings.unit == 0) {
-        return 1;
-    }
-    if (metres_per_unit == 0) {
-        fail(Status::options, "unit = %s cannot be reached: the unit of the file is not known",
-             Number(settings.unit).text);
-    }
-    const double factor = metres_per_unit / settings.unit;
-    if (!std::isnormal(factor)) {
-        fail(Status::options, "unit = %s cannot be reached from units of %s metres",
-             Number(settings.unit).text, Number(metres_per_unit).text);
-    }
-    return factor;
-}
-
-constexpr int64_t work_of_an_entity = 1000; // beyond what its parameters count
-
-class Reader {
+class ListReader : public iges::Source {
 public:
-    Reader(const iges::Sections &sections, const iges::Global &global, const ReadSettings &settings)
-        : directory_(sections.directory), data_(sections.parameter, global.delimiters),
+    ListReader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
+               const ReadSettings &settings)
+        : Source(bytes, sections, global, settings),
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
-          transforms_(directory_, data_), names_(directory_, data_),
-          factor_(unit_factor(global.metres_per_unit, settings)) {
-        model_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
-    }
+          splines_(directory_.entries().size()), is_part_(directory_.entries().size(), false) {}
 
+    // What other splines consist of is known once they have been read, so they come first.
     model::Model run() {
-        Steps steps(std::ssize(directory_.entries()));
-        for (size_t i = 0; i < directory_.entries().size(); ++i, steps.next(work_of_an_entity)) {
-            const Entry &entry = directory_.entries()[i];
-            try {
-                read_entity(entry, parameter_plane_[i]);
-            } catch (const Error &error) {
-                add_note(entry, error.status(), error.what());
-            }
-        }
-        std::erase_if(model_.notes, [this](const model::Note &note) { return used(note); });
-        return std::move(model_);
+        Steps steps(2);
+        read_entities(true);
+        steps.next();
+        read_entities(false);
+        steps.next();
+        collect_splines();
+        drop_notes_on_parts();
+        return finished();
     }
 
 private:
-    void read_entity(const Entry &entry, bool parameter_plane) {
-        if (!entry.damage.empty()) {
-            fail(Status::syntax, "%s", entry.damage.c_str());
+    void read_entities(bool with_parts) {
+        const auto wanted = [&](const Entry &entry) {
+            return has_parts(entry.type) == with_parts &&
+                   (!is_part_[index_of(entry)] || always_listed(entry.type));
+        };
+        read_all(wanted, [this](const Entry &entry) {
+            splines_[index_of(entry)] = spline_of(entry, parameter_plane_[index_of(entry)]);
+            for (const int64_t pointer : geometry_.parts(entry.line)) {
+                is_part_[*directory_.find(pointer)] = true;
+            }
+        });
+    }
+
+    // Whose spline takes the place of those of its parts.
+    static bool has_parts(int type) noexcept {
+        return type == iges::composite_type || (iges::is_surface(type) && type != iges::offset_surface_type);
+    }
+    static bool always_listed(int type) noexcept {
+        return type == iges::spline_curve_type || type == iges::spline_surface_type;
+    }
+
+    SplinePtr spline_of(const Entry &entry, bool parameter_plane) {
+        entities_.spend(iges::Entities::size_of_a_shape);
+        if (iges::is_curve(entry.type)) {
+            const model::CurvePiece piece =
+                parameter_plane ? geometry_.parameter_curve(entry.line) : geometry_.curve(entry.line);
+            entities_.spend(piece.curve->kind == model::CurveKind::spline ? 0 : iges::size_of(piece));
+            return iges::spline_of(piece);
         }
-        if (entry.type == iges::curve_type || entry.type == iges::surface_type) {
-            add_spline(entry, parameter_plane && entry.type == iges::curve_type);
-        } else {
-            add_note(entry, Status::unsupported, "does not become a spline in this version");
+        if (!iges::is_surface(entry.type)) {
+            fail(Status::unsupported, "does not become a spline in this version");
+        }
+        const iges::Surface surface = geometry_.surface(entry.line);
+        entities_.spend(iges::size_of(*surface.shape));
+        return surface_spline(entry, surface);
+    }
+
+    SplinePtr surface_spline(const Entry &entry, const iges::Surface &surface) {
+        const model::SurfaceShape &shape = *surface.shape;
+        if (shape.kind == model::SurfaceKind::spline) {
+            return shape.spline;
+        }
+        std::vector<Vector3> points;
+        if (!model::bounded(shape)) {
+            if (surface.boundary == 0 || surface.hole) {
+                fail(Status::length, "the surface has no ends");
+            }
+            append_points(*iges::spline_of(geometry_.curve(surface.boundary)), points);
+        }
+        model::MadeSurface made = surface_around(entities_, shape, points, geometry_.units().resolution);
+        tell_approximation(entry, made.distance);
+        return std::move(made.spline);
+    }
+
+    void collect_splines() {
+        for (size_t i = 0; i < splines_.size(); ++i) {
+            const Entry &entry = directory_.entries()[i];
+            if (splines_[i] != nullptr && (!is_part_[i] || always_listed(entry.type))) {
+                model_.splines.push_back({geometry_.name(entry.line), std::move(splines_[i])});
+            }
         }
     }
 
-    // Matrices and names that became part of a spline are not lost. Which ones these are is known only at the
-    // end.
-    [[nodiscard]] bool used(const model::Note &note) const noexcept {
-        const std::optional<size_t> index = directory_.find(note.line);
-        return index && (transforms_.used(*index) || names_.used(*index));
+    // Points and directions that became part of a spline are not lost. Which ones these are is known only at the end.
+    void drop_notes_on_parts() {
+        std::erase_if(model_.notes, [this](const model::Note &note) {
+            const std::optional<size_t> index = directory_.find(note.line);
+            return index && is_part_[*index] && note.reason == Status::unsupported;
+        });
     }
 
-    void add_spline(const Entry &entry, bool parameter_plane) {
-        iges::Record record = data_.take(entry);
-        iges::SplineData data =
-            entry.type == iges::curve_type ? iges::read_curve_data(record) : iges::read_surface_data(record);
-        iges::Placement placement;
-        placement.transform = entry.transform == 0 ? nullptr : &transforms_.resolve(entry.transform);
-        placement.factor = parameter_plane ? 1 : factor_;
-        placement.parameter_plane = parameter_plane;
-        SplinePtr spline = iges::build_spline(std::move(data), placement);
-        model_.splines.push_back({names_.name(entry, record), std::move(spline)});
-    }
-
-    void add_note(const Entry &entry, Status reason, const char *text) {
-        const std::string where = std::string(iges::type_name(entry.type)) + " (" +
-                                  std::to_string(entry.type) + ") at directory line " +
-                                  std::to_string(entry.line) + ": ";
-        model_.notes.push_back({entry.type, entry.line, reason, where + text});
-    }
-
-    iges::Directory directory_;
-    iges::ParameterData data_;
     std::vector<bool> parameter_plane_;
-    iges::Transforms transforms_;
-    iges::Names names_;
-    double factor_;
-    model::Model model_;
+    std::vector<SplinePtr> splines_; // of the entries of the directory; null for those that have none
+    std::vector<bool> is_part_;      // of another entry's spline
 };
 
 } // namespace
@@ -114,7 +116,7 @@ private:
 model::Model read_iges(std::span<const char> bytes, const ReadSettings &settings) {
     const iges::Sections sections = iges::split_sections(bytes);
     const iges::Global global = iges::read_global(sections.global);
-    return Reader(sections, global, settings).run();
+    return ListReader(bytes, sections, global, settings).run();
 }
 
 } // namespace nrb::io

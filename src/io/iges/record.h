@@ -24,6 +24,8 @@ public:
 
     // Parameters not read yet, blank ones included.
     [[nodiscard]] int64_t remaining() const noexcept { return count_ - taken_; }
+    // Characters of all of it.
+    [[nodiscard]] int64_t length() const noexcept { return static_cast<int64_t>(text_.size()); }
 
     // The next parameter. A blank one, and one after the end of the record, has its default: 0, 0.0 or the
     // empty string. Throws Status::syntax naming `what` [`index`], the place in the record and the text.

@@ -2,13 +2,10 @@
 #include "io/iges/roles.h"
 
 #include "base/error.h"
+#include "io/iges/types.h"
 
 namespace nrb::io::iges {
 namespace {
-
-constexpr int composite_type = 102;
-constexpr int boundary_type = 141;
-constexpr int curve_on_surface_type = 142;
 
 class PlaneMarker {
 public:

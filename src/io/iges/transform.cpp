@@ -2,13 +2,12 @@
 #include "io/iges/transform.h"
 
 #include "base/error.h"
+#include "io/iges/types.h"
 
 #include <set>
 
 namespace nrb::io::iges {
 namespace {
-
-constexpr int matrix_type = 124;
 
 Transform read_matrix(Record record) {
     Transform result;

@@ -5,7 +5,7 @@
 #include "io/step/geometry/geometry.h"
 #include "io/step/geometry/placements.h"
 #include "io/step/motion.h"
-#include "model/cycles.h"
+#include "model/placing.h"
 
 #include <algorithm>
 
@@ -245,27 +245,16 @@ private:
     }
 
     void drop_cycles() {
-        const std::vector<bool> dropped = model::uses_in_cycles(result_.parts.size(), result_.uses);
-        size_t kept = 0;
-        for (size_t i = 0; i < dropped.size(); ++i) {
-            if (!dropped[i]) {
-                result_.uses[kept++] = result_.uses[i];
-                continue;
-            }
+        for (const size_t i : model::drop_cycles(result_.parts.size(), result_.uses)) {
             const Instance &source = instances_[sources_[i]];
             result_.damages.push_back(
                 {source.number(), Status::cycle,
                  label_of(instances_, source) + ": places a part in itself, which is left out"});
         }
-        result_.uses.resize(kept);
     }
 
     // Parts that nothing places, and one for what no representation has.
     void stand_alone() {
-        std::vector<bool> placed(result_.parts.size(), false);
-        for (const model::Use &use : result_.uses) {
-            placed[static_cast<size_t>(use.part)] = true;
-        }
         const bool stray =
             std::any_of(instances_.all().begin(), instances_.all().end(), [&](const Instance &instance) {
                 return instance.kind() == Kind::face &&
@@ -274,16 +263,9 @@ private:
         if (stray || result_.parts.empty()) {
             std::replace(result_.part_of.begin(), result_.part_of.end(), no_part, std::ssize(result_.parts));
             result_.parts.emplace_back();
-            placed.push_back(false);
         }
         std::replace(result_.part_of.begin(), result_.part_of.end(), no_part, int64_t{0});
-        for (size_t i = 0; i < placed.size(); ++i) {
-            if (!placed[i]) {
-                model::Use use;
-                use.part = static_cast<int64_t>(i);
-                result_.uses.push_back(use);
-            }
-        }
+        model::place_the_rest(result_.parts.size(), result_.uses);
     }
 
     Entities &entities_;

@@ -2,10 +2,10 @@
 #include "io/step/boundary.h"
 
 #include "base/error.h"
+#include "io/faces/make_face.h"
 #include "io/iges/text.h"
 #include "io/step/geometry/placements.h"
 #include "model/shapes/curve_spline.h"
-#include "model/shapes/surface_spline.h"
 
 #include <algorithm>
 
@@ -33,12 +33,6 @@ namespace {
 
 Vector3 vector_of(const Point &point) noexcept {
     return {point.x[0], point.x[1], point.x[2]};
-}
-
-void append_points(const Spline &spline, std::vector<Vector3> &points) {
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        points.push_back({spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)});
-    }
 }
 
 class Boundary {
@@ -149,18 +143,6 @@ model::CurvePiece read_edge(Geometry &geometry, const Instance &edge) {
         const double tolerance = geometry.units().tolerance;
         return model::piece_between(curve, {first.x.data(), last.x.data(), forward, tolerance});
     });
-}
-
-model::MadeSurface cut_surface(const Geometry &geometry, const model::SurfaceShape &surface,
-                               const std::vector<Vector3> &points) {
-    constexpr double margin = 1.0 / 64; // of the size of the boundary
-    constexpr double share = 0.25;      // of the uncertainty
-    constexpr int64_t doubles_of_a_patch = 128;
-    const double stated = geometry.units().tolerance;
-    return model::made_surface(surface, model::range_around(surface, points, margin),
-                               {share * (stated > 0 ? stated : usual_tolerance),
-                                geometry.entities().left() / doubles_of_a_patch,
-                                &geometry.entities().patches()});
 }
 
 const Spline *EdgeSplines::find(int64_t number) const noexcept {

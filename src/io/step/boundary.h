@@ -37,14 +37,6 @@ private:
     std::vector<Edge> edges_;
 };
 
-// The spline of a surface; where it has no ends, as much of it as contains the points, and a little more. Offset surfaces leave most
-// of the uncertainty to others.
-model::MadeSurface cut_surface(const Geometry &geometry, const model::SurfaceShape &surface,
-                               const std::vector<Vector3> &points);
-
-// Where a file states no uncertainty.
-inline constexpr double usual_tolerance = 1e-7;
-
 // Points whose hull contains the boundary of a face: the control points of its edges, its vertices, and the corners of
 // its polygons. Throws Status::syntax, and unsupported where an edge could not be read.
 std::vector<Vector3> boundary_points(Geometry &geometry, const EdgeSplines &edges, const Instance &face);

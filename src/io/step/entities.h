@@ -3,9 +3,8 @@
 // and within a limit of what may be made of a file.
 #pragma once
 
+#include "io/limits.h"
 #include "io/step/structure/attributes.h"
-
-#include <array>
 
 namespace nrb::io::step {
 
@@ -16,13 +15,10 @@ struct Units {
     double tolerance = 0; // distances below it count as none; 0: not stated. In the unit of the model
 };
 
-class Entities {
+class Entities : public Limits {
 public:
-    explicit Entities(const Instances &instances) : instances_(instances) {
-        const auto size = static_cast<int64_t>(instances.text().size());
-        left_ = limit_ = size * most_for_a_byte + most_at_least;
-        patches_ = size / bytes_of_a_patch + patches_at_least;
-    }
+    explicit Entities(const Instances &instances)
+        : Limits(instances.text().size(), "#"), instances_(instances) {}
 
     [[nodiscard]] const Instances &instances() const noexcept { return instances_; }
 
@@ -34,43 +30,8 @@ public:
     [[noreturn]] void fail_kind(const Instance &found, const Attributes &owner, const char *attribute,
                                 const char *expected) const;
 
-    // What a curve, a surface or a spline takes besides its numbers, in doubles.
-    static constexpr int64_t size_of_a_shape = 160;
-
-    // Numbers that are made from the file. Instances that name each other often could make any amount of them from a
-    // small file; throws Status::too_large before that.
-    void spend(int64_t doubles);
-
-    // How many of them are left.
-    [[nodiscard]] int64_t left() const noexcept { return left_; }
-    // Patches of offset surfaces that may still be looked at, for the same reason.
-    [[nodiscard]] int64_t &patches() noexcept { return patches_; }
-
-    // While one exists, its instance is being read. Throws Status::syntax if it is being read already, or lies too deep.
-    class Visit {
-    public:
-        Visit(Entities &entities, const Instance &instance);
-        ~Visit() { --entities_.depth_; }
-        Visit(const Visit &) = delete;
-        Visit &operator=(const Visit &) = delete;
-
-    private:
-        Entities &entities_;
-    };
-
 private:
-    static constexpr int deepest = 24;
-    static constexpr int64_t most_for_a_byte = 6; // doubles
-    static constexpr int64_t most_at_least = 1 << 16;
-    static constexpr int64_t bytes_of_a_patch = 256; // each takes some tenths of a millisecond
-    static constexpr int64_t patches_at_least = 1 << 13;
-
     const Instances &instances_;
-    int64_t limit_;
-    int64_t left_;
-    int64_t patches_;
-    int depth_ = 0;
-    std::array<int64_t, deepest> path_{};
 };
 
 } // namespace nrb::io::step

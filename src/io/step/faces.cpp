@@ -2,27 +2,18 @@
 #include "io/step/faces.h"
 
 #include "base/error.h"
-#include "bounds/box.h"
 #include "build/polylines.h"
-#include "eval/evaluate.h"
+#include "io/faces/make_face.h"
 #include "io/step/boundary.h"
 #include "model/shapes/curve_spline.h"
 #include "model/shapes/nearest_place.h"
-#include "model/shapes/surface_spline.h"
-#include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
-#include "spline/part.h"
 
 #include <algorithm>
 #include <map>
 
 namespace nrb::io::step {
 namespace {
-
-// Of curves that are made, as a part of the size of the surface: files state uncertainties that are much larger.
-constexpr double share_of_precision = 0x1p-22;
-// What files may state but not hold: coordinates are written with fewer digits.
-constexpr double share_of_rounding = 0x1p-36;
 
 Attributes item(const Instances &instances, const Instance &instance) {
     Attributes attributes(instances, instance);
@@ -46,13 +37,6 @@ std::vector<int64_t> parameter_curves(const Instances &instances, int64_t number
         result.push_back(attributes.reference("associated_geometry"));
     }
     return result;
-}
-
-std::vector<double> point_of(const Spline &spline, const double *params) {
-    std::vector<double> point(static_cast<size_t>(spline.dim()));
-    eval::evaluate_points(spline, {}, 0, {params, 1, spline.axes(), spline.axes(), 1},
-                          {point.data(), 1, spline.dim(), spline.dim(), 1});
-    return point;
 }
 
 class FaceReader {
@@ -88,12 +72,6 @@ public:
         for (Bound &bound : bounds_) {
             source.parts.loops.push_back(std::move(bound.loop));
         }
-        source.parts.as_oriented = true;
-        const double size = bounds::extent(*source.parts.surface);
-        source.parts.tolerance = std::max(tolerance_, share_of_rounding * size);
-        source.parts.precision =
-            std::max(std::min(tolerance_ / 2, share_of_precision * size), share_of_rounding * size);
-        source.parts.prove = false;
         return source;
     }
 
@@ -176,13 +154,10 @@ private:
         std::vector<Vector3> points = poles_;
         for (const Bound &bound : bounds_) {
             for (const face::Coedge &coedge : bound.loop) {
-                for (int64_t i = 0; i < coedge.edge->point_count(); ++i) {
-                    points.push_back({coedge.edge->coordinate(i, 0), coedge.edge->coordinate(i, 1),
-                                      coedge.edge->coordinate(i, 2)});
-                }
+                append_points(*coedge.edge, points);
             }
         }
-        return cut_surface(geometry_, shape, points);
+        return surface_around(entities_, shape, points, geometry_.units().tolerance);
     }
 
     // A seam has two, one for each use.
@@ -213,7 +188,7 @@ private:
                 }
                 const SplinePtr curve =
                     model::piece_spline({found.curve, source.piece.range, source.piece.forward});
-                if (lies_under(surface, *curve, *coedge.edge)) {
+                if (lies_under(surface, *curve, *coedge.edge, tolerance_)) {
                     coedge.curve = coedge.against ? refine::reverse(*curve, 0, false) : curve;
                     if (others-- == 0) {
                         return;
@@ -224,26 +199,6 @@ private:
             }
         }
     }
-    // By their ends and middle: the two have equal parameters where neither is a conic.
-    [[nodiscard]] bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge) const {
-        const Interval from = curve.axis(0).domain(), to = edge.axis(0).domain();
-        for (const double share : {0.0, 0.5, 1.0}) {
-            const double t = parameter_in(from, share), s = parameter_in(to, share);
-            std::vector<double> place = point_of(curve, &t);
-            for (size_t k = 0; k < 2; ++k) {
-                const Interval range = surface.axis(static_cast<int>(k)).domain();
-                place[k] = std::clamp(place[k], range.lower, range.upper);
-            }
-            const std::vector<double> point = point_of(surface, place.data()), wanted = point_of(edge, &s);
-            if (share != 0.5 || !edge.rational()) {
-                if (!(distance(point.data(), wanted.data(), 3) <= tolerance_)) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
     Geometry &geometry_;
     Entities &entities_;
     const EdgeSources &sources_;

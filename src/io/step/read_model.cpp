@@ -2,6 +2,7 @@
 #include "io/step/read_model.h"
 
 #include "base/error.h"
+#include "io/faces/make_face.h"
 #include "io/step/assembly.h"
 #include "io/step/boundary.h"
 #include "io/step/colours.h"
@@ -20,11 +21,6 @@ using step::Geometry;
 using step::Instance;
 using step::Kind;
 using step::Units;
-
-// How often larger tolerances are tried.
-constexpr int most_tolerances = 5;
-// Doubles that a piece of a loop takes in the maps of its face.
-constexpr int64_t size_of_a_piece = 64;
 
 class ModelReader : public step::Source {
 public:
@@ -93,22 +89,17 @@ private:
     void add_face(int64_t place) {
         const Instance &instance = instances_[place];
         const Units units = units_of(place);
-        double tolerance = units.tolerance > 0 ? units.tolerance : step::usual_tolerance;
+        const double stated = units.tolerance > 0 ? units.tolerance : usual_tolerance;
         entities_.spend(step::Entities::size_of_a_shape);
-        for (int attempt = 0;; ++attempt, tolerance *= 10) {
-            try {
-                note_approximation(instance, add_face(place, units, tolerance));
-                if (attempt > 0) {
-                    const std::string text = step::label_of(instances_, instance) +
-                                             ": its edges need the tolerance " + Number(tolerance).text;
-                    add_note(instance.number(), Status::tolerance, text.c_str());
-                }
-                return;
-            } catch (const Error &error) {
-                if (error.status() != Status::gap || attempt + 1 == most_tolerances) {
-                    throw;
-                }
-            }
+        double approximated = 0;
+        const double tolerance = least_tolerance(stated, most_of_stated * stated, [&](double wide) {
+            approximated = add_face(place, units, wide);
+        });
+        note_approximation(instance, approximated);
+        if (tolerance > stated) {
+            const std::string text = step::label_of(instances_, instance) +
+                                     ": its edges need the tolerance " + Number(tolerance).text;
+            add_note(instance.number(), Status::tolerance, text.c_str());
         }
     }
     // How far its surface is from the one of the file.
@@ -126,35 +117,11 @@ private:
         if (const auto colour = colours_.find(instance.number()); colour != colours_.end()) {
             made.colour = colour->second;
         }
-        made.face = face_of(std::move(source.parts));
-        spend(*made.face);
+        made.face = make_face(std::move(source.parts), tolerance);
+        spend(entities_, *made.face);
         model_.faces.push_back(std::move(made));
         return source.distance;
     }
-    // What the face took beyond its surface, whatever its loops share with others.
-    void spend(const face::Face &made) {
-        for (const face::Loop &loop : made.loops()) {
-            for (const face::Coedge &coedge : loop) {
-                entities_.spend(step::Entities::size_of_a_shape + 3 * coedge.curve->point_count());
-            }
-        }
-        for (const face::TrimPiece &piece : made.trims().pieces().all()) {
-            entities_.spend(size_of_a_piece + 3 * piece.degree);
-        }
-    }
-    // Loops as the file has them, or turned where that makes no sense.
-    static face::FacePtr face_of(face::FaceParts parts) {
-        try {
-            return std::make_shared<const face::Face>(parts, nullptr);
-        } catch (const Error &error) {
-            if (error.status() != Status::orientation) {
-                throw;
-            }
-        }
-        parts.as_oriented = false;
-        return std::make_shared<const face::Face>(std::move(parts), nullptr);
-    }
-
     std::vector<int64_t> part_of_;
     step::EdgeSources sources_;
     step::Colours colours_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/step/read_step.h"
 
+#include "io/faces/make_face.h"
 #include "io/step/boundary.h"
 #include "io/step/source.h"
 #include "model/shapes/curve_spline.h"
@@ -72,9 +73,11 @@ private:
             }
             const model::SurfaceShapePtr surface = geometry.surface(number, attributes, "face_geometry");
             if (!model::bounded(*surface)) {
-                return step::cut_surface(geometry, *surface, step::boundary_points(geometry, edges_, face));
+                return surface_around(entities_, *surface, step::boundary_points(geometry, edges_, face),
+                                      units.tolerance);
             }
-            return surfaces_[{number, units.length, units.angle}] = step::cut_surface(geometry, *surface, {});
+            return surfaces_[{number, units.length, units.angle}] =
+                       surface_around(entities_, *surface, {}, units.tolerance);
         });
         splines.push_back({step::name_of(instances_, face), std::move(spline)});
     }

@@ -2,14 +2,14 @@
 #include "io/step/source.h"
 
 #include "base/error.h"
+#include "io/faces/make_face.h"
 #include "io/iges/text.h"
 #include "io/step/boundary.h"
 #include "io/step/parts.h"
+#include "io/unit_factor.h"
 #include "model/shapes/curve_spline.h"
-#include "model/shapes/surface_spline.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb::io::step {
 namespace {
@@ -24,27 +24,12 @@ void check_schemas(const std::vector<std::string> &schemas) {
     }
 }
 
-// Whether splines in this unit can be converted to the one that is wanted.
-void check_unit(double metres, double wanted) {
-    if (wanted == 0) {
-        return;
-    }
-    if (metres == 0) {
-        fail(Status::options, "unit = %s cannot be reached: the unit of the file is not known",
-             Number(wanted).text);
-    }
-    const double factor = metres / wanted;
-    if (!std::isnormal(factor)) {
-        fail(Status::options, "unit = %s cannot be reached from units of %s metres", Number(wanted).text,
-             Number(metres).text);
-    }
-}
-
 model::MadeSurface free_surface(Geometry &geometry, const Instance &instance) {
     const model::SurfaceShapePtr surface = geometry.surface(instance);
     const bool outlined = instance.kind() == Kind::curve_bounded_surface && !model::bounded(*surface);
-    return cut_surface(geometry, *surface,
-                       outlined ? outline_points(geometry, instance) : std::vector<Vector3>());
+    return surface_around(geometry.entities(), *surface,
+                          outlined ? outline_points(geometry, instance) : std::vector<Vector3>(),
+                          geometry.units().tolerance);
 }
 
 bool is_context(const Instances &instances, const Instance &instance) {
@@ -59,7 +44,7 @@ Source::Source(const Exchange &file, const ReadSettings &settings)
     check_schemas(file.schemas);
     const double stated = contexts_.all().front().metres;
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
-    check_unit(stated, settings.unit);
+    (void)unit_factor(stated, settings); // whether it can be reached
     for (const ContextDamage &damage : contexts_.damages()) {
         add_note(damage.number, damage.reason, damage.text.c_str());
     }

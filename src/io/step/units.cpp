@@ -101,7 +101,7 @@ std::optional<std::string_view> prefix_of(double metres) noexcept {
 }
 
 Unit read_unit(Entities &entities, const Instance &instance) {
-    const Entities::Visit visit(entities, instance);
+    const Entities::Visit visit(entities, instance.number());
     Attributes attributes(entities.instances(), instance);
     if (instance.kind() == Kind::si_unit) {
         return read_si_unit(attributes);

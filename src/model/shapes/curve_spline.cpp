@@ -219,12 +219,14 @@ SplinePtr curve_spline(const CurveShape &curve) {
 CurveShapePtr composite_curve(std::vector<CurvePiece> pieces, double tolerance) {
     std::vector<SplinePtr> splines;
     splines.reserve(pieces.size());
+    double size = 0;
     for (const CurvePiece &piece : pieces) {
         splines.push_back(piece_spline(piece));
+        size = std::max(size, bounds::extent(*splines.back()));
     }
     const Interval first = splines.front()->axis(0).domain();
     splines.front() = over(splines.front(), {0, first.upper - first.lower});
-    const double gap = tolerance > 0 ? tolerance : 1e-6 * bounds::extent(*splines.front());
+    const double gap = tolerance > 0 ? tolerance : 1e-6 * size;
     SplinePtr all = refine::join(splines, 0, {gap, false}).spline;
     return curve_of_pieces(std::move(pieces), std::move(all));
 }

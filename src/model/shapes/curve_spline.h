@@ -32,7 +32,7 @@ SplinePtr piece_spline(const CurvePiece &piece);
 // All of a curve. Throws Status::length if it has no ends.
 SplinePtr curve_spline(const CurveShape &curve);
 
-// The composite curve of pieces whose ends are at most `tolerance` apart; 0: 1e-6 of the size of the first piece.
+// The composite curve of pieces whose ends are at most `tolerance` apart; 0: 1e-6 of the size of the largest piece.
 // Throws Status::gap.
 CurveShapePtr composite_curve(std::vector<CurvePiece> pieces, double tolerance);
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""STEP files read by this library and by Open CASCADE: one table, all of it measured in the same run, by turns.
+"""STEP and IGES files read by this library and by Open CASCADE: one table, all of it measured in the same run, by turns.
 
     files.py PROGRAMS [--passes N]
 
 PROGRAMS is the folder of bench_files_nurbs, and of bench_files_occt if that was built. Read are the bushing of the examples,
-2000 of them in one file, and the STEP files in the folder that the environment variable NURBS_TEST_DATA names. "read" is
+2000 of them in one file, and the STEP and IGES files in the folder that the environment variable NURBS_TEST_DATA names. "read" is
 from the path to faces that can be asked; Open CASCADE's transfer, which heals shapes, is in it. "areas" is that and the sum of
 the areas of all faces, to 1e-6. Times are milliseconds of process time, medians of the passes. The exit status is 1 if ours is
 missing, or if two libraries find other numbers of faces, or areas that differ by more than 1e-3 of them; a file that Open
@@ -48,7 +48,7 @@ def files(folder):
     many.write_text(copies(BUSHING.read_text(encoding="ascii"), COPIES), encoding="ascii")
     found = {"a bushing": BUSHING, f"{COPIES} bushings": many}
     data = os.environ.get("NURBS_TEST_DATA")
-    real = sorted(path for end in ("step", "stp") for path in pathlib.Path(data).glob(f"*.{end}")) if data else []
+    real = sorted(path for end in ("step", "stp", "iges", "igs") for path in pathlib.Path(data).glob(f"*.{end}")) if data else []
     return {**found, **{path.stem: path for path in real}}
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// STEP files read by libnurbs.
+// STEP and IGES files read by libnurbs.
 #include "bench/files/job.h"
 
 #include <cstdlib>

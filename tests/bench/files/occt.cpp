@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// STEP files read and transferred by Open CASCADE.
+// STEP and IGES files read and transferred by Open CASCADE.
 #include "bench/files/job.h"
 
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
+#include <IGESControl_Reader.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Reader.hxx>
@@ -11,12 +12,14 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdlib>
+#include <string_view>
 
 namespace {
 
 // Every face once, as often as it may be placed.
-bench::files::Answer read(const char *path, bool areas) {
-    STEPControl_Reader reader;
+template <class Reader>
+bench::files::Answer read_by(const char *path, bool areas) {
+    Reader reader;
     if (reader.ReadFile(path) != IFSelect_RetDone || reader.TransferRoots() == 0) {
         std::fprintf(stderr, "%s is not read\n", path);
         std::exit(1);
@@ -31,6 +34,12 @@ bench::files::Answer read(const char *path, bool areas) {
         answer.area += properties.Mass();
     }
     return answer;
+}
+
+bench::files::Answer read(const char *path, bool areas) {
+    const std::string_view name = path;
+    const bool iges = name.ends_with(".igs") || name.ends_with(".iges");
+    return iges ? read_by<IGESControl_Reader>(path, areas) : read_by<STEPControl_Reader>(path, areas);
 }
 
 } // namespace

@@ -25,26 +25,32 @@ struct Content {
     bool operator==(const Content &) const = default;
 };
 
-// Curves of the plane count in curve_degrees with the others, as in the README of the folder.
+// The B-splines of the README of the folder, and lines, arcs, composite curves and surfaces of revolution besides. Curves
+// of the plane count in curve_degrees with the others.
 const std::map<std::string, Content> &expected_contents() {
     static const std::map<std::string, Content> table = {
         {"dtmb5415_bow.iges",
-         {7, 0, 1, 0, {{{2, 0}, 2}, {{3, 0}, 3}, {{5, 0}, 1}, {{8, 0}, 1}}, {{{3, 3}, 1}}}},
+         {8, 0, 1, 0, {{{1, 0}, 1}, {{2, 0}, 2}, {{3, 0}, 3}, {{5, 0}, 1}, {{8, 0}, 1}}, {{{3, 3}, 1}}}},
         {"goteborg_hull.iges",
-         {12, 0, 3, 0, {{{3, 0}, 8}, {{5, 0}, 2}, {{8, 0}, 1}, {{11, 0}, 1}}, {{{3, 3}, 2}, {{3, 5}, 1}}}},
+         {22,
+          0,
+          3,
+          0,
+          {{{1, 0}, 10}, {{3, 0}, 8}, {{5, 0}, 2}, {{8, 0}, 1}, {{11, 0}, 1}},
+          {{{3, 3}, 2}, {{3, 5}, 1}}}},
         {"iea15mw_blade.igs",
          {32, 8, 3, 0, {{{1, 0}, 8}, {{3, 0}, 9}, {{8, 0}, 23}}, {{{3, 3}, 1}, {{3, 8}, 2}}}},
         {"pipe_hollow_deformed.iges", {8, 0, 6, 8, {{{2, 0}, 4}, {{11, 0}, 4}}, {{{1, 1}, 2}, {{2, 1}, 4}}}},
-        {"propeller_blade_upper.iges", {4, 0, 1, 0, {{{2, 0}, 2}, {{3, 0}, 2}}, {{{3, 2}, 1}}}},
+        {"propeller_blade_upper.iges", {5, 1, 1, 0, {{{1, 0}, 1}, {{2, 0}, 2}, {{3, 0}, 3}}, {{{3, 2}, 1}}}},
         {"propeller_shaft.iges",
-         {21,
-          14,
-          3,
-          14,
-          {{{1, 0}, 4}, {{2, 0}, 18}, {{3, 0}, 3}, {{5, 0}, 4}, {{6, 0}, 4}, {{10, 0}, 2}},
-          {{{1, 1}, 1}, {{1, 2}, 2}}}},
-        {"wigley_hull.iges", {4, 0, 1, 0, {{{3, 0}, 2}, {{4, 0}, 2}}, {{{3, 4}, 1}}}},
-        {"wing.iges", {12, 12, 4, 0, {{{1, 0}, 4}, {{2, 0}, 8}, {{3, 0}, 12}}, {{{1, 1}, 2}, {{3, 1}, 2}}}},
+         {28,
+          23,
+          7,
+          25,
+          {{{1, 0}, 9}, {{2, 0}, 21}, {{3, 0}, 4}, {{5, 0}, 7}, {{6, 0}, 7}, {{10, 0}, 3}},
+          {{{1, 1}, 1}, {{1, 2}, 2}, {{2, 1}, 1}, {{2, 2}, 2}, {{2, 3}, 1}}}},
+        {"wigley_hull.iges", {8, 0, 1, 0, {{{1, 0}, 4}, {{3, 0}, 2}, {{4, 0}, 2}}, {{{3, 4}, 1}}}},
+        {"wing.iges", {16, 16, 4, 0, {{{1, 0}, 4}, {{2, 0}, 10}, {{3, 0}, 18}}, {{{1, 1}, 2}, {{3, 1}, 2}}}},
     };
     return table;
 }
@@ -97,7 +103,10 @@ TEST(RealFiles, contents_match_the_table) {
         SCOPED_TRACE(name);
         const nrb::model::Model document = iges_test::read(bytes_of(entry.path()));
         for (const nrb::model::Note &note : document.notes) {
-            EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
+            // parameter curves that go on at the other side of a seam have a gap there
+            EXPECT_TRUE(note.reason == nrb::Status::unsupported ||
+                        (note.entity_type == 102 && note.reason == nrb::Status::gap))
+                << note.text;
         }
         const auto expected = expected_contents().find(name);
         if (expected != expected_contents().end()) {

@@ -167,15 +167,16 @@ class Model:
     @classmethod
     def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
              tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Model:
-        """The faces, edges and vertices of a STEP file in memory; unit is the wanted one in metres, 0 keeps the file's
-        own; tolerance is the distance in it that counts as none, that of the faces, 0 takes what the file states. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
+        """The faces, edges and vertices of a STEP or an IGES file in memory; unit is the wanted one in metres, 0 keeps
+        the file's own; tolerance is the distance in it that counts as none, that of the faces, 0 takes what the file
+        states. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
         given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
         return cls._made(watched(lib.nurbs_read_model, progress, work), given, len(given), _options(unit, max_bytes, tolerance))
 
     @classmethod
     def read_file(cls, path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
                   tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Model:
-        """Those of a STEP file, as read() gives them. Raises FileError if it cannot be read."""
+        """Those of a STEP or an IGES file, as read() gives them. Raises FileError if it cannot be read."""
         name = os.fsencode(path)
         if b"\0" in name:
             raise ValueError("a path with a zero in it")

@@ -76,7 +76,7 @@ pub struct ModelUse {
 /// Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
 /// they belong.
 impl Model {
-    /// Reads the faces, edges and vertices of a STEP file from memory.
+    /// Reads the faces, edges and vertices of a STEP or an IGES file from memory.
     pub fn read(bytes: &[u8], options: Option<&ReadOptions>) -> Result<Model> {
         Model::made(|out| unsafe {
             sys::nurbs_read_model(bytes.as_ptr().cast(), bytes.len() as i64, options_pointer(options), out)
@@ -96,7 +96,7 @@ impl Model {
         })
     }
 
-    /// Reads a STEP file by its path.
+    /// Reads a STEP or an IGES file by its path.
     pub fn read_file(path: impl AsRef<Path>, options: Option<&ReadOptions>) -> Result<Model> {
         let path = path_text(path)?;
         Model::made(|out| unsafe { sys::nurbs_read_model_file(path.as_ptr(), options_pointer(options), out) })

@@ -4159,7 +4159,8 @@ extern "C" {
         minor: *mut i32,
     ) -> nurbs_status;
     // --- Models
-    /// Reads the faces, edges and vertices of a STEP file (ISO 10303-21; AP203, AP214, AP242).
+    /// Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
+    /// says.
     ///
     /// May be null: `options`.
     pub fn nurbs_read_model(
@@ -4231,8 +4232,9 @@ extern "C" {
         colour: *mut f64,
         out: *mut *mut nurbs_face,
     ) -> nurbs_status;
-    /// The name of a face, from the file; else "#" and the number of its entity, or its index in other
-    /// models.
+    /// The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
+    /// subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other models
+    /// its index.
     ///
     /// May be null: `buf`, `length`.
     pub fn nurbs_model_face_name(

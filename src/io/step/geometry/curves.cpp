@@ -85,7 +85,7 @@ CurveShapePtr Geometry::curve(int64_t number, const Attributes &owner, const cha
 
 CurveShapePtr Geometry::curve(const Instance &instance) {
     return naming(entities_.instances(), instance, [&] {
-        const Entities::Visit visit(entities_, instance);
+        const Entities::Visit visit(entities_, instance.number());
         entities_.spend(Entities::size_of_a_shape);
         return read_curve(instance);
     });

@@ -46,7 +46,7 @@ SurfaceShapePtr Geometry::surface(int64_t number, const Attributes &owner, const
 
 SurfaceShapePtr Geometry::surface(const Instance &instance) {
     return naming(entities_.instances(), instance, [&] {
-        const Entities::Visit visit(entities_, instance);
+        const Entities::Visit visit(entities_, instance.number());
         entities_.spend(Entities::size_of_a_shape);
         return read_surface(instance);
     });

@@ -11,21 +11,21 @@ using namespace iges_test;
 
 TEST(IgesNotes, other_entities_in_the_order_of_the_directory) {
     IgesBuilder builder;
-    builder.add(110, "0,0,0,1,1,1");
+    builder.add(212, "1,2,3");
     builder.add(126, line_126);
     builder.add(5001, "1,2,3");
     builder.add(124, "1,0,0,0,0,1,0,0,0,0,1,0");
     const nrb::model::Model document = read(builder);
     ASSERT_EQ(document.splines.size(), 1U);
     ASSERT_EQ(document.notes.size(), 3U);
-    const int types[] = {110, 5001, 124};
+    const int types[] = {212, 5001, 124};
     const int64_t lines[] = {1, 5, 7};
     for (size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(document.notes[i].entity_type, types[i]);
         EXPECT_EQ(document.notes[i].line, lines[i]);
         EXPECT_EQ(document.notes[i].reason, nrb::Status::unsupported);
     }
-    EXPECT_EQ(document.notes[0].text.rfind("line (110) at directory line 1: ", 0), 0U)
+    EXPECT_EQ(document.notes[0].text.rfind("general note (212) at directory line 1: ", 0), 0U)
         << document.notes[0].text;
 }
 

@@ -90,7 +90,7 @@ TEST(IgesTransform, broken_ones_lose_only_their_users) {
         {note_with(124, shift, 0, 2), "directory line 2 is not a transformation matrix"},
         {note_with(124, shift, 0, -1), "directory line -1 is not a transformation matrix"},
         {note_with(124, shift, 0, 3), "directory line 3 is not a transformation matrix"},
-        {note_with(110, "0,0,0,1,1,1", 0, 1), "directory line 1 is not a transformation matrix"},
+        {note_with(212, "1,2,3", 0, 1), "directory line 1 is not a transformation matrix"},
         {note_with(124, bad_number, 0, 1), "directory line 1: translation[0] (parameter 5) is 'x'"},
         {note_with(124, shift, 1, 1), "directory line 1 applies to itself"},
         {note_with(124, shift, 99, 1), "directory line 99 is not a transformation matrix"},

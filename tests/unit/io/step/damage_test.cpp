@@ -119,7 +119,7 @@ TEST(StepDamage, chains_are_followed_to_a_limit) {
     for (int i = 4; i < 100; ++i) {
         data += "#" + std::to_string(i) + "=SURFACE_CURVE('',#" + std::to_string(i - 1) + ",(),.U.);";
     }
-    EXPECT_EQ(note_of(data).text, "#99 SURFACE_CURVE: #75: lies more than 24 instances deep");
+    EXPECT_EQ(note_of(data).text, "#99 SURFACE_CURVE: #75: lies more than 24 entities deep");
 }
 
 // Twelve composite curves of eight times the one before would be 8^12 pieces.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/limits.h"
 #include "base/numbers.h"
-#include "io/iges/spline.h"
+#include "io/iges/geometry/spline.h"
 
 #include "base/checked.h"
 

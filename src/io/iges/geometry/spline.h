@@ -2,14 +2,12 @@
 // Rational B-spline curves (entity 126) and surfaces (entity 128).
 #pragma once
 
+#include "io/iges/geometry/placement.h"
 #include "io/iges/record.h"
-#include "io/iges/transform.h"
+#include "io/iges/types.h"
 #include "spline/spline.h"
 
 namespace nrb::io::iges {
-
-inline constexpr int curve_type = 126;
-inline constexpr int surface_type = 128;
 
 // The parameters of an entity as they stand, in the order of this library: last axis fastest.
 struct SplineData {
@@ -32,13 +30,6 @@ struct SplineData {
 // against the parameters that are there before anything is allocated.
 SplineData read_curve_data(Record &record);
 SplineData read_surface_data(Record &record);
-
-// Where and in which unit the control points lie.
-struct Placement {
-    const Transform *transform = nullptr;
-    double factor = 1;            // applied after the transform
-    bool parameter_plane = false; // two coordinates only
-};
 
 // The spline of an entity: placed, polynomial if the weights do not matter, periodic if the file says so and
 // the data bear it out bit for bit, wrapped if they are only closed, cut to its parameter range where that lies

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/iges/spline.h"
+#include "io/iges/geometry/spline.h"
 
 #include "base/error.h"
 #include "refine/parts/cut.h"
@@ -18,23 +18,12 @@ bool weights_matter(const SplineData &data) {
            std::any_of(data.weights.begin(), data.weights.end(), [&](double w) { return w != first; });
 }
 
-std::array<double, 3> placed(const double *point, const Placement &placement) {
-    std::array<double, 3> x = {point[0], point[1], point[2]};
-    if (placement.transform != nullptr) {
-        x = placement.transform->apply(x);
-    }
-    for (double &value : x) {
-        value *= placement.factor;
-    }
-    return x;
-}
-
 std::vector<double> place_points(const std::vector<double> &points, const Placement &placement) {
     const size_t dim = placement.parameter_plane ? 2 : 3;
     std::vector<double> result;
     result.reserve(points.size() / 3 * dim);
     for (size_t i = 0; i < points.size(); i += 3) {
-        const std::array<double, 3> x = placed(points.data() + i, placement);
+        const std::array<double, 3> x = placement.point({points[i], points[i + 1], points[i + 2]});
         result.insert(result.end(), x.begin(), x.begin() + static_cast<std::ptrdiff_t>(dim));
     }
     return result;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Parametric spline curves (entity 112) and surfaces (114): cubic polynomials on the pieces between breakpoints.
+#pragma once
+
+#include "io/iges/geometry/placement.h"
+#include "io/iges/record.h"
+#include "spline/spline.h"
+
+namespace nrb::io::iges {
+
+// Of the lowest degree that all pieces have, over the breakpoints. Pieces whose ends are at most `tolerance` apart share
+// them, and knots go where that changes nothing but the rounding of the coefficients. Throws Status::syntax, count,
+// knots_decreasing, and what making splines throws.
+SplinePtr read_spline_pieces(Record &record, const Placement &place, double tolerance);
+SplinePtr read_spline_patches(Record &record, const Placement &place, double tolerance);
+
+} // namespace nrb::io::iges

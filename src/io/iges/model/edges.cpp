@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "io/iges/model/edges.h"
+
+#include "eval/evaluate.h"
+#include "face/deviation.h"
+#include "io/iges/types.h"
+#include "numeric/norm.h"
+
+namespace nrb::io::iges {
+namespace {
+
+using Place = std::array<double, 3>;
+
+Place end_of(const Spline &curve, bool upper) {
+    const Interval domain = curve.axis(0).domain();
+    const double t = upper ? domain.upper : domain.lower;
+    eval::AxisRules rules{};
+    rules[0].left = upper;
+    Place x;
+    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 3, 3, 1});
+    return x;
+}
+
+class EdgeReader {
+public:
+    EdgeReader(Geometry &geometry, const Topology &topology, model::Model &model,
+               std::vector<Damage> &damages)
+        : geometry_(geometry), topology_(topology), model_(model), damages_(damages) {}
+
+    EdgeLists run() {
+        EdgeLists lists;
+        for (const auto &[pointer, edges] : topology_.edge_lists) {
+            std::vector<ListedEdge> &list = lists[pointer];
+            for (const EdgeEntity &edge : edges) {
+                list.push_back(guarded(pointer, std::ssize(list) + 1, edge));
+            }
+        }
+        return lists;
+    }
+
+private:
+    ListedEdge guarded(int64_t pointer, int64_t number, const EdgeEntity &edge) {
+        try {
+            return read(edge);
+        } catch (const Error &error) {
+            const Entry &entry = geometry_.entities().at(pointer, "edge list");
+            damages_.push_back({pointer, error.status(),
+                                label_of(entry) + "edge " + std::to_string(number) + ": " + error.what()});
+            return {};
+        }
+    }
+    ListedEdge read(const EdgeEntity &entity) {
+        model::CurvePiece piece = geometry_.curve(entity.curve);
+        geometry_.entities().spend(Limits::size_of_a_shape + size_of(piece));
+        SplinePtr spline = spline_of(piece);
+        model::Edge edge;
+        for (size_t end = 0; end < 2; ++end) {
+            edge.vertices[end] = vertex(entity.vertex_lists[end], entity.vertex_indices[end]);
+        }
+        if (runs_backwards(*spline, edge.vertices)) {
+            piece.forward = !piece.forward;
+            spline = spline_of(piece);
+        }
+        edge.curve = spline;
+        edge.shape = piece.curve;
+        model_.edges.push_back(std::move(edge));
+        return {std::move(spline), std::ssize(model_.edges) - 1};
+    }
+    int64_t vertex(int64_t list, int64_t index) {
+        const auto points = topology_.vertex_lists.find(list);
+        const auto count = points == topology_.vertex_lists.end() ? 0 : std::ssize(points->second);
+        if (index < 1 || index > count) {
+            fail(Status::syntax, "the vertex list (502) at directory line %lld has no vertex %lld",
+                 static_cast<long long>(list), static_cast<long long>(index));
+        }
+        const auto [known, fresh] = vertices_.try_emplace({list, index}, std::ssize(model_.vertices));
+        if (fresh) {
+            const Place &x = points->second[static_cast<size_t>(index - 1)];
+            model_.vertices.push_back({x[0], x[1], x[2]});
+        }
+        return known->second;
+    }
+    // Whether the curve begins nearer to the vertex at which it should end, and ends nearer to the other one.
+    [[nodiscard]] bool runs_backwards(const Spline &curve, const std::array<int64_t, 2> &vertices) const {
+        const Place start = end_of(curve, false), end = end_of(curve, true);
+        const Vector3 a = model_.vertices[static_cast<size_t>(vertices[0])],
+                      b = model_.vertices[static_cast<size_t>(vertices[1])];
+        const Place from{a.x, a.y, a.z}, to{b.x, b.y, b.z};
+        return distance(start.data(), to.data(), 3) < distance(start.data(), from.data(), 3) &&
+               distance(end.data(), from.data(), 3) < distance(end.data(), to.data(), 3);
+    }
+
+    Geometry &geometry_;
+    const Topology &topology_;
+    model::Model &model_;
+    std::vector<Damage> &damages_;
+    std::map<std::pair<int64_t, int64_t>, int64_t> vertices_; // by list and index
+};
+
+// Those with keys from a first one on, in their order: loops may have been turned.
+std::vector<const face::Coedge *> coedges_from(const face::Face &face, int64_t first_key, size_t count) {
+    std::vector<const face::Coedge *> result(count, nullptr);
+    for (const face::Loop &loop : face.loops()) {
+        for (const face::Coedge &coedge : loop) {
+            if (coedge.key >= first_key) {
+                result[static_cast<size_t>(coedge.key - first_key)] = &coedge;
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+EdgeLists read_edges(Geometry &geometry, const Topology &topology, model::Model &model,
+                     std::vector<Damage> &damages) {
+    return EdgeReader(geometry, topology, model, damages).run();
+}
+
+void add_own_edges(Geometry &geometry, const face::Face &face, const std::vector<OwnEdge> &edges,
+                   int64_t part, model::Model &model) {
+    const std::vector<const face::Coedge *> coedges =
+        coedges_from(face, std::ssize(model.edges) + 1, edges.size());
+    std::vector<model::Edge> made;
+    for (size_t i = 0; i < edges.size(); ++i) {
+        model::Edge edge;
+        edge.curve = face::edge_of(face, *coedges[i]);
+        edge.shape = edges[i].shape;
+        edge.part = part;
+        geometry.entities().spend(Limits::size_of_a_shape + edge.curve->point_count() * edge.curve->width());
+        made.push_back(std::move(edge));
+    }
+    // Each vertex is where one of them begins, and the one before it in the loop ends.
+    const int64_t first = std::ssize(model.vertices);
+    for (size_t i = 0, start = 0; i < made.size(); ++i) {
+        const bool last = i + 1 == made.size() || edges[i + 1].loop != edges[i].loop;
+        const Place x = end_of(*made[i].curve, false);
+        model.vertices.push_back({x[0], x[1], x[2]});
+        made[i].vertices = {first + static_cast<int64_t>(i),
+                            first + static_cast<int64_t>(last ? start : i + 1)};
+        start = last ? i + 1 : start;
+    }
+    std::move(made.begin(), made.end(), std::back_inserter(model.edges));
+}
+
+} // namespace nrb::io::iges

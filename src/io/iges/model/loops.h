@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The curves that bound a face, one after the other.
+#pragma once
+
+#include "io/iges/geometry/geometry.h"
+#include "io/iges/model/topology.h"
+
+#include <vector>
+
+namespace nrb::io::iges {
+
+// A curve of a boundary in space: an edge that several faces may share, or one of its own that runs as the boundary does.
+struct SpaceCurve {
+    SplinePtr spline;
+    model::CurveShapePtr shape; // null: nothing is known but the spline
+    int64_t edge = -1;          // index in the model; -1: one of its own
+    bool against = false;       // whether it runs against the boundary
+};
+
+// The same boundary in space and in the domain: each of the two may be missing, and they may be divided in other places.
+struct LoopSource {
+    std::vector<SpaceCurve> edges;
+    std::vector<SplinePtr> curves; // in the parameters of the surface's shape
+    bool domain_rules = false;     // whether the file prefers the curves in the domain
+
+    [[nodiscard]] bool both() const noexcept { return !edges.empty() && !curves.empty(); }
+};
+
+// An edge of a list (504) as the model has it.
+struct ListedEdge {
+    SplinePtr spline; // null: could not be read
+    int64_t index = -1;
+};
+using EdgeLists = std::map<int64_t, std::vector<ListedEdge>>;
+
+// Throw Error where neither the curves in space nor those in the domain can be read: Status::syntax, unsupported.
+class LoopReader {
+public:
+    LoopReader(Geometry &geometry, const Topology &topology, const Surface &surface) noexcept
+        : geometry_(geometry), topology_(topology), surface_(surface) {}
+
+    LoopSource curve_on_surface(int64_t pointer);
+    LoopSource boundary(int64_t pointer);
+    // A loop (508). Its vertices are poles, which have no curves.
+    LoopSource loop(int64_t pointer, const EdgeLists &edges);
+    // A closed curve of space alone.
+    LoopSource closed_curve(int64_t pointer);
+    // The vertices of the loops read so far.
+    [[nodiscard]] const std::vector<Vector3> &poles() const noexcept { return poles_; }
+
+private:
+    template <class Edges, class Curves>
+    LoopSource either(Edges &&edges, Curves &&curves);
+    void add_edges(int64_t pointer, bool reversed, std::vector<SpaceCurve> &edges);
+    void add_curves(const std::vector<int64_t> &pointers, std::vector<SplinePtr> &curves);
+    void add_edge(const EdgeReference &reference, const EdgeLists &lists, std::vector<SpaceCurve> &edges);
+    SplinePtr spline(const model::CurvePiece &piece);
+
+    Geometry &geometry_;
+    const Topology &topology_;
+    const Surface &surface_;
+    std::vector<Vector3> poles_;
+};
+
+} // namespace nrb::io::iges

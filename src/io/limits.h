@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What may be made of a file whose entities name each other, however often and however deep they do.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace nrb::io {
+
+class Limits {
+public:
+    // `bytes`: the size of the file; `label`: what stands before the number of an entity in messages.
+    Limits(size_t bytes, const char *label) noexcept
+        : label_(label), limit_(static_cast<int64_t>(bytes) * most_for_a_byte + most_at_least), left_(limit_),
+          patches_(static_cast<int64_t>(bytes) / bytes_of_a_patch + patches_at_least) {}
+
+    // What a curve, a surface or a spline takes besides its numbers, in doubles.
+    static constexpr int64_t size_of_a_shape = 160;
+
+    // Numbers that are made from the file. Entities that name each other often could make any amount of them from a
+    // small file; throws Status::too_large before that.
+    void spend(int64_t doubles);
+    // How many of them are left.
+    [[nodiscard]] int64_t left() const noexcept { return left_; }
+    // Patches of offset surfaces that may still be looked at, for the same reason.
+    [[nodiscard]] int64_t &patches() noexcept { return patches_; }
+
+    // While one exists, its entity is being read. Throws Status::syntax if it is being read already, or lies too deep.
+    class Visit {
+    public:
+        Visit(Limits &limits, int64_t number);
+        ~Visit() { --limits_.depth_; }
+        Visit(const Visit &) = delete;
+        Visit &operator=(const Visit &) = delete;
+
+    private:
+        Limits &limits_;
+    };
+
+private:
+    static constexpr int deepest = 24;
+    static constexpr int64_t most_for_a_byte = 6; // doubles
+    static constexpr int64_t most_at_least = 1 << 16;
+    static constexpr int64_t bytes_of_a_patch = 256; // each takes some tenths of a millisecond
+    static constexpr int64_t patches_at_least = 1 << 13;
+
+    const char *label_;
+    int64_t limit_;
+    int64_t left_;
+    int64_t patches_;
+    int depth_ = 0;
+    std::array<int64_t, deepest> path_{};
+};
+
+} // namespace nrb::io
