@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/faces/domain_curve.h"
 
+#include "base/error.h"
 #include "build/polylines.h"
 #include "fit/fit_image.h"
 #include "model/shapes/surface_spline.h"
@@ -14,7 +15,9 @@ namespace {
 using model::ParameterLaw;
 
 // Of curves that are fitted, as a part of the domain.
-constexpr double share_of_domain = 0x1p-34;
+constexpr double share_of_domain = 0x1p-30;
+// Curves that go around an axis more often than this are a mistake, and would take long.
+constexpr double most_turns = 64;
 // What seven decimals leave open.
 constexpr double share_of_decimals = 0x1p-24;
 
@@ -34,6 +37,19 @@ public:
         const bool turn = laws_[k] == ParameterLaw::angle && std::abs(length - model::turn) < 1e-9;
         const double shift = turn ? std::floor((t - domain.lower) / length) * length : 0;
         return model::to_spline_parameter(laws_[k], knots, t - shift) + shift;
+    }
+    void check(const Spline &curve) const {
+        for (int64_t i = 0; i < curve.point_count(); ++i) {
+            for (const int k : {0, 1}) {
+                const Interval domain = spline_.axis(k).domain();
+                const double x = curve.coordinate(i, k), most = most_turns * (domain.upper - domain.lower);
+                if (!(x >= domain.lower - most && x <= domain.upper + most)) {
+                    fail(Status::outside_domain,
+                         "a curve runs to %s on axis %d, far outside of the domain [%s, %s]", Number(x).text,
+                         k, Number(domain.lower).text, Number(domain.upper).text);
+                }
+            }
+        }
     }
     [[nodiscard]] double precision() const noexcept {
         const Interval u = spline_.axis(0).domain(), v = spline_.axis(1).domain();
@@ -69,6 +85,7 @@ SplinePtr in_spline_parameters(const model::SurfaceShape &shape, const Spline &s
         const Interval domain = curve->axis(0).domain();
         return build::polyline(2, std::move(ends), {domain.lower, domain.upper});
     }
+    chart.check(*curve);
     const auto map = [&](const std::vector<double> &points, std::vector<double> &images) {
         images.resize(points.size());
         for (size_t i = 0; i < points.size(); ++i) {

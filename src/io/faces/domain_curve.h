@@ -9,7 +9,8 @@
 namespace nrb::io {
 
 // `spline` is that of model::surface_spline(). Around axes the two have other parameters: straight lines along an axis stay
-// straight, other curves are fitted, to a part of the domain that is near to rounding. Throws Status::not_converged.
+// straight, other curves are fitted, to a part of the domain that is near to rounding. Throws
+// Status::not_converged, and outside_domain for curves that are far outside.
 SplinePtr in_spline_parameters(const model::SurfaceShape &shape, const Spline &spline,
                                const SplinePtr &curve);
 
