@@ -25,10 +25,15 @@ RED, BLUE = "#d1495b", "#22577a"
 SIDE = [[1, 0, 0], [0, 0, 1]]  # from the side: x and z
 
 
-def curves(folder, file, indices):
-    """Curves of a file in the plane, as seen from the side."""
+def shape_of(folder, file, name):
+    """The spline of that name in a file."""
     shapes = nurbs.read_file(folder / file)
-    return [shapes[i].transform(SIDE) for i in indices]
+    return shapes[shapes.names.index(name)]
+
+
+def curves(folder, file, names):
+    """Curves of a file in the plane, as seen from the side."""
+    return [shape_of(folder, file, name).transform(SIDE) for name in names]
 
 
 def off(points, shapes):
@@ -57,7 +62,7 @@ def draw_curve(before, after, points, curve, title):
 def airfoil(folder, random, before, after):
     """Coordinates of a section, from the trailing edge over the top and the nose back to it. They are smoothed as much as
     generalised cross validation finds right, and the curve begins and ends in the trailing edge."""
-    sides = curves(folder, "wing.iges", (3, 4))
+    sides = curves(folder, "wing.iges", ("126#17", "126#19"))
     steps = (1 - np.cos(np.linspace(0, np.pi, 81))) / 2  # closer at the edges
     exact = np.concatenate([side(start + steps * (end - start)) for side in sides for (start, end), in [side.domain]])
     points = exact + 5e-4 * random.standard_normal(exact.shape)
@@ -74,7 +79,7 @@ def airfoil(folder, random, before, after):
 def scan(folder, random, before, after):
     """The outline of a bow, scanned to half a millimetre: knots where a millimetre needs them, three at the corner of
     the deck."""
-    bulb, stem, deck = curves(folder, "goteborg_hull.iges", (2, 3, 4))
+    bulb, stem, deck = curves(folder, "goteborg_hull.iges", ("126#15", "126#17", "126#19"))
     outline = nurbs.join([bulb, stem, deck.reverse()], tolerance=1e-6).spline
     exact = outline(outline.divide(20000).params)  # a scanner moves evenly
     points = exact + 0.0005 * random.uniform(-1, 1, exact.shape)
@@ -98,7 +103,7 @@ def shade(ax, surface):
 def hull(folder, random, before, after):
     """A grid of points on the side of a ship: the surface through all of them, and the one that lies among them, with
     three knots along the edge where the bottom ends."""
-    exact = nurbs.read_file(folder / "goteborg_hull.iges")[13]
+    exact = shape_of(folder, "goteborg_hull.iges", "128#57")
     params = [np.linspace(*ends, count) for ends, count in zip(exact.domain, (160, 60))]
     points = exact.eval_grid(*params)
     points += 0.001 * random.standard_normal(points.shape)

@@ -6273,13 +6273,15 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
  * parameters of IGES, angles in radians; of hyperbolas and parabolas those of ISO 10303-42 (negated where
  * they run against them), of a tabulated cylinder those of its directrix. The angle of a surface of
- * revolution is its first parameter, the one along the generatrix the second. The ends of pieces of 112 and
- * 114 are joined where they are no farther apart than the resolution that the file states, or 1e-9 of the
- * size. Matrices count as rotations, mirrors and one scale to 1e-9; others make arcs splines of what they are
- * mapped to, and of spheres, tori and surfaces of revolution notes. Rulings join points of equal parameters
- * of the two splines; where the file asks for others (of equal arc length, or equal angles of an arc and
- * parameters of something else), a note with NURBS_ERROR_UNSUPPORTED says so beside the spline. Surfaces and
- * lines without ends, offset curves and surfaces, and trimmed faces are listed in the notes.
+ * revolution is its first parameter, the one along the generatrix the second. Curves of a composite one are
+ * joined where they are no farther apart than the resolution that the file states (1e-6 of the size where it
+ * states none), else it is a note and they are listed; pieces of 112 and 114 are joined within that
+ * resolution or 1e-9 of the size, and keep other gaps. Matrices count as rotations, mirrors and one scale to
+ * 1e-9; others make arcs splines of what they are mapped to, and of spheres, tori and surfaces of revolution
+ * notes. Rulings join points of equal parameters of the two splines; where the file asks for others (of equal
+ * arc length, or equal angles of an arc and parameters of something else), a note with
+ * NURBS_ERROR_UNSUPPORTED says so beside the spline. Surfaces and lines without ends, offset curves and
+ * surfaces, and trimmed faces are listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
  * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
