@@ -44,6 +44,7 @@ static void written(const Model &model) {
     EXPECT(Model(Model::read(model.write(format_step, options))).splines().unit() == 1);
     const List list = List::create({}, {}, 0.5);
     EXPECT(List(List::read(list.write(format_step))).unit() == 0.5);
+    EXPECT(List(List::read(list.write(format_step, options, {}))).unit() == 1);
     list.write_file("models_cpp.step", format_step, options, {});
     EXPECT(List(List::read_file("models_cpp.step")).unit() == 1);
     EXPECT(status_of([&] { (void)model.write(99); }) == Status::format);

@@ -55,6 +55,8 @@ contains
         call splines%write(NURBS_FORMAT_STEP, bytes, options)
         call list%read(bytes)
         call expect(near([list%unit()], [1d0]), 'the unit of the file')
+        call splines%write(NURBS_FORMAT_STEP, bytes, status=code, call=nurbs_call(work=1))
+        call expect(code == NURBS_ERROR_WORK, 'a limit of work for a list')
         call splines%write_file('models_fortran.step', NURBS_FORMAT_STEP, options)
         call model%write(NURBS_FORMAT_STEP, bytes, status=code, call=nurbs_call(work=1))
         call expect(code == NURBS_ERROR_WORK, 'a limit of work')

@@ -35,6 +35,7 @@ fn written(model: &Model) -> Result<()> {
     let metres = WriteOptions::new()?.unit(1.0);
     let splines = model.splines()?;
     assert_eq!(List::read(&splines.write(sys::NURBS_FORMAT_STEP, Some(&metres))?, None)?.unit()?, 1.0);
+    assert_eq!(splines.write(sys::NURBS_FORMAT_STEP, None)?, splines.write_with(sys::NURBS_FORMAT_STEP, None, &mut Call::new())?);
     splines.write_file("models_rust.step", sys::NURBS_FORMAT_STEP, Some(&metres))?;
     assert_eq!(List::read_file("models_rust.step", None)?.unit()?, 1.0);
     assert_eq!(status_of(model.write(99, None)), sys::NURBS_ERROR_FORMAT);
