@@ -34,11 +34,13 @@ void run(const calls::Call &call, const calls::Inputs &in) {
 void names_and_bytes(const calls::Inputs &in) {
     const nurbs *const splines[] = {in.curve, in.loop};
     const char *const names[] = {"curve", "loop"};
-    std::array<unsigned char, 4096> bytes{};
+    std::array<unsigned char, 1 << 14> bytes{};
     nurbs_list *list = nullptr;
     CHECK_OK(nurbs_list_create(2, splines, names, 1, &list));
     CHECK_OK(nurbs_list_to_bytes(list, std::ssize(bytes), bytes.data(), nullptr));
     CHECK_OK(nurbs_to_bytes(in.curve, std::ssize(bytes), bytes.data(), nullptr));
+    CHECK_OK(nurbs_face_to_bytes(in.face, std::ssize(bytes), bytes.data(), nullptr));
+    CHECK_OK(nurbs_model_to_bytes(in.model, std::ssize(bytes), bytes.data(), nullptr));
     nurbs_list_destroy(list);
 }
 
