@@ -6266,11 +6266,11 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * domain, and the seam as a knot of multiplicity `degree`. Every other entity that did not go into a spline,
  * and every 126 or 128 that is not a valid spline, is listed in the notes.
  *
- * Since 1.1, in the same order, exactly but for rounding: circular and conic arcs (100, 104), composite
- * curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and surfaces
- * (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres (196),
- * tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite curves
- * and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
+ * Since 1.1, after those and in the same order, exactly but for rounding: circular and conic arcs (100, 104),
+ * composite curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and
+ * surfaces (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres
+ * (196), tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite
+ * curves and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
  * parameters of IGES, angles in radians; of hyperbolas and parabolas those of ISO 10303-42 (negated where
  * they run against them), of a tabulated cylinder those of its directrix. The angle of a surface of
  * revolution is its first parameter, the one along the generatrix the second. Curves of a composite one are
@@ -6280,8 +6280,8 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * 1e-9; others make arcs splines of what they are mapped to, and of spheres, tori and surfaces of revolution
  * notes. Rulings join points of equal parameters of the two splines; where the file asks for others (of equal
  * arc length, or equal angles of an arc and parameters of something else), a note with
- * NURBS_ERROR_UNSUPPORTED says so beside the spline. Surfaces and lines without ends, offset curves and
- * surfaces, and trimmed faces are listed in the notes.
+ * NURBS_ERROR_UNSUPPORTED says so beside the spline. Offset surfaces (140) are as those of STEP. Surfaces and
+ * lines without ends, offset curves, and trimmed faces are listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
  * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
@@ -6613,11 +6613,11 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
 /** \brief Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
  * says. Planes, cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines
  * exactly, and keep their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their
- * kind, too. Surfaces without ends are cut to the boundary of their face. A face has the
- * tolerance that the file states, 1e-7 if it states none, or one larger by powers of ten where its edges need
- * that, which a note tells. What is wrong with a face or an edge becomes a note and does not affect the others.
- * However the entities name each other, memory stays below 64 times the size of the file and 1 MB more, and
- * parts are not multiplied; a use that would put a part into itself is left out, and its note has the reason
+ * kind, too. Surfaces without ends are cut to the boundary of their face. A face has the tolerance that the
+ * file states, 1e-7 if it states none, or one larger by powers of ten where its edges need that, which a note
+ * tells. What is wrong with a face or an edge becomes a note and does not affect the others. However the
+ * entities name each other, memory stays below 64 times the size of the file and 1 MB more, and parts are not
+ * multiplied; a use that would put a part into itself is left out, and its note has the reason
  * NURBS_ERROR_CYCLE.
  *
  * STEP (ISO 10303-21; AP203, AP214, AP242): the curve in space of an edge rules: curves in the domain of a
