@@ -6244,8 +6244,8 @@ typedef struct nurbs_read_options {
     double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
     int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
     double tolerance; /**< distances in the unit of the result that count as none, in place of the uncertainty
-                              that a STEP file states: the tolerance of faces, and how near to what the file states
-                              is what has to be made; 0 takes what the file states. \since 1.1 */
+                              or resolution that a file states: the tolerance of faces, and how near to what the file
+                              states is what has to be made; 0 takes what the file states. \since 1.1 */
 } nurbs_read_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -6828,7 +6828,10 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * - curves in the domains of other surfaces than splines, and those that are not under their edges at equal
  *   parameters to the tolerance of the file, which readers make anew;
  * - parametrizations of curves in domains, which become those of their edges;
- * - blanks around names of faces and splines, and control characters, which become '?'.
+ * - blanks around names of faces and splines, control characters, which become '?', and empty names, which
+ *   become "#" and the number of their entity;
+ * - faces of NURBS_KEEP_GAPS whose loops have gaps of more than 10^4 times the tolerance of the file: readers
+ *   refuse them.
  *
  * Knots inside of a domain more than `degree` times, and weights of 0, are written as they are: this library
  * reads them, the standard has no such splines.
@@ -6847,7 +6850,8 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
 typedef struct nurbs_write_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< unit of the file in metres; 0: that of the model, millimetres if it has none */
-    double tolerance;    /**< distance that counts as none, in units of the file; 0: that of the faces */
+    double tolerance; /**< distance that counts as none, in units of the file; 0: the least of a part's faces,
+                              but no less than 10^-4 of its largest one, and 1e-7 metres without faces */
 } nurbs_write_options;
 
 /** \brief Fills an options struct with the defaults.

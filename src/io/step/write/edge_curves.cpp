@@ -2,12 +2,13 @@
 #include "io/step/write/edge_curves.h"
 
 #include "base/error.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "io/step/write/write_geometry.h"
 #include "model/shapes/curve_spline.h"
 #include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
 #include "spline/part.h"
+#include "spline/same_numbers.h"
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ bool together(const face::Face &face, const Spline &curve, const model::CurveSha
         const double share = static_cast<double>(i) / static_cast<double>(places);
         const double t = parameter_in(curve.axis(0).domain(), share);
         face::Point2 place;
-        eval::evaluate_points(curve, {}, 0, {&t, 1, 1, 1, 1}, {place.data(), 1, 2, 2, 1});
+        eval::curve_point(curve, t, false, place.data());
         for (size_t k = 0; k < 2; ++k) {
             const Interval domain = face.covering().domain(static_cast<int>(k));
             place[k] = std::clamp(place[k], domain.lower, domain.upper);
@@ -36,19 +37,6 @@ bool together(const face::Face &face, const Spline &curve, const model::CurveSha
 
 } // namespace
 
-bool same_values(const Spline &a, const Spline &b) noexcept {
-    if (a.axes() != b.axes() || a.dim() != b.dim() || a.form() != b.form()) {
-        return false;
-    }
-    for (int k = 0; k < a.axes(); ++k) {
-        if (a.axis(k).degree() != b.axis(k).degree() ||
-            !std::ranges::equal(a.axis(k).knots(), b.axis(k).knots())) {
-            return false;
-        }
-    }
-    return std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
-}
-
 model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, const Vector3 &end,
                                double tolerance) {
     const double first[] = {start.x, start.y, start.z}, last[] = {end.x, end.y, end.z};
@@ -57,7 +45,7 @@ model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, co
             try {
                 const model::CurvePiece piece =
                     model::piece_between(edge.shape, {first, last, forward, tolerance});
-                if (same_values(*model::piece_spline(piece), *edge.curve)) {
+                if (same_numbers(*model::piece_spline(piece), *edge.curve)) {
                     return piece;
                 }
             } catch (const Error &) { // no part of the shape is between the vertices

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "io/faces/make_face.h"
 #include "io/step/write/shells.h"
 #include "io/step/write/write_colours.h"
 #include "io/step/write/write_contexts.h"
@@ -87,21 +88,24 @@ public:
     }
 
 private:
-    // The least tolerance of the faces of a part: where edges need more, readers find it, but what is less than it they take for
-    // nothing.
+    // The least tolerance of the faces of a part, because readers take what is less than it for nothing; but no less than that from
+    // which they find the largest one.
     void set_tolerances(double wanted) {
-        const double own = lengths_.metres / lengths_.factor, none = usual_uncertainty / own;
-        tolerances_.assign(parts_.size(), wanted > 0 ? wanted / lengths_.factor : infinity);
+        const double own = lengths_.metres / lengths_.factor;
+        std::vector<double> largest(parts_.size(), 0);
+        tolerances_.assign(parts_.size(), infinity);
         for (const model::ModelFace &face : model_.faces) {
-            double &least = tolerances_[static_cast<size_t>(face.part)];
-            if (wanted == 0 && face.face->tolerance() > 0) {
-                least = std::min(least, face.face->tolerance());
-            }
+            const auto part = static_cast<size_t>(face.part);
+            const double tolerance = face.face->tolerance();
+            tolerances_[part] = std::min(tolerances_[part], tolerance > 0 ? tolerance : infinity);
+            largest[part] = std::max(largest[part], tolerance);
         }
         for (size_t i = 0; i < parts_.size(); ++i) {
-            double &least = tolerances_[i];
-            least = std::isfinite(least) ? least : none;
-            parts_[i].context = contexts_.context(wanted > 0 ? wanted : lengths_.factor * least);
+            double &stated = tolerances_[i];
+            stated = wanted > 0              ? wanted / lengths_.factor
+                     : std::isfinite(stated) ? std::max(stated, largest[i] / most_of_stated)
+                                             : usual_uncertainty / own;
+            parts_[i].context = contexts_.context(wanted > 0 ? wanted : lengths_.factor * stated);
         }
     }
 

@@ -5,6 +5,7 @@
 #include "io/iges/text.h"
 #include "io/step/write/edge_curves.h"
 #include "io/step/write/write_spline.h"
+#include "spline/same_numbers.h"
 
 #include <algorithm>
 
@@ -121,7 +122,7 @@ int64_t TopologyWriter::with_parameter_curves(int64_t curve, const model::CurveP
         if (made == nullptr) {
             continue;
         }
-        if (before != found.end() && same_values(*before->curve, *made)) {
+        if (before != found.end() && same_numbers(*before->curve, *made)) {
             found.erase(before);
             continue;
         }
