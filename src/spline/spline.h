@@ -122,6 +122,7 @@ public:
         single,
         derivative_errors,
         at_origin,
+        grid,
         pieces,
         locator,
         lengths,

@@ -126,20 +126,34 @@ private:
         }
         return searched_foot(point, near);
     }
-    // Near the neighbour first: the surface may come near itself.
+    // Near the neighbour first: the surface may come near itself. A search of the whole surface is seldom needed.
     [[nodiscard]] closest::Foot searched_foot(const double *point, const double *near) const {
-        const closest::Locator &locator = closest::locator_of(surface_);
-        if (near != nullptr) {
-            const Point2 guess = covering_.in_domain({near[0], near[1]});
-            const closest::Foot foot = locator.local(point, guess.data());
-            if (foot.distance <= std::max(rule_.precision / 4, 2 * least_off_)) {
-                return foot;
-            }
+        const Point2 guess = near != nullptr ? covering_.in_domain({near[0], near[1]}) : place_near(point);
+        const closest::Foot local = closest::local_foot(surface_, point, guess.data());
+        if (local.distance <= std::max(rule_.precision / 4, 2 * least_off_)) {
+            return local;
         }
-        const closest::Foot foot = locator.nearest(
+        const closest::Foot foot = closest::locator_of(surface_).nearest(
             {point, nullptr, rule_.precision / 16, closest::usual_budget(surface_), false, true});
         least_off_ = std::max(least_off_, foot.distance);
         return foot;
+    }
+
+    // Where the control point that is nearest to a point has most influence.
+    [[nodiscard]] Point2 place_near(const double *point) const {
+        int64_t best = 0;
+        double least = infinity;
+        for (int64_t i = 0; i < surface_.point_count(); ++i) {
+            const double away =
+                norm_of(surface_.dim(), [&](int c) { return surface_.coordinate(i, c) - point[c]; });
+            if (away < least) {
+                least = away;
+                best = i;
+            }
+        }
+        const int64_t columns = surface_.count(1);
+        return covering_.in_domain(
+            {greville(surface_.axis(0), best / columns), greville(surface_.axis(1), best % columns)});
     }
 
     const Spline &surface_;

@@ -243,4 +243,9 @@ double PieceGrid::magnitude(const double *x) const noexcept {
     return norm_of(shape_.dim, [&](int c) { return frame_.scaled(x[c]); });
 }
 
+const PieceGrid &piece_grid_of(const Spline &spline) {
+    return spline.kept<PieceGrid>(Spline::Cache::grid,
+                                  [&] { return std::make_shared<const PieceGrid>(spline); });
+}
+
 } // namespace nrb::pieces

@@ -107,4 +107,7 @@ private:
     double value_error_ = 0, allowance_ = 0;
 };
 
+// Built at the first use, and kept with the spline.
+const PieceGrid &piece_grid_of(const Spline &spline);
+
 } // namespace nrb::pieces

@@ -149,8 +149,8 @@ private:
     std::vector<double> work_ = patch_;
 };
 
-PieceTree::PieceTree(const Spline &spline)
-    : grid_(spline), normals_(grid_.shape().dim == 3 && grid_.shape().axes == 2) {
+PieceTree::PieceTree(const PieceGrid &grid)
+    : grid_(grid), normals_(grid_.shape().dim == 3 && grid_.shape().axes == 2) {
     Builder(*this).build();
 }
 
@@ -263,7 +263,7 @@ int64_t PieceTree::middle(int level, int64_t node) const noexcept {
 
 const PieceTree &piece_tree_of(const Spline &spline) {
     return spline.kept<PieceTree>(Spline::Cache::pieces,
-                                  [&] { return std::make_shared<const PieceTree>(spline); });
+                                  [&] { return std::make_shared<const PieceTree>(piece_grid_of(spline)); });
 }
 
 } // namespace nrb::pieces

@@ -18,7 +18,8 @@ namespace nrb::pieces {
 
 class PieceTree {
 public:
-    explicit PieceTree(const Spline &spline);
+    // The grid is kept with the spline, as long as the tree.
+    explicit PieceTree(const PieceGrid &grid);
 
     [[nodiscard]] const PieceGrid &grid() const noexcept { return grid_; }
     // Whether the discs have normals: those of surfaces in space.
@@ -65,7 +66,7 @@ private:
     [[nodiscard]] Boxes make_boxes() const;
     void enclose_children(int level, int64_t node, const Boxes &boxes, double *out) const;
 
-    PieceGrid grid_;
+    const PieceGrid &grid_;
     bool normals_;
     std::vector<std::vector<Family>> families_;
     std::vector<std::vector<int32_t>> nodes_; // in the grids of the levels

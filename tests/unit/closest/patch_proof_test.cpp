@@ -102,7 +102,7 @@ TEST_P(PatchKernel, discs_hold_their_patches) {
     Random random(52);
     for (int round = 0; round < 60; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 4, random.chance(50));
-        const pieces::PieceTree all(*spline);
+        const pieces::PieceTree &all = pieces::piece_tree_of(*spline);
         const pieces::PieceGrid &pieces = all.grid();
         const closest::PatchTree tree(all);
         std::vector<double> x(static_cast<size_t>(pieces.shape().lanes), 0.0);
@@ -156,7 +156,7 @@ TEST_P(PatchKernel, discs_hold_corners_of_small_weight) {
             const auto exact = [&](size_t i) { return 2.0L * records[8 + i] + records[16 + i]; };
             corner[c] = static_cast<double>(exact(c) / exact(3));
         }
-        const pieces::PieceTree all(*spline);
+        const pieces::PieceTree &all = pieces::piece_tree_of(*spline);
         const pieces::PieceGrid &pieces = all.grid();
         const closest::PatchTree tree(all);
         closest::PatchMemory memory;

@@ -148,7 +148,7 @@ void check_boxes(const pieces::FramedPieces &framed, const std::vector<pieces::B
 TEST(PieceTree, pieces_and_boxes_in_a_frame_are_those_made_there) {
     support::for_each_case(7100, 200, [](Random &random, uint64_t) {
         const SplinePtr spline = random_spline(random);
-        const pieces::PieceTree tree(*spline);
+        const pieces::PieceTree &tree = pieces::piece_tree_of(*spline);
         const pieces::Frame frame = random_frame(random, *spline);
         const pieces::FramedPieces framed(tree, frame);
         const std::vector<pieces::BezierPiece> direct = pieces::bezier_pieces(*spline, frame);
