@@ -168,14 +168,15 @@ private:
         return lines;
     }
 
-    // Of volumes there may be a hundred samples for each control point.
+    // Of volumes there may be a hundred samples for each control point; the most are along the axis that is checked.
     void require_room_for_samples() const {
-        double values = static_cast<double>(dim_);
+        double values = static_cast<double>(dim_ + (fine_->rational() ? 1 : 0)), checks = 1;
         for (size_t k = 0; k < nodes_.size(); ++k) {
-            values *= static_cast<double>(fine_->axis(static_cast<int>(k)).spans().size()) *
-                      static_cast<double>(nodes_[k].nodes().size());
+            const auto nodes = static_cast<double>(nodes_[k].nodes().size());
+            values *= static_cast<double>(fine_->axis(static_cast<int>(k)).spans().size()) * nodes;
+            checks = std::max(checks, static_cast<double>(nodes_[k].with_checks().size()) / nodes);
         }
-        if (values > max_values) {
+        if (checks * values > max_values) {
             fail_to_converge();
         }
     }
