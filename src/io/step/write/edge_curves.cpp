@@ -57,11 +57,11 @@ model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, co
     return {curve, model::natural_range(*curve), true};
 }
 
-SplinePtr parameter_curve(const face::Face &face, const face::Coedge &coedge, bool along,
-                          const model::CurvePiece &edge, double tolerance) {
+SplinePtr parameter_curve(const face::Face &face, const OrientedEdge &oriented, const model::CurvePiece &edge,
+                          double tolerance) {
     try {
         const SplinePtr curve =
-            along == edge.forward ? coedge.curve : refine::reverse(*coedge.curve, 0, false);
+            oriented.along == edge.forward ? oriented.curve : refine::reverse(*oriented.curve, 0, false);
         const SplinePtr over =
             same(curve->axis(0).domain(), edge.range) ? curve : refine::reparametrize(curve, 0, edge.range);
         return together(face, *over, *edge.curve, tolerance) ? over : nullptr;
