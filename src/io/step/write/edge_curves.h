@@ -14,7 +14,8 @@ model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, co
                                double tolerance);
 
 // The curve of an edge in the domain of its face, over the parameters of the curve of the edge as that is written; null where it is
-// not under that at equal parameters to the tolerance, by as many places as it has features, or leaves the domain.
+// not under that at equal parameters to the tolerance, by as many places as it has features, or leaves the domain. A face that
+// has no larger tolerance keeps any that readers take: made anew, it would be another one where its edge is far from the surface.
 SplinePtr parameter_curve(const face::Face &face, const OrientedEdge &oriented, const model::CurvePiece &edge,
                           double tolerance);
 
