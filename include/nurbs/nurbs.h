@@ -6825,13 +6825,12 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * - lengths in another unit than that of the model;
  * - the mark of a periodic axis, whose knots and points stay (nurbs_detect_periodic());
  * - homogeneous points, which are divided by their weights, and weights that are all equal, which are left out;
- * - curves in the domains of other surfaces than splines, and those that are not under their edges at equal
- *   parameters to the tolerance of the file, which readers make anew;
+ * - curves in the domains of other surfaces than splines, and those of faces with larger tolerances than the
+ *   file that are not under their edges at equal parameters to that, which readers make anew;
  * - parametrizations of curves in domains, which become those of their edges;
  * - blanks around names of faces and splines, control characters, which become '?', and empty names, which
  *   become "#" and the number of their entity;
- * - faces of NURBS_KEEP_GAPS whose loops have gaps of more than 10^4 times the tolerance of the file: readers
- *   refuse them.
+ * - gaps of loops that were kept (NURBS_KEEP_GAPS): the segments that close them become edges.
  *
  * Knots inside of a domain more than `degree` times, and weights of 0, are written as they are: this library
  * reads them, the standard has no such splines.

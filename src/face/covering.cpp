@@ -127,4 +127,10 @@ Covering::Pole Covering::pole_near(const double *point, double distance) const n
     return {};
 }
 
+double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b) {
+    const std::vector<double> from = point_at(surface, covering.in_domain(a)),
+                              to = point_at(surface, covering.in_domain(b));
+    return distance(from.data(), to.data(), surface.dim());
+}
+
 } // namespace nrb::face

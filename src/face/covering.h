@@ -54,5 +54,7 @@ private:
 
 // Precondition: x in the domain.
 std::vector<double> point_at(const Spline &surface, const Point2 &x);
+// The distance in space of two places of the plane.
+double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b);
 
 } // namespace nrb::face

@@ -83,13 +83,6 @@ private:
     double copies_ = 0;
 };
 
-// The distance in space of two places of the plane.
-double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b) {
-    const std::vector<double> from = point_at(surface, covering.in_domain(a)),
-                              to = point_at(surface, covering.in_domain(b));
-    return distance(from.data(), to.data(), surface.dim());
-}
-
 } // namespace
 
 Face::Face(FaceParts parts, std::vector<double> *gaps)

@@ -19,13 +19,13 @@ enum {
     at_edges = 768,
     at_vertices = 832,
     at_curves = 896,
-    at_surfaces = 1152,
-    at_ends = 1728,
-    at_texts = 1792,
-    at_places = 1856,
-    at_splines = 1920
+    at_surfaces = 1216,
+    at_ends = 1920,
+    at_texts = 1984,
+    at_places = 2048,
+    at_splines = 2112
 };
-enum { attribute_bytes = 48, surface_bytes = 288 };
+enum { attribute_bytes = 48, surface_bytes = 336 };
 
 static nurbs_model *from_file(void) {
     nurbs_model *model = NULL;
@@ -132,7 +132,7 @@ static void layout(void) {
     NUMBERS(at_curves, 4, 1, 3, -1, 0);
     NUMBERS(at_surfaces, 5, 0, -1, -1, -1, 0);
     NUMBERS(at_surfaces + surface_bytes, 5, 3, -1, -1, -1, 0);
-    CHECK(number_from(made.data + at_surfaces + surface_bytes + 8 * 26, 8) == bits_of(1)); /* the radius */
+    CHECK(number_from(made.data + at_surfaces + surface_bytes + 8 * 32, 8) == bits_of(1)); /* the radius */
     NUMBERS(at_ends, 4, 0, 0, 4, 7);
     CHECK_BITS(made.data + at_texts, "disk#18", 7);
     NUMBERS(at_places, 1, at_splines);
@@ -226,7 +226,14 @@ static void numbers_of_no_model(void) {
 
 /* The same of shapes. */
 static void numbers_of_no_shape(void) {
-    enum { place = 32, vector_x = place + 24, size = place + 168, place_of_surface = 40 };
+    enum {
+        place = 32,
+        vector_x = place + 24,
+        given_axis = place + 168,
+        given_x = place + 192,
+        size = place + 216,
+        place_of_surface = 40
+    };
     const int sphere = at_surfaces + surface_bytes;
     BAD_NUMBER(at_curves, 8, SYNTAX, "the kind of a shape 8, expected 0 to 7");
     BAD_NUMBER(at_curves, 5, SYNTAX, "the spline of a shape -1, expected 0 to 4");
@@ -236,13 +243,16 @@ static void numbers_of_no_shape(void) {
     BAD_NUMBER(at_curves + 24, 1, SYNTAX, "the number of pieces of a shape 1, expected 0 to 0");
     BAD_NUMBER(at_curves + vector_x, bits_of(2), DIRECTION, "the axes of a shape");
     BAD_NUMBER(at_curves + vector_x, bits_of(NAN), SYNTAX, "a coordinate of the place of a shape nan");
+    BAD_NUMBER(at_curves + given_axis, bits_of(2), DIRECTION, "a direction given for an axis of a shape");
+    BAD_NUMBER(at_curves + given_axis, bits_of(INFINITY), SYNTAX, "a coordinate of the place of a shape inf");
+    BAD_NUMBER(at_curves + given_x + 8, bits_of(-1), DIRECTION, "a direction given for an axis of a shape");
     BAD_NUMBER(at_curves + size, bits_of(0), LENGTH, "the size 0 of a shape");
     BAD_NUMBER(sphere, 10, SYNTAX, "the kind of a shape 10, expected 0 to 9");
     BAD_NUMBER(sphere, 5, SYNTAX, "the curve of a shape -1, expected 0 to 0");
     BAD_NUMBER(sphere, 7, SYNTAX, "the basis of a shape -1, expected 0 to 0");
     BAD_NUMBER(sphere, 4, LENGTH, "the size 0 of a shape");
     BAD_NUMBER(sphere + 32, 4, SYNTAX, "flags of a shape 0x4");
-    BAD_NUMBER(sphere + place_of_surface + 168, bits_of(-1), LENGTH, "the size -1 of a shape");
+    BAD_NUMBER(sphere + place_of_surface + 216, bits_of(-1), LENGTH, "the size -1 of a shape");
     BAD_NUMBER(sphere + place_of_surface + 144, bits_of(1), DIRECTION, "what rounding left out");
 }
 

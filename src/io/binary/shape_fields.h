@@ -9,7 +9,7 @@ namespace nrb::io {
 using model::CurveKind;
 using model::SurfaceKind;
 
-inline constexpr size_t words_of_place = 21, words_of_piece = 4, words_of_curve = 6 + words_of_place,
+inline constexpr size_t words_of_place = 27, words_of_piece = 4, words_of_curve = 6 + words_of_place,
                         words_of_surface = 15 + words_of_place;
 inline constexpr uint64_t forward_u = 1, forward_v = 2;
 

@@ -45,14 +45,27 @@ void check_frame(const build::Placement &place) {
     }
 }
 
+// The third axis is along the direction given for it; of the one given for the first axis, that is the part across. 0: none is given.
+void check_given(const build::Placement &place) {
+    const Vector3 &axis = place.given_axis, &way = place.given_x;
+    const double tilt = largest(axis) > 0 ? largest(unit(axis) - place.z) : 0;
+    const double turned =
+        largest(way) > 0 ? std::max(std::abs(dot(unit(way), place.y)), -dot(unit(way), place.x)) : 0;
+    if (!(std::max(tilt, turned) <= frame_error)) {
+        fail(Status::direction, "a direction given for an axis of a shape is off that by %s",
+             Number(std::max(tilt, turned)).text);
+    }
+}
+
 build::Placement place_from(ByteReader &reader, bool given, int dim) {
     build::Placement place{};
-    for (Vector3 *v :
-         {&place.origin, &place.x, &place.y, &place.z, &place.x_rest, &place.y_rest, &place.z_rest}) {
+    for (Vector3 *v : {&place.origin, &place.x, &place.y, &place.z, &place.x_rest, &place.y_rest,
+                       &place.z_rest, &place.given_axis, &place.given_x}) {
         *v = vector_from(reader, "a coordinate of the place of a shape");
     }
     if (given) {
         check_frame(place);
+        check_given(place);
     } else {
         place = {};
     }

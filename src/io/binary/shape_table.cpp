@@ -19,8 +19,8 @@ void put(ByteWriter &writer, Interval range) noexcept {
 }
 
 void put_place(ByteWriter &writer, const build::Placement &place, bool given) noexcept {
-    for (const Vector3 &v :
-         {place.origin, place.x, place.y, place.z, place.x_rest, place.y_rest, place.z_rest}) {
+    for (const Vector3 &v : {place.origin, place.x, place.y, place.z, place.x_rest, place.y_rest,
+                             place.z_rest, place.given_axis, place.given_x}) {
         put(writer, given ? v : Vector3{});
     }
 }

@@ -117,6 +117,9 @@ private:
         } else if (iges::is_curve(entry.type)) {
             add_curve(entry);
         } else {
+            if (entry.type == iges::matrix_type) {
+                transforms_.check(entry.line);
+            }
             fail(Status::unsupported, "is not read in this version");
         }
     }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/transform.h"
 
-#include "base/error.h"
 #include "io/iges/types.h"
-
-#include <set>
 
 namespace nrb::io::iges {
 namespace {
@@ -62,6 +59,7 @@ std::vector<size_t> Transforms::unresolved_chain(int64_t pointer, Resolved &end)
         if (!visited.insert(*index).second) {
             end.damage = "the transformation matrix at directory line " + std::to_string(pointer) +
                          " applies to itself";
+            end.reason = Status::cycle;
             break;
         }
         chain.push_back(*index);
@@ -85,12 +83,21 @@ Transforms::Resolved Transforms::read_link(const Entry &entry, const Resolved &o
     }
 }
 
-const Transform &Transforms::resolve(int64_t pointer) {
+Transforms::Resolved Transforms::value_of(int64_t pointer) {
     Resolved value;
     const std::vector<size_t> chain = unresolved_chain(pointer, value);
     for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
         value = read_link(directory_.entries()[*link], value);
         resolved_[*link] = value;
+    }
+    return value;
+}
+
+const Transform &Transforms::resolve(int64_t pointer) {
+    const Resolved value = value_of(pointer);
+    std::optional<size_t> index = directory_.find(pointer);
+    while (index && asked_.insert(*index).second) {
+        index = directory_.find(directory_.entries()[*index].transform);
     }
     if (!value.damage.empty()) {
         fail(Status::syntax, "%s", value.damage.c_str());
@@ -98,9 +105,15 @@ const Transform &Transforms::resolve(int64_t pointer) {
     return resolved_.at(*directory_.find(pointer)).transform;
 }
 
+void Transforms::check(int64_t pointer) {
+    if (const Resolved value = value_of(pointer); !value.damage.empty()) {
+        fail(value.reason, "%s", value.damage.c_str());
+    }
+}
+
 bool Transforms::used(size_t index) const noexcept {
     const auto found = resolved_.find(index);
-    return found != resolved_.end() && found->second.damage.empty();
+    return found != resolved_.end() && found->second.damage.empty() && asked_.contains(index);
 }
 
 } // namespace nrb::io::iges

@@ -2,10 +2,12 @@
 // Transformation matrices (entity 124).
 #pragma once
 
+#include "base/error.h"
 #include "io/iges/directory.h"
 
 #include <array>
 #include <map>
+#include <set>
 
 namespace nrb::io::iges {
 
@@ -30,20 +32,26 @@ public:
     // cannot be read, or closes a cycle.
     const Transform &resolve(int64_t pointer);
 
-    // Whether the matrix of a directory entry has been part of a chain that could be resolved.
+    // The same for a matrix that nothing needs to use. Throws Status::cycle for one that is in a cycle or leads to one.
+    void check(int64_t pointer);
+
+    // Whether the matrix of a directory entry has been part of a chain that resolve() was asked for, and could be resolved.
     [[nodiscard]] bool used(size_t index) const noexcept;
 
 private:
     struct Resolved {
         Transform transform;
         std::string damage; // empty: good
+        Status reason = Status::syntax;
     };
+    Resolved value_of(int64_t pointer);
     std::vector<size_t> unresolved_chain(int64_t pointer, Resolved &end);
     Resolved read_link(const Entry &entry, const Resolved &outer);
 
     const Directory &directory_;
     ParameterData &data_;
     std::map<size_t, Resolved> resolved_; // by index of the directory entry
+    std::set<size_t> asked_;              // those of chains that resolve() was asked for
 };
 
 } // namespace nrb::io::iges

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/model/assembly.h"
 
+#include "io/iges/model/claims.h"
 #include "io/iges/model/counts.h"
 #include "io/iges/text.h"
 #include "io/iges/types.h"
 #include "model/placing.h"
 
 #include <algorithm>
-#include <set>
 
 namespace nrb::io::iges {
 namespace {
@@ -61,9 +61,7 @@ public:
         for (const Entry &entry : directory_.entries()) {
             guarded(entry, [&] { read_entity(entry); });
         }
-        for (const auto &[pointer, part] : subfigures_) {
-            claim_members(pointer, part);
-        }
+        claim_members();
         find_own_parts();
         hand_down();
         place_instances();
@@ -138,23 +136,27 @@ private:
         instances_.push_back(std::move(instance));
     }
 
-    // Groups hand on what they list.
-    void claim_members(int64_t subfigure, int64_t part) {
-        std::vector<int64_t> waiting = members_[subfigure];
-        std::set<int64_t> seen;
-        while (!waiting.empty()) {
-            const int64_t pointer = waiting.back();
-            waiting.pop_back();
-            if (!seen.insert(pointer).second) {
-                continue;
+    // Groups that several subfigures have become parts, too.
+    void claim_members() {
+        std::vector<int64_t> subfigures;
+        for (const auto &[pointer, part] : subfigures_) {
+            subfigures.push_back(pointer);
+        }
+        Claims claims = claims_of(subfigures, members_,
+                                  [this](int64_t count) { entities_.spend(count * size_of_a_claim); });
+        collections_ = subfigures_;
+        for (const int64_t group : claims.shared) {
+            collections_[group] = new_part(*directory_entry(group));
+            for (const int64_t owner : claims.owners.at(group)) {
+                add_use(collections_.at(owner), collections_[group], rows_of({}, 1, 1), {}, group);
             }
-            entities_.spend(size_of_a_claim);
-            const Entry *const entry = directory_entry(pointer);
-            if (entry != nullptr && is_group(*entry)) {
-                const std::vector<int64_t> &more = members_[pointer];
-                waiting.insert(waiting.end(), more.begin(), more.end());
-            } else if (entry != nullptr) {
-                owners_[pointer].push_back(part);
+            claims.owners.erase(group);
+        }
+        for (auto &[pointer, owners] : claims.owners) {
+            if (directory_entry(pointer) != nullptr) {
+                std::ranges::transform(owners, owners.begin(),
+                                       [this](int64_t owner) { return collections_.at(owner); });
+                owners_[pointer] = std::move(owners);
             }
         }
     }
@@ -258,9 +260,10 @@ private:
     const Topology &topology_;
     std::vector<Damage> &damages_;
     std::map<int64_t, int64_t> subfigures_;           // pointer to part
+    std::map<int64_t, int64_t> collections_;          // the same with the groups that are parts
     std::map<int64_t, std::vector<int64_t>> members_; // of subfigures and groups
     std::vector<Instance> instances_;
-    std::map<int64_t, std::vector<int64_t>> owners_; // parts of the subfigures that list an entity
+    std::map<int64_t, std::vector<int64_t>> owners_; // parts of those that list an entity
     std::map<int64_t, int64_t> own_;                 // entities that are parts of their own
     std::vector<int64_t> sources_;                   // of each use
     Assembly result_;

@@ -25,9 +25,9 @@ struct Assembly {
 // Subfigures (308) are parts, which their instances (408) place: x at R (s x + T) + t with the scale s and the translation T of the
 // instance and its matrix (124); in the subfigure that lists the instance, else in the first part. A solid with instances (430), an
 // entity that several subfigures list, and a bounded surface, a face, a shell or a solid with a matrix are parts of their own.
-// Groups (402) hand what they list on to the subfigure that lists them. Placements are in the unit that is wanted, of which that of
-// the file is `factor`. Uses that would put a part into itself are told and left out. Cost: n log n in the size of the file, whatever
-// the parts would be if they were multiplied.
+// Groups (402) hand what they list on to the subfigure that lists them; one that several list is a part of its own. Placements are
+// in the unit that is wanted, of which that of the file is `factor`. Uses that would put a part into itself are told and left out.
+// Cost: n log n in the size of the file, whatever the parts would be if they were multiplied.
 Assembly read_assembly(Entities &entities, double factor, const Topology &topology,
                        std::vector<Damage> &damages);
 

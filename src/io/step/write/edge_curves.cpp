@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "eval/curve_point.h"
+#include "io/faces/make_face.h"
 #include "io/step/write/write_geometry.h"
 #include "model/shapes/curve_spline.h"
 #include "numeric/norm.h"
@@ -35,6 +36,13 @@ bool together(const face::Face &face, const Spline &curve, const model::CurveSha
     return true;
 }
 
+// Whether readers take the curve of an edge, by its ends and its middle.
+bool taken(const face::Face &face, const OrientedEdge &oriented, const model::CurvePiece &edge,
+           double tolerance) {
+    const SplinePtr along = oriented.along ? oriented.curve : refine::reverse(*oriented.curve, 0, false);
+    return lies_under(*face.surface(), *along, *model::piece_spline(edge), tolerance);
+}
+
 } // namespace
 
 model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, const Vector3 &end,
@@ -57,14 +65,16 @@ model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, co
     return {curve, model::natural_range(*curve), true};
 }
 
-SplinePtr parameter_curve(const face::Face &face, const face::Coedge &coedge, bool along,
-                          const model::CurvePiece &edge, double tolerance) {
+SplinePtr parameter_curve(const face::Face &face, const OrientedEdge &oriented, const model::CurvePiece &edge,
+                          double tolerance) {
     try {
         const SplinePtr curve =
-            along == edge.forward ? coedge.curve : refine::reverse(*coedge.curve, 0, false);
+            oriented.along == edge.forward ? oriented.curve : refine::reverse(*oriented.curve, 0, false);
         const SplinePtr over =
             same(curve->axis(0).domain(), edge.range) ? curve : refine::reparametrize(curve, 0, edge.range);
-        return together(face, *over, *edge.curve, tolerance) ? over : nullptr;
+        const bool under = together(face, *over, *edge.curve, tolerance) ||
+                           (face.tolerance() <= tolerance && taken(face, oriented, edge, tolerance));
+        return under ? over : nullptr;
     } catch (const Error &) { // its knots would merge
         return nullptr;
     }

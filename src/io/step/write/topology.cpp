@@ -2,6 +2,7 @@
 #include "io/step/write/topology.h"
 
 #include "eval/curve_point.h"
+#include "face/closing_segments.h"
 #include "face/deviation.h"
 #include "spline/part.h"
 
@@ -46,12 +47,12 @@ public:
         for (const model::ModelFace &face : model_.faces) {
             auto &loops = result_.loops.emplace_back();
             for (const face::Loop &loop : face.face->loops()) {
-                loops.emplace_back(loop.size(), OrientedEdge{none, true});
+                loops.emplace_back(loop.size(), OrientedEdge{none, true, nullptr});
             }
         }
         for (size_t e = 0; e < model_.edges.size(); ++e) {
             for (const model::EdgeUse &use : model_.edges[e].uses) {
-                at(use) = {e, true};
+                at(use).edge = e;
             }
         }
         for (size_t f = 0; f < model_.faces.size(); ++f) {
@@ -59,6 +60,9 @@ public:
         }
         for (model::Edge &edge : result_.edges) {
             end(edge);
+        }
+        for (size_t f = 0; f < model_.faces.size(); ++f) {
+            close(f);
         }
         return std::move(result_);
     }
@@ -76,6 +80,7 @@ private:
             for (size_t j = 0; j < face.loops()[i].size(); ++j) {
                 const face::Coedge &coedge = face.loops()[i][j];
                 OrientedEdge &made = result_.loops[f][i][j];
+                made.curve = coedge.curve;
                 if (made.edge == none) {
                     made.edge = result_.edges.size();
                     result_.edges.push_back({face::edge_of(face, coedge), nullptr});
@@ -87,6 +92,32 @@ private:
                 made.along = curve == coedge.edge ? !coedge.against : runs_along(face, *coedge.curve, *curve);
             }
         }
+    }
+    // Loops that meet at the same vertices are closed, wherever their curves in the domain end.
+    void close(size_t f) {
+        const face::Face &face = *model_.faces[f].face;
+        for (size_t i = 0; i < face.loops().size(); ++i) {
+            const std::vector<SplinePtr> segments = face::closing_segments(face, face.loops()[i]);
+            std::vector<OrientedEdge> &loop = result_.loops[f][i], closed;
+            for (size_t j = 0; j < loop.size(); ++j) {
+                closed.push_back(loop[j]);
+                const int64_t from = vertex_of(loop[j], true),
+                              to = vertex_of(loop[(j + 1) % loop.size()], false);
+                if (segments[j] != nullptr && from != to) {
+                    closed.push_back({result_.edges.size(), true, segments[j]});
+                    result_.edges.push_back({face::edge_of(face, {segments[j], nullptr}),
+                                             nullptr,
+                                             {from, to},
+                                             {},
+                                             model_.faces[f].part});
+                }
+            }
+            loop = std::move(closed);
+        }
+    }
+    // At which the loop comes to an edge, or leaves it.
+    [[nodiscard]] int64_t vertex_of(const OrientedEdge &oriented, bool last) const {
+        return result_.edges[oriented.edge].vertices[oriented.along == last ? 1 : 0];
     }
     // Vertices where it has none: equal ones are one.
     void end(model::Edge &edge) {

@@ -10,11 +10,12 @@ namespace nrb::io::step {
 
 struct OrientedEdge {
     size_t edge;
-    bool along; // whether the loop runs along the edge
+    bool along;      // whether the loop runs along the edge
+    SplinePtr curve; // in the domain, as the loop runs
 };
 
-// The edges of the model, and behind them those that it does not have: of loops that no edges were given for. Every edge has its
-// vertices.
+// The edges of the model, and behind them those that it does not have: of loops that no edges were given for, and of the segments
+// that close loops whose gaps were kept, so that all loops are closed. Every edge has its vertices.
 struct Topology {
     std::vector<model::Edge> edges;
     std::vector<Vector3> vertices;

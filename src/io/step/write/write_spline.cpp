@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "io/iges/text.h"
+#include "reduce/periodic_form.h"
 
 #include <algorithm>
 #include <vector>
@@ -57,14 +58,12 @@ std::vector<int64_t> write_points(ExchangeText &text, const Spline &spline, doub
     return points;
 }
 
-// Whether the first and the last layer of control points are the same, or the axis goes around.
+// Whether the first and the last layer of control points are the same, or the axis could be declared periodic: files do not keep
+// whether it is.
 bool closed(const Spline &spline, int k) {
     const KnotVector &axis = spline.axis(k);
-    if (axis.periodic()) {
-        return true;
-    }
     if (!axis.clamped_start() || !axis.clamped_end()) {
-        return false;
+        return reduce::wraps(spline, k);
     }
     const int64_t inner = spline.axes() == 2 && k == 0 ? spline.count(1) : 1;
     const int64_t outer = spline.axes() == 2 && k == 1 ? spline.count(0) : 1;

@@ -116,7 +116,7 @@ int64_t TopologyWriter::with_parameter_curves(int64_t curve, const model::CurveP
             continue;
         }
         const face::Face &face = *model_.faces[f].face;
-        SplinePtr made = parameter_curve(face, face.loops()[i][j], topology_.loops[f][i][j].along, piece,
+        SplinePtr made = parameter_curve(face, topology_.loops[f][i][j], piece,
                                          tolerances_[static_cast<size_t>(model_.faces[f].part)]);
         const auto before = std::ranges::find(found, use.face, &Found::face);
         if (made == nullptr) {

@@ -139,6 +139,8 @@ TEST(ShapeTable, shapes_of_every_kind_come_back) {
     EXPECT_EQ(found.curves[2]->sizes[1], 1);
     EXPECT_EQ(found.curves[1]->place.dim, 2);
     EXPECT_EQ(found.curves[0]->place.z_rest.x, frame(3).z_rest.x);
+    EXPECT_EQ(found.curves[0]->place.given_axis.y, -2);
+    EXPECT_EQ(found.surfaces[3]->place.given_x.x, 0.25);
     const SurfaceShape &part = *found.surfaces[9];
     EXPECT_EQ(part.kind, SurfaceKind::trimmed);
     EXPECT_TRUE(part.u_forward && !part.v_forward);

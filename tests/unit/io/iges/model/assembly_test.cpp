@@ -124,6 +124,97 @@ TEST(IgesAssembly, groups_hand_their_members_on) {
     EXPECT_EQ(found.faces[1].part, part_named(found, "both"));
 }
 
+// A thousand subfigures that share a group of a thousand squares: a million places, told by as many uses as the file has lists.
+TEST(IgesAssembly, a_group_that_many_subfigures_list_is_a_part_of_its_own) {
+    FacesBuilder file;
+    std::vector<int64_t> squares;
+    for (int i = 0; i < 1000; ++i) {
+        squares.push_back(file.square(1));
+    }
+    const int64_t group = file.add(402, listed(squares), {.form = 7});
+    for (int i = 0; i < 1000; ++i) {
+        file.subfigure(std::to_string(i), {group});
+    }
+    const Model found = read_model(file);
+    EXPECT_TRUE(found.notes.empty());
+    ASSERT_EQ(found.faces.size(), 1000U);
+    EXPECT_EQ(found.parts.size(), 1002U);
+    const int64_t shared = found.faces[0].part;
+    for (const nrb::model::ModelFace &face : found.faces) {
+        EXPECT_EQ(face.part, shared);
+    }
+    const std::vector<Use> uses = uses_of(found, shared);
+    ASSERT_EQ(uses.size(), 1000U);
+    for (size_t i = 0; i < uses.size(); ++i) {
+        EXPECT_EQ(uses[i].parent, part_named(found, std::to_string(i)));
+        EXPECT_EQ(uses[i].placement, Use().placement);
+    }
+}
+
+// However many ways lead to an entity, it is in a subfigure once.
+TEST(IgesAssembly, groups_that_share_members_place_them_once) {
+    FacesBuilder file;
+    const int64_t a = file.square(1), b = file.square(2), c = file.square(3);
+    const int64_t inner = file.add(402, listed({a, b}), {.form = 7});
+    const int64_t left = file.add(402, listed({inner, c}), {.form = 7}),
+                  right = file.add(402, listed({c, inner, left}), {.form = 7});
+    file.subfigure("one", {left, right, left});
+    const Model alone = read_model(file);
+    EXPECT_EQ(alone.parts.size(), 2U);
+    file.subfigure("two", {right, a});
+    const Model found = read_model(file);
+    EXPECT_TRUE(found.notes.empty());
+    for (const nrb::model::ModelFace &face : found.faces) {
+        std::vector<int64_t> parents;
+        std::vector<int64_t> waiting{face.part};
+        while (!waiting.empty()) {
+            const int64_t part = waiting.back();
+            waiting.pop_back();
+            if (part == part_named(found, "one") || part == part_named(found, "two")) {
+                parents.push_back(part);
+                continue;
+            }
+            for (const Use &use : uses_of(found, part)) {
+                waiting.push_back(use.parent);
+            }
+        }
+        std::sort(parents.begin(), parents.end());
+        EXPECT_EQ(parents, (std::vector{part_named(found, "one"), part_named(found, "two")}));
+    }
+}
+
+TEST(IgesAssembly, groups_in_each_other_hand_their_members_on) {
+    FacesBuilder file;
+    const int64_t a = file.square(1), b = file.square(2), first = file.next(), second = first + 2;
+    file.add(402, listed({a, second}), {.form = 7});
+    file.add(402, listed({b, first}), {.form = 7});
+    file.subfigure("both", {second});
+    const Model found = read_model(file);
+    EXPECT_TRUE(found.notes.empty());
+    ASSERT_EQ(found.faces.size(), 2U);
+    EXPECT_EQ(found.faces[0].part, part_named(found, "both"));
+    EXPECT_EQ(found.faces[1].part, part_named(found, "both"));
+}
+
+TEST(IgesAssembly, matrices_in_a_circle_are_told) {
+    FacesBuilder file;
+    const int64_t square = file.square(1), first = file.next();
+    const std::string shift = "1.,0.,0.,1.,0.,1.,0.,2.,0.,0.,1.,3.";
+    file.add(124, shift, {.transform = first + 2});
+    file.add(124, shift, {.transform = first});
+    file.add(124, shift, {.transform = first});
+    file.add(124, shift); // nothing is wrong with it, but nothing needs it
+    file.subfigure("part", {square});
+    const Model found = read_model(file);
+    EXPECT_EQ(found.faces.size(), 1U);
+    ASSERT_EQ(found.notes.size(), 4U);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(found.notes[i].reason, Status::cycle);
+        EXPECT_NE(found.notes[i].text.find("applies to itself"), std::string::npos) << found.notes[i].text;
+    }
+    EXPECT_EQ(found.notes[3].reason, Status::unsupported);
+}
+
 TEST(IgesAssembly, what_two_subfigures_list_is_a_part_of_its_own) {
     FacesBuilder file;
     const int64_t square = file.square(1);
