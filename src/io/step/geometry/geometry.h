@@ -6,6 +6,8 @@
 #include "io/step/entities.h"
 #include "model/shapes/surface_shape.h"
 
+#include <functional>
+
 namespace nrb::io::step {
 
 // A curve in the parameter plane of a surface, in the units of the file.
@@ -38,6 +40,10 @@ private:
     model::CurveShapePtr trimmed_curve(Attributes &attributes);
     model::CurveShapePtr composite(Attributes &attributes);
     model::CurvePiece segment(int64_t number, const Attributes &owner);
+    using BasisPart = std::function<model::CurveShapePtr(const model::CurveShapePtr &basis)>;
+    model::CurveShapePtr offset_curve(const Instance &instance, const BasisPart &part = {});
+    using PartBetween = std::function<model::CurvePiece(const model::CurveShapePtr &basis)>;
+    model::CurveShapePtr trimmed_offset(const Instance &offset, const PartBetween &between);
 
     model::SurfaceShapePtr read_surface(const Instance &instance);
     model::SurfaceShape elementary(const Instance &instance, Attributes &attributes);

@@ -74,8 +74,8 @@ constexpr Keyword keywords[] = {
     {"MANIFOLD_SURFACE_SHAPE_REPRESENTATION", Kind::shape_representation},
     {"MAPPED_ITEM", Kind::mapped_item},
     {"MEASURE_WITH_UNIT", Kind::measure_with_unit},
-    {"OFFSET_CURVE_2D", Kind::unread_curve},
-    {"OFFSET_CURVE_3D", Kind::unread_curve},
+    {"OFFSET_CURVE_2D", Kind::offset_curve_2d},
+    {"OFFSET_CURVE_3D", Kind::offset_curve_3d},
     {"OFFSET_SURFACE", Kind::offset_surface},
     {"OPEN_SHELL", Kind::topology},
     {"ORIENTED_CLOSED_SHELL", Kind::topology},
@@ -145,6 +145,8 @@ bool owns_geometry(Kind kind) noexcept {
     case Kind::composite_curve_segment:
     case Kind::surface_curve:
     case Kind::pcurve:
+    case Kind::offset_curve_2d:
+    case Kind::offset_curve_3d:
     case Kind::unread_curve:
     case Kind::surface_of_revolution:
     case Kind::surface_of_linear_extrusion:
