@@ -121,6 +121,8 @@ CurveShapePtr Geometry::read_curve(const Instance &instance) {
     case Kind::offset_curve_2d:
     case Kind::offset_curve_3d:
         return offset_curve(instance);
+    case Kind::curve_replica:
+        return curve_replica(instance, attributes);
     case Kind::surface_curve:
         attributes.part("SURFACE_CURVE");
         return curve(attributes.reference("curve_3d"), attributes, "curve_3d");
@@ -220,7 +222,12 @@ CurveShapePtr Geometry::trimmed_curve(Attributes &attributes) {
         !by_points && is_offset_curve(offset.kind())) {
         return trimmed_offset(offset, between);
     }
+    const int64_t before = entities_.approximations();
     const CurveShapePtr basis = curve(number, attributes, "basis_curve");
+    if (!by_points && entities_.approximations() != before) {
+        attributes.fail_attribute(Status::unsupported, "basis_curve",
+                                  "is approximated, over parameters that may be others between its knots");
+    }
     if (by_points) {
         entities_.spend(size_of(*basis));
         return model::curve_of_piece(model::piece_between(

@@ -79,6 +79,8 @@ SurfaceShapePtr Geometry::read_surface(const Instance &instance) {
     case Kind::curve_bounded_surface:
         attributes.part("CURVE_BOUNDED_SURFACE");
         return surface(attributes.reference("basis_surface"), attributes, "basis_surface");
+    case Kind::surface_replica:
+        return surface_replica(instance, attributes);
     case Kind::unread_surface:
         fail(Status::unsupported, "does not become a spline in this version");
     default:

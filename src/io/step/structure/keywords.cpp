@@ -42,7 +42,7 @@ constexpr Keyword keywords[] = {
     {"CONVERSION_BASED_UNIT", Kind::conversion_based_unit},
     {"CSG_SHAPE_REPRESENTATION", Kind::shape_representation},
     {"CURVE_BOUNDED_SURFACE", Kind::curve_bounded_surface},
-    {"CURVE_REPLICA", Kind::unread_curve},
+    {"CURVE_REPLICA", Kind::curve_replica},
     {"CYLINDRICAL_SURFACE", Kind::cylindrical_surface},
     {"DEFINITIONAL_REPRESENTATION", Kind::definitional_representation},
     {"DEGENERATE_PCURVE", Kind::point_on_geometry},
@@ -117,7 +117,7 @@ constexpr Keyword keywords[] = {
     {"SURFACE_OF_LINEAR_EXTRUSION", Kind::surface_of_linear_extrusion},
     {"SURFACE_OF_REVOLUTION", Kind::surface_of_revolution},
     {"SURFACE_PATCH", Kind::unread_surface},
-    {"SURFACE_REPLICA", Kind::unread_surface},
+    {"SURFACE_REPLICA", Kind::surface_replica},
     {"TESSELLATED_SHAPE_REPRESENTATION", Kind::shape_representation},
     {"TOROIDAL_SURFACE", Kind::toroidal_surface},
     {"TRIMMED_CURVE", Kind::trimmed_curve},
@@ -147,12 +147,14 @@ bool owns_geometry(Kind kind) noexcept {
     case Kind::pcurve:
     case Kind::offset_curve_2d:
     case Kind::offset_curve_3d:
+    case Kind::curve_replica:
     case Kind::unread_curve:
     case Kind::surface_of_revolution:
     case Kind::surface_of_linear_extrusion:
     case Kind::offset_surface:
     case Kind::rectangular_trimmed_surface:
     case Kind::curve_bounded_surface:
+    case Kind::surface_replica:
     case Kind::unread_surface:
     case Kind::point_on_geometry:
     case Kind::edge_curve:

@@ -29,6 +29,7 @@ enum class Kind : uint16_t {
     pcurve,
     offset_curve_2d,
     offset_curve_3d,
+    curve_replica,
     unread_curve,
     // surfaces
     plane,
@@ -47,6 +48,7 @@ enum class Kind : uint16_t {
     b_spline_surface_with_knots,
     rectangular_trimmed_surface,
     curve_bounded_surface,
+    surface_replica,
     unread_surface,
     // other geometry
     cartesian_point,
