@@ -6296,7 +6296,8 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * read. So are offset curves, C + d V x T / |V x T| with the unit tangent T and the reference direction V, to
  * the left of curves of the plane: those of lines, and of circles around V, are such again; others need a
  * tangent across V, and a note tells those that run against their basis behind a cusp, where its radius of
- * curvature is the distance. What is offset from an approximation is not read. Lengths are in the unit of the first context that states units; what stands in other contexts is
+ * curvature is the distance. What is offset from an approximation is not read. Replicas
+ * are images of what they repeat, at equal parameters. Lengths are in the unit of the first context that states units; what stands in other contexts is
  * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
  * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes.
  *

@@ -212,6 +212,8 @@ def step_curves():
     for basis in (arch, step.add(f"CIRCLE('',{place},2.)")):
         offset = step.add(f"OFFSET_CURVE_3D('',{basis},.25,.F.,{way})")
         step.add(f"TRIMMED_CURVE('',{offset},(PARAMETER_VALUE(.25)),(PARAMETER_VALUE(.5)),.T.,.PARAMETER.)")
+    move = step.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',{way},$,{step.point(1, 2, 3)},2.,$)")
+    step.add(f"CURVE_REPLICA('',{arch},{move})")
     flat = ",".join(step.add(f"CARTESIAN_POINT('',({i}.,{i * i}.))") for i in range(3))
     plane = step.add(f"BEZIER_CURVE('',2,({flat}),.U.,.F.,.F.)")
     step.add(f"OFFSET_CURVE_2D('',{plane},.25,.F.)")
@@ -232,6 +234,9 @@ def step_surfaces():
         f"SURFACE_OF_LINEAR_EXTRUSION('',{circle},{step.vector()})")]
     step.add(f"RECTANGULAR_TRIMMED_SURFACE('',{surfaces[1]},0.,1.,2.,3.,.T.,.F.)")
     step.add(f"OFFSET_SURFACE('',{surfaces[3]},1.,.F.)")
+    down = step.add("DIRECTION('',(0.,-1.,0.))")
+    move = step.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',$,{down},{step.point(1, 2, 3)},2.,$)")
+    step.add(f"SURFACE_REPLICA('',{surfaces[4]},{move})")
     rows = ",".join(f"({step.point(x, 0, 0)},{step.point(x, 1, x)})" for x in range(3))
     step.add(f"QUASI_UNIFORM_SURFACE('',1,1,({rows}),.U.,.F.,.F.,.F.)")
     vertex = step.add(f"VERTEX_POINT('',{step.point(2, 2, 3)})")
