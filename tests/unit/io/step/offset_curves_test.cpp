@@ -207,6 +207,39 @@ TEST(StepOffsetCurves, of_corners_have_a_gap) {
                                                 "offset has a gap of 0.7071067811865476");
 }
 
+// A half disk of radius 1.5 whose arc is the offset of a circle: its edges end at its vertices.
+TEST(StepOffsetCurves, bound_faces) {
+    StepBuilder builder;
+    const std::string centre = builder.placement("0.,0.,0.", "0.,0.,1.", "1.,0.,0.");
+    const std::string plane = builder.add("PLANE(''," + centre + ")");
+    const std::string circle = builder.add("CIRCLE(''," + centre + ",2.)");
+    const std::string offset = offset_of(builder, circle, "0.5", "0.,0.,1.");
+    const std::string chord = builder.straight_edge("-1.5,0.,0.", "1.5,0.,0.", "1.,0.,0."),
+                      arc = builder.edge("1.5,0.,0.", "-1.5,0.,0.", offset);
+    builder.face(plane, {chord, arc});
+    const nrb::model::Model model = nrb::io::read_model(builder.text(), {});
+    for (const nrb::model::Note &note : model.notes) {
+        ADD_FAILURE() << note.text;
+    }
+    ASSERT_EQ(model.faces.size(), 1U);
+    ASSERT_EQ(model.edges.size(), 2U);
+    for (const nrb::model::Edge &edge : model.edges) {
+        const nrb::Interval domain = edge.curve->axis(0).domain();
+        EXPECT_NEAR(nrb::length(point_of(*edge.curve, domain.lower)), 1.5, 1e-14);
+        EXPECT_NEAR(nrb::length(point_of(*edge.curve, domain.upper)), 1.5, 1e-14);
+    }
+}
+
+// Ends at points of the offset, which is a spline.
+TEST(StepOffsetCurves, are_cut_by_vertices) {
+    StepBuilder builder;
+    const std::string offset = offset_of(builder, sheet_profile(builder), "0.125", "0.,0.,1.");
+    builder.edge("0.,0.125,0.", "1.9116116523516815,1.0883883476483185,0.", offset);
+    const nrb::model::Model document = read(builder);
+    ASSERT_EQ(document.splines.size(), 1U);
+    expect_offset_profile(*document.splines[0].spline, 0.125, 2.5e-8);
+}
+
 // Distances are lengths of the file.
 TEST(StepOffsetCurves, are_in_the_unit_of_the_file) {
     StepBuilder builder;
