@@ -6280,8 +6280,9 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * 1e-9; others make arcs splines of what they are mapped to, and of spheres, tori and surfaces of revolution
  * notes. Rulings join points of equal parameters of the two splines; where the file asks for others (of equal
  * arc length, or equal angles of an arc and parameters of something else), a note with
- * NURBS_ERROR_UNSUPPORTED says so beside the spline. Offset surfaces (140) are as those of STEP. Surfaces and
- * lines without ends, offset curves, and trimmed faces are listed in the notes.
+ * NURBS_ERROR_UNSUPPORTED says so beside the spline. Offset surfaces (140) and offset curves (130), at one
+ * distance along V x T, are as those of STEP, the curves between TT1 and TT2 if one of them is not 0. Surfaces
+ * and lines without ends, offset curves at a distance that changes, and trimmed faces are listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
  * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
@@ -6292,7 +6293,11 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from
  * which they are offset; others are approximated, proven to be within a quarter of the uncertainty, and a
  * note with the reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not
- * read. Lengths are in the unit of the first context that states units; what stands in other contexts is
+ * read. So are offset curves, C + d V x T / |V x T| with the unit tangent T and the reference direction V, to
+ * the left of curves of the plane: those of lines, and of circles around V, are such again; others need a
+ * tangent across V, and a note tells those that run against their basis behind a cusp, where its radius of
+ * curvature is the distance. What is offset from an approximation is not read. Replicas
+ * are images of what they repeat, at equal parameters. Lengths are in the unit of the first context that states units; what stands in other contexts is
  * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
  * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes.
  *

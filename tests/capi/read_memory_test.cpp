@@ -103,6 +103,9 @@ std::string multiplied() {
 const File files[] = {
     {"edges on long hyperbolas", instances("EDGE_CURVE('',#6,#7,#3,.T.)")},
     {"faces on extruded ones", instances("ADVANCED_FACE('',(#12),#10,.T.)")},
+    {"an offset of a large ellipse",
+     basis + "#20=ELLIPSE('',#2,3000.,2000.);#21=OFFSET_CURVE_3D('',#20,500.,.F.,#8);"},
+    {"offsets of one ellipse", "#18=ELLIPSE('',#2,3.,2.);" + instances("OFFSET_CURVE_3D('',#18,.5,.F.,#8)")},
     {"faces on cylinders", instances("ADVANCED_FACE('',(#16),#13,.T.)")},
     {"faces on one sphere", instances("ADVANCED_FACE('',(),#14,.T.)")},
     {"short instances that are wrong", instances("LINE()")},

@@ -137,6 +137,7 @@ def add_all_curves(iges):
         (104, ".25,0.,-1.,0.,0.,-1.,0.,2.,0.,2.5,.75", 2), (106, "1,3,5.,0.,0.,1.,0.,1.,2.", 11),
         (112, "3,2,3,1,0.,1.,0.,1.,0.,1.,0.,0.,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.", 0),
         (118, "1,3,0,0", 0), (120, "1,11,0.,3.", 0), (122, "3,3.,1.,5.", 0), (102, "1,3", 0), (140, "0.,0.,1.,.5,17", 0),
+        (130, "3,1,0,0,0,.5,0.,0.,0.,0.,0.,1.,0.,0.", 0), (130, "13,1,0,0,0,.5,0.,0.,0.,0.,1.,0.,0.,.5", 0),
     ]
     for entity_type, data, form in entities:
         iges.add(entity_type, data.split(","), form)
@@ -206,6 +207,16 @@ def step_curves():
     points = ",".join(step.point(i, i * i, 0) for i in range(4))
     step.add(f"POLYLINE('',({points}))")
     step.add(f"B_SPLINE_CURVE_WITH_KNOTS('',2,({points}),.U.,.F.,.F.,(3,1,3),(0.,.5,1.),.U.)")
+    way = step.add("DIRECTION('',(0.,0.,1.))")
+    arch = step.add(f"QUASI_UNIFORM_CURVE('',2,({points}),.U.,.F.,.F.)")
+    for basis in (arch, step.add(f"CIRCLE('',{place},2.)")):
+        offset = step.add(f"OFFSET_CURVE_3D('',{basis},.25,.F.,{way})")
+        step.add(f"TRIMMED_CURVE('',{offset},(PARAMETER_VALUE(.25)),(PARAMETER_VALUE(.5)),.T.,.PARAMETER.)")
+    move = step.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',{way},$,{step.point(1, 2, 3)},2.,$)")
+    step.add(f"CURVE_REPLICA('',{arch},{move})")
+    flat = ",".join(step.add(f"CARTESIAN_POINT('',({i}.,{i * i}.))") for i in range(3))
+    plane = step.add(f"BEZIER_CURVE('',2,({flat}),.U.,.F.,.F.)")
+    step.add(f"OFFSET_CURVE_2D('',{plane},.25,.F.)")
     step.add(f"(BEZIER_CURVE()B_SPLINE_CURVE(3,({points}),.U.,.F.,.F.)RATIONAL_B_SPLINE_CURVE((1.,2.,2.,1.))"
              "REPRESENTATION_ITEM('x'))")
     return step.text()
@@ -223,6 +234,9 @@ def step_surfaces():
         f"SURFACE_OF_LINEAR_EXTRUSION('',{circle},{step.vector()})")]
     step.add(f"RECTANGULAR_TRIMMED_SURFACE('',{surfaces[1]},0.,1.,2.,3.,.T.,.F.)")
     step.add(f"OFFSET_SURFACE('',{surfaces[3]},1.,.F.)")
+    down = step.add("DIRECTION('',(0.,-1.,0.))")
+    move = step.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',$,{down},{step.point(1, 2, 3)},2.,$)")
+    step.add(f"SURFACE_REPLICA('',{surfaces[4]},{move})")
     rows = ",".join(f"({step.point(x, 0, 0)},{step.point(x, 1, x)})" for x in range(3))
     step.add(f"QUASI_UNIFORM_SURFACE('',1,1,({rows}),.U.,.F.,.F.,.F.)")
     vertex = step.add(f"VERTEX_POINT('',{step.point(2, 2, 3)})")

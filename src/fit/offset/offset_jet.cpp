@@ -12,9 +12,6 @@ constexpr int order = 3;
 constexpr int64_t slots = 10; // of two axes
 enum Slot { point, u, v, uu, uv, vv, uuu, uuv, uvv };
 
-// The sine of the angle of S_u and S_v below which rounding decides about the normal.
-constexpr double least_sine = 1e-9;
-
 class Derivatives {
 public:
     explicit Derivatives(const double *records) noexcept : records_(records) {}

@@ -9,6 +9,9 @@
 
 namespace nrb::fit {
 
+// The sine of the angle of two directions below which rounding decides about the normal of both.
+inline constexpr double least_sine = 1e-9;
+
 // O = S + d N with the unit normal N = S_u x S_v / |S_u x S_v|, and O_u, O_v, O_uv.
 struct OffsetJet {
     Vector3 point, u, v, uv;

@@ -30,7 +30,7 @@ Range range_of(const RoundedPolynomial &a) noexcept {
     return range;
 }
 
-// A surface on one piece: w (x - c), and w.
+// A curve or a surface on one piece: w (x - c), and w.
 struct HomogeneousPiece {
     RoundedPolynomial points, weight;
 };
@@ -125,8 +125,14 @@ double normal_part(Range off, Range weights, double b2, double distance) {
     return std::max({along(more), -along(-less), 0.0});
 }
 
-double piece_bound(const HomogeneousPiece &s, const RoundedPolynomial &r, bool weighted, double distance) {
-    const RoundedPolynomial v = (weighted ? r * s.weight : r) - s.points;
+// At most |(|a| - |d|, |b|)|, from |b|^2.
+double whole_bound(const RoundedPolynomial &v, const HomogeneousPiece &s, double b2, double distance) {
+    const Range off = range_of(dot(v, v) - scaled(s.weight * s.weight, squared(distance)));
+    return rounded_up * std::hypot(normal_part(off, range_of(s.weight), b2, distance), std::sqrt(b2)) +
+           4 * eps * std::abs(distance);
+}
+
+double surface_bound(const HomogeneousPiece &s, const RoundedPolynomial &v, bool weighted, double distance) {
     const Tangents tangents{tangent(s, axis_u, weighted), tangent(s, axis_v, weighted), range_of(s.weight)};
     const Range weights = tangents.weights;
     const RoundedPolynomial normal = cross(tangents.p, tangents.q);
@@ -134,32 +140,63 @@ double piece_bound(const HomogeneousPiece &s, const RoundedPolynomial &r, bool w
     if (!(weights.lower > 0) || !(area > 0) || !right_side(v, normal, distance)) {
         return infinity;
     }
-    const double b2 = squared_tangential_part(v, tangents, area);
-    const Range off = range_of(dot(v, v) - scaled(s.weight * s.weight, squared(distance)));
-    return rounded_up * std::hypot(normal_part(off, weights, b2, distance), std::sqrt(b2)) +
-           4 * eps * std::abs(distance);
+    return whole_bound(v, s, squared_tangential_part(v, tangents, area), distance);
+}
+
+// |b| = |v x n| / |n| with n = V x C'.
+double curve_bound(const HomogeneousPiece &c, const RoundedPolynomial &v, bool weighted,
+                   const CurveOffset &offset) {
+    const auto &[x, y, z] = offset.reference;
+    const RoundedPolynomial normal =
+        cross(side_by_side({constant(x), constant(y), constant(z)}), tangent(c, last_axis, weighted));
+    const Range weights = range_of(c.weight);
+    const double size = least_length(normal, mean_direction(normal)) / squared(weights.upper);
+    if (!(weights.lower > 0) || !(size > 0) || !right_side(v, normal, offset.distance)) {
+        return infinity;
+    }
+    const RoundedPolynomial across = cross(v, normal);
+    const double w6 = squared(weights.lower * squared(weights.lower));
+    return whole_bound(v, c, rounded_up * range_of(dot(across, across)).upper / (w6 * squared(size)),
+                       offset.distance);
+}
+
+// What bound_of() makes of the pieces of a spline and the differences v of a candidate from them.
+template <class BoundOf>
+std::vector<double> bounds_of(const Spline &spline, const Spline &candidate,
+                              const pieces::BernsteinNet::Breaks &breaks, BoundOf &&bound_of) {
+    const std::vector<double> centre = pieces::centre_of(spline);
+    const auto net_of = [&](const Spline &given) {
+        return pieces::BernsteinNet(
+            given, pieces::centred_records(given, centre, given.rational(), pieces::weight_exponent(given)),
+            breaks, pieces::degrees_of(given));
+    };
+    const pieces::BernsteinNet s = net_of(spline), r = net_of(candidate);
+    std::vector<double> bounds;
+    for (int64_t i = 0; i < s.pieces(); ++i) {
+        const HomogeneousPiece piece = piece_of(s, i);
+        const RoundedPolynomial points = piece_of(r, i).points;
+        const RoundedPolynomial v = (s.weighted() ? points * piece.weight : points) - piece.points;
+        bounds.push_back(s.positive() ? bound_of(piece, v, s.weighted()) : infinity);
+    }
+    return bounds;
 }
 
 } // namespace
 
 std::vector<double> offset_bounds(const Spline &surface, double distance, const Spline &candidate,
                                   const std::array<std::vector<double>, 2> &breaks) {
-    const std::vector<double> centre = pieces::centre_of(surface);
-    const pieces::BernsteinNet::Breaks all{breaks[0], breaks[1], {}};
-    const auto net_of = [&](const Spline &spline) {
-        return pieces::BernsteinNet(
-            spline,
-            pieces::centred_records(spline, centre, spline.rational(), pieces::weight_exponent(spline)), all,
-            pieces::degrees_of(spline));
-    };
-    const pieces::BernsteinNet s = net_of(surface), r = net_of(candidate);
-    std::vector<double> bounds;
-    for (int64_t i = 0; i < s.pieces(); ++i) {
-        bounds.push_back(s.positive()
-                             ? piece_bound(piece_of(s, i), piece_of(r, i).points, s.weighted(), distance)
-                             : infinity);
-    }
-    return bounds;
+    return bounds_of(surface, candidate, {breaks[0], breaks[1], {}},
+                     [distance](const HomogeneousPiece &s, const RoundedPolynomial &v, bool weighted) {
+                         return surface_bound(s, v, weighted, distance);
+                     });
+}
+
+std::vector<double> offset_bounds(const Spline &curve, const CurveOffset &offset, const Spline &candidate,
+                                  const std::vector<double> &breaks) {
+    return bounds_of(curve, candidate, {breaks, {}, {}},
+                     [&offset](const HomogeneousPiece &c, const RoundedPolynomial &v, bool weighted) {
+                         return curve_bound(c, v, weighted, offset);
+                     });
 }
 
 } // namespace nrb::fit

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How far a spline is from the offset of a surface, with proof.
+// How far a spline is from the offset of a curve or a surface, with proof.
 #pragma once
 
+#include "fit/offset/offset_curve.h"
 #include "pieces/bernstein_net.h"
 #include "spline/spline.h"
 
@@ -18,5 +19,10 @@ namespace nrb::fit {
 // breaks hold all knots of both in their common domain.
 std::vector<double> offset_bounds(const Spline &surface, double distance, const Spline &candidate,
                                   const std::array<std::vector<double>, 2> &breaks);
+
+// The same of |R - (C + d N)|, where b is the part of v = R - C across N: with n = V x C',
+//     |b| = |v x n| / |n|
+std::vector<double> offset_bounds(const Spline &curve, const CurveOffset &offset, const Spline &candidate,
+                                  const std::vector<double> &breaks);
 
 } // namespace nrb::fit

@@ -5,38 +5,14 @@
 #include "eval/evaluate.h"
 #include "fit/offset/offset_jet.h"
 #include "fit/offset/offset_proof.h"
+#include "fit/offset/patch_axis.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace nrb::fit {
 
 namespace {
-
-constexpr int most_parts = 8; // of a patch in one round
-
-// Ends of patches along an axis, and whether derivatives are equal on both sides of them.
-struct PatchAxis {
-    std::vector<double> breaks;
-    std::vector<bool> smooth;
-
-    [[nodiscard]] int64_t count() const noexcept { return std::ssize(breaks) - 1; }
-};
-
-// The derivatives of a patch are of the second order in the surface's.
-PatchAxis axis_of(const KnotVector &axis) {
-    PatchAxis made;
-    const Interval domain = axis.domain();
-    for (const KnotGroup &group : distinct_knots(axis.knots())) {
-        if (domain.lower <= group.knot && group.knot <= domain.upper) {
-            made.breaks.push_back(group.knot);
-            made.smooth.push_back(axis.degree() - group.multiplicity >= 2);
-        }
-    }
-    made.smooth.front() = made.smooth.back() = false;
-    return made;
-}
 
 using PatchAxes = std::array<PatchAxis, 2>;
 
@@ -64,7 +40,7 @@ public:
                 points.insert(points.end(), {x.x, x.y, x.z});
             }
         }
-        return make_result({knots(axes_[0]), knots(axes_[1])}, space_dim, Form::polynomial,
+        return make_result({knots_of(axes_[0]), knots_of(axes_[1])}, space_dim, Form::polynomial,
                            std::move(points));
     }
     // The largest distance of two corners of neighbours that are one.
@@ -113,14 +89,6 @@ private:
         }
         return layers;
     }
-    static KnotVectorPtr knots(const PatchAxis &axis) {
-        std::vector<double> knots{axis.breaks.front()};
-        for (size_t i = 0; i < axis.breaks.size(); ++i) {
-            knots.insert(knots.end(), axis.smooth[i] ? 2 : 3, axis.breaks[i]);
-        }
-        knots.push_back(axis.breaks.back());
-        return make_knot_vector(3, std::move(knots));
-    }
 
     const PatchAxes &axes_;
     int64_t columns_;
@@ -132,32 +100,12 @@ private:
 // In how many parts each interval of both axes is to be cut.
 using Parts = std::array<std::vector<int>, 2>;
 
-// Cubics come nearer by the fourth power of the lengths of their intervals. Bounds that are infinite say nothing about that.
-int parts_for(double bound, double tolerance) noexcept {
-    const double parts = std::isfinite(bound) ? std::ceil(1.1 * std::pow(bound / tolerance, 0.25)) : 2;
-    return static_cast<int>(std::clamp(parts, 2.0, double{most_parts}));
-}
-
-PatchAxis cut(const PatchAxis &axis, const std::vector<int> &parts) {
-    PatchAxis made;
-    for (size_t i = 0; i < parts.size(); ++i) {
-        for (int part = 0; part < parts[i]; ++part) {
-            const double place = double{1} * part / parts[i];
-            made.breaks.push_back(axis.breaks[i] * (1 - place) + axis.breaks[i + 1] * place);
-            made.smooth.push_back(part > 0 || axis.smooth[i]);
-        }
-    }
-    made.breaks.push_back(axis.breaks.back());
-    made.smooth.push_back(false);
-    return made;
-}
-
 class OffsetFit {
 public:
     OffsetFit(const SplinePtr &surface, double distance, const OffsetRule &rule)
         : surface_(*surface), distance_(distance), tolerance_(rule.tolerance),
           most_patches_(rule.most_patches),
-          left_(rule.left), axes_{axis_of(surface->axis(0)), axis_of(surface->axis(1))} {}
+          left_(rule.left), axes_{patch_axis(surface->axis(0)), patch_axis(surface->axis(1))} {}
 
     OffsetSurface run() {
         for (;;) {
@@ -204,9 +152,6 @@ private:
             fail(Status::not_converged, "the offset surface is known within %s only, expected %s",
                  Number(worst).text, Number(tolerance_).text);
         }
-    }
-    static bool rising(const PatchAxis &axis) noexcept {
-        return std::is_sorted(axis.breaks.begin(), axis.breaks.end(), std::less_equal<>());
     }
     // Along the axes in which the boundary of the patch is off in the middle, or along both if none is.
     void cut_patch(const Spline &candidate, const std::array<size_t, 2> &patch, double bound,

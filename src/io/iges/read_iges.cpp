@@ -42,10 +42,19 @@ private:
         };
         read_all(wanted, [this](const Entry &entry) {
             splines_[index_of(entry)] = spline_of(entry, parameter_plane_[index_of(entry)]);
-            for (const int64_t pointer : geometry_.parts(entry.line)) {
-                is_part_[*directory_.find(pointer)] = true;
-            }
+            mark_parts(entry.line);
         });
+    }
+
+    // Those of parts have been marked with these.
+    void mark_parts(int64_t owner) {
+        for (const int64_t pointer : geometry_.parts(owner)) {
+            const size_t index = *directory_.find(pointer);
+            if (!is_part_[index]) {
+                is_part_[index] = true;
+                mark_parts(pointer);
+            }
+        }
     }
 
     // Whose spline takes the place of those of its parts.

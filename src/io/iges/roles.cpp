@@ -19,7 +19,8 @@ public:
         while (!pending_.empty()) {
             const size_t next = pending_.back();
             pending_.pop_back();
-            read_entry(next, &PlaneMarker::read_composite);
+            const bool composite = directory_.entries()[next].type == composite_type;
+            read_entry(next, composite ? &PlaneMarker::read_composite : &PlaneMarker::read_offset_curve);
         }
         return std::move(marked_);
     }
@@ -59,7 +60,8 @@ private:
             return;
         }
         marked_[*index] = true;
-        if (directory_.entries()[*index].type == composite_type) {
+        if (const int type = directory_.entries()[*index].type;
+            type == composite_type || type == offset_curve_type) {
             pending_.push_back(*index);
         }
     }
@@ -82,6 +84,7 @@ private:
     }
 
     void read_composite(Record &record) { mark_list(record); }
+    void read_offset_curve(Record &record) { mark(record.integer("curve")); }
 
     void mark_list(Record &record) {
         for (int64_t n = record.integer("number of curves"); n > 0 && record.remaining() > 0; --n) {

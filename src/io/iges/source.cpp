@@ -60,7 +60,7 @@ bool Source::used(const model::Note &note) const noexcept {
 
 model::Model Source::finished() {
     for (const Remark &remark : geometry_.remarks()) {
-        tell(directory_.entries()[*directory_.find(remark.pointer)], Status::unsupported, remark.text);
+        tell(directory_.entries()[*directory_.find(remark.pointer)], remark.reason, remark.text);
     }
     std::erase_if(model_.notes, [this](const model::Note &note) { return used(note); });
     std::ranges::stable_sort(model_.notes, {}, &model::Note::line);

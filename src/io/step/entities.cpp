@@ -30,4 +30,11 @@ void Entities::fail_kind(const Instance &found, const Attributes &owner, const c
                              iges::excerpt(instances_.keyword(found)) + ", expected " + expected);
 }
 
+void Entities::remark(int64_t number, bool approximated, std::string text) {
+    approximations_ += approximated ? 1 : 0;
+    if (!text.empty()) {
+        remarks_.insert_or_assign(number, std::move(text));
+    }
+}
+
 } // namespace nrb::io::step

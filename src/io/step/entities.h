@@ -6,6 +6,9 @@
 #include "io/limits.h"
 #include "io/step/structure/attributes.h"
 
+#include <map>
+#include <string>
+
 namespace nrb::io::step {
 
 // The measures of a context, as factors to the units that are wanted.
@@ -30,8 +33,16 @@ public:
     [[noreturn]] void fail_kind(const Instance &found, const Attributes &owner, const char *attribute,
                                 const char *expected) const;
 
+    // What a note is to say on an instance that has been read, once however often it is read; nothing if the text is empty.
+    void remark(int64_t number, bool approximated, std::string text);
+    [[nodiscard]] const std::map<int64_t, std::string> &remarks() const noexcept { return remarks_; }
+    // How many shapes have been approximated, each time that one was read.
+    [[nodiscard]] int64_t approximations() const noexcept { return approximations_; }
+
 private:
     const Instances &instances_;
+    std::map<int64_t, std::string> remarks_;
+    int64_t approximations_ = 0;
 };
 
 } // namespace nrb::io::step

@@ -134,6 +134,11 @@ void Source::add_note(int64_t number, Status reason, const char *text) {
 }
 
 model::Model Source::finished() {
+    for (const auto &remark : entities_.remarks()) {
+        const Instance &instance = instances_[instances_.find(remark.first)];
+        add_note(remark.first, Status::tolerance,
+                 (label_of(instances_, instance) + ": " + remark.second).c_str());
+    }
     std::ranges::stable_sort(model_.notes, {}, &model::Note::line);
     return std::move(model_);
 }

@@ -22,6 +22,7 @@ bool is_curve(int type) noexcept {
     case line_type:
     case spline_pieces_type:
     case spline_curve_type:
+    case offset_curve_type:
         return true;
     default:
         return false;
@@ -46,6 +47,8 @@ CurvePiece Geometry::read_curve(Reading &reading) {
         return whole(model::curve_of_spline(read_spline_pieces(record, place, tolerance)));
     case spline_curve_type:
         return whole(model::curve_of_spline(build_spline(read_curve_data(record), place)));
+    case offset_curve_type:
+        return offset_curve(reading);
     default:
         fail(Status::unsupported, "does not become a curve in this version");
     }

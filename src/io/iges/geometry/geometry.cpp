@@ -5,6 +5,8 @@
 #include "model/shapes/curve_spline.h"
 #include "refine/forms/transform.h"
 
+#include <algorithm>
+
 namespace nrb::io::iges {
 namespace {
 
@@ -83,6 +85,9 @@ Vector3 Geometry::point(int64_t pointer, const Transform *outer) {
 void Geometry::keep_parts(int64_t pointer, std::vector<int64_t> parts) {
     if (!parts.empty()) {
         is_part_.insert(parts.begin(), parts.end());
+        if (std::ranges::any_of(parts, [this](int64_t part) { return approximated_.contains(part); })) {
+            approximated_.insert(pointer);
+        }
         parts_[pointer] = std::move(parts);
     }
 }

@@ -2,6 +2,7 @@
 // Curves and surfaces of a file as shapes.
 #pragma once
 
+#include "base/error.h"
 #include "io/iges/geometry/entities.h"
 #include "io/iges/geometry/placed_splines.h"
 #include "io/iges/types.h"
@@ -38,6 +39,7 @@ struct Surface {
 struct Remark {
     int64_t pointer; // of the entity
     std::string text;
+    Status reason = Status::unsupported;
 };
 
 struct Units {
@@ -54,7 +56,7 @@ class Geometry {
 public:
     Geometry(Entities &entities, const Units &units) noexcept : entities_(entities), units_(units) {}
 
-    // A curve of space: entities 100, 102, 104, 106, 110, 112, 126. Its range is that of the standard's parameters, and
+    // A curve of space: entities 100, 102, 104, 106, 110, 112, 126, 130. Its range is that of the standard's parameters, and
     // infinite where it has no ends.
     model::CurvePiece curve(int64_t pointer, const Transform *outer = nullptr);
     // The same entities as curves in the parameter plane of a surface, in the parameters of its shape; not scaled.
@@ -103,6 +105,8 @@ private:
     model::CurvePiece read_curve(Reading &reading);
     std::vector<int64_t> constituents(Reading &reading);
     model::CurvePiece composite(Reading &reading);
+    model::CurvePiece offset_curve(Reading &reading);
+    void remark(int64_t pointer, bool approximated, std::string text);
     model::CurvePiece part_curve(Reading &reading, const char *what);
     Vector3 part_point(Reading &reading, const char *what);
     Vector3 part_direction(Reading &reading, const char *what);
@@ -129,6 +133,9 @@ private:
     std::map<int64_t, std::vector<int64_t>> parts_; // of those that have some
     std::set<int64_t> is_part_;
     std::vector<Remark> remarks_;
+    std::set<int64_t>
+        approximated_;       // entities that are not exactly what is stated, or have parts that are not
+    std::set<int64_t> told_; // those with a remark on that
 };
 
 // What read(reading) returns; its name and its parts count once it has been read to its end.

@@ -18,12 +18,6 @@ using model::CurveShapePtr;
 using model::SurfaceKind;
 using model::SurfaceShape;
 
-CurveShapePtr shape_of_piece(const CurvePiece &piece) {
-    const Interval all = model::natural_range(*piece.curve);
-    const bool is_all = piece.forward && piece.range.lower == all.lower && piece.range.upper == all.upper;
-    return is_all ? piece.curve : model::curve_of_piece(piece);
-}
-
 model::SurfaceShapePtr trimmed(SurfaceShape basis, const model::Rectangle &range) {
     SurfaceShape shape = shape_of(SurfaceKind::trimmed);
     shape.basis = std::make_shared<const SurfaceShape>(std::move(basis));
@@ -51,6 +45,12 @@ Interval finite_part(Interval range) noexcept {
 }
 
 } // namespace
+
+CurveShapePtr shape_of_piece(const CurvePiece &piece) {
+    const Interval all = model::natural_range(*piece.curve);
+    const bool is_all = piece.forward && piece.range.lower == all.lower && piece.range.upper == all.upper;
+    return is_all ? piece.curve : model::curve_of_piece(piece);
+}
 
 SurfaceShape shape_of(SurfaceKind kind) {
     SurfaceShape shape{kind, {}, {0, 0}, {}, nullptr, {}, nullptr, 0, true, true, nullptr};

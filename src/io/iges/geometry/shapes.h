@@ -6,6 +6,9 @@
 
 namespace nrb::io::iges {
 
+// The piece as a curve of its own.
+model::CurveShapePtr shape_of_piece(const model::CurvePiece &piece);
+
 // Without contents.
 model::SurfaceShape shape_of(model::SurfaceKind kind);
 

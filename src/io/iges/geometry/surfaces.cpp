@@ -112,6 +112,10 @@ Surface Geometry::offset(Reading &reading) {
     const int64_t pointer = reading.record.integer("surface");
     Surface result = surface(pointer, reading.outer());
     reading.parts.push_back(pointer);
+    if (approximated_.contains(pointer)) {
+        fail(Status::unsupported,
+             "the surface is made of an approximated curve, which leaves its normals unknown");
+    }
     const double scale = reading.place.scale();
     if (scale == 0) {
         fail(Status::unsupported, "a matrix that is not a rotation does not keep distances");

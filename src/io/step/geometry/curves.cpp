@@ -118,6 +118,11 @@ CurveShapePtr Geometry::read_curve(const Instance &instance) {
         return trimmed_curve(attributes);
     case Kind::composite_curve:
         return composite(attributes);
+    case Kind::offset_curve_2d:
+    case Kind::offset_curve_3d:
+        return offset_curve(instance);
+    case Kind::curve_replica:
+        return curve_replica(instance, attributes);
     case Kind::surface_curve:
         attributes.part("SURFACE_CURVE");
         return curve(attributes.reference("curve_3d"), attributes, "curve_3d");
@@ -196,7 +201,7 @@ CurveShapePtr Geometry::polyline(Attributes &attributes) {
 // By points where the file prefers them or has no parameters, otherwise by parameters.
 CurveShapePtr Geometry::trimmed_curve(Attributes &attributes) {
     attributes.part("TRIMMED_CURVE");
-    const CurveShapePtr basis = curve(attributes.reference("basis_curve"), attributes, "basis_curve");
+    const int64_t number = attributes.reference("basis_curve");
     const Trim first = read_trim(entities_, attributes, "trim_1", units_.length);
     const Trim second = read_trim(entities_, attributes, "trim_2", units_.length);
     const bool forward = attributes.boolean("sense_agreement");
@@ -206,14 +211,29 @@ CurveShapePtr Geometry::trimmed_curve(Attributes &attributes) {
         attributes.fail_attribute(Status::syntax, "trim_2",
                                   "a point and a parameter, expected two of one kind");
     }
-    entities_.spend(size_of(*basis));
-    if (points && (prefers_points || !parameters)) {
+    const auto between = [&](const CurveShapePtr &basis) {
+        entities_.spend(size_of(*basis));
+        const double unit = measured_by_angle(*basis) ? units_.angle : 1;
+        return model::piece_between(basis, unit * *first.parameter, unit * *second.parameter, forward,
+                                    units_.tolerance);
+    };
+    const bool by_points = points && (prefers_points || !parameters);
+    if (const Instance &offset = entities_.at(number, attributes, "basis_curve");
+        !by_points && is_offset_curve(offset.kind())) {
+        return trimmed_offset(offset, between);
+    }
+    const int64_t before = entities_.approximations();
+    const CurveShapePtr basis = curve(number, attributes, "basis_curve");
+    if (!by_points && entities_.approximations() != before) {
+        attributes.fail_attribute(Status::unsupported, "basis_curve",
+                                  "is approximated, over parameters that may be others between its knots");
+    }
+    if (by_points) {
+        entities_.spend(size_of(*basis));
         return model::curve_of_piece(model::piece_between(
             basis, {first.point->x.data(), second.point->x.data(), forward, units_.tolerance}));
     }
-    const double unit = measured_by_angle(*basis) ? units_.angle : 1;
-    return model::curve_of_piece(model::piece_between(basis, unit * *first.parameter,
-                                                      unit * *second.parameter, forward, units_.tolerance));
+    return model::curve_of_piece(between(basis));
 }
 
 CurvePiece Geometry::segment(int64_t number, const Attributes &owner) {

@@ -6,6 +6,8 @@
 #include "io/step/entities.h"
 #include "model/shapes/surface_shape.h"
 
+#include <functional>
+
 namespace nrb::io::step {
 
 // A curve in the parameter plane of a surface, in the units of the file.
@@ -37,7 +39,12 @@ private:
     model::CurveShapePtr polyline(Attributes &attributes);
     model::CurveShapePtr trimmed_curve(Attributes &attributes);
     model::CurveShapePtr composite(Attributes &attributes);
+    model::CurveShapePtr curve_replica(const Instance &instance, Attributes &attributes);
     model::CurvePiece segment(int64_t number, const Attributes &owner);
+    using BasisPart = std::function<model::CurveShapePtr(const model::CurveShapePtr &basis)>;
+    model::CurveShapePtr offset_curve(const Instance &instance, const BasisPart &part = {});
+    using PartBetween = std::function<model::CurvePiece(const model::CurveShapePtr &basis)>;
+    model::CurveShapePtr trimmed_offset(const Instance &offset, const PartBetween &between);
 
     model::SurfaceShapePtr read_surface(const Instance &instance);
     model::SurfaceShape elementary(const Instance &instance, Attributes &attributes);
@@ -45,6 +52,8 @@ private:
     model::SurfaceShape revolution(Attributes &attributes);
     model::SurfaceShape extrusion(Attributes &attributes);
     model::SurfaceShapePtr offset(Attributes &attributes);
+    model::SurfaceShapePtr surface_replica(const Instance &instance, Attributes &attributes);
+    void tell_scale(const Instance &replica, double scale, int64_t before);
     model::SurfaceShape rectangular_trimmed(Attributes &attributes);
     [[nodiscard]] double in_radians(double parameter, model::Measure measure) const noexcept;
 

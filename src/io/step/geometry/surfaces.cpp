@@ -79,6 +79,8 @@ SurfaceShapePtr Geometry::read_surface(const Instance &instance) {
     case Kind::curve_bounded_surface:
         attributes.part("CURVE_BOUNDED_SURFACE");
         return surface(attributes.reference("basis_surface"), attributes, "basis_surface");
+    case Kind::surface_replica:
+        return surface_replica(instance, attributes);
     case Kind::unread_surface:
         fail(Status::unsupported, "does not become a spline in this version");
     default:
@@ -170,7 +172,12 @@ SurfaceShape Geometry::extrusion(Attributes &attributes) {
 SurfaceShapePtr Geometry::offset(Attributes &attributes) {
     attributes.part("OFFSET_SURFACE");
     SurfaceShape shape = shape_of(SurfaceKind::offset);
+    const int64_t before = entities_.approximations();
     shape.basis = surface(attributes.reference("basis_surface"), attributes, "basis_surface");
+    if (entities_.approximations() != before) {
+        attributes.fail_attribute(Status::unsupported, "basis_surface",
+                                  "is made of an approximated curve, which leaves its normals unknown");
+    }
     shape.distance = units_.length * attributes.real("distance");
     const SurfaceShapePtr known = model::known_offset(shape.basis, shape.distance);
     return known != nullptr ? known : std::make_shared<const SurfaceShape>(std::move(shape));

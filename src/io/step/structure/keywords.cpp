@@ -42,7 +42,7 @@ constexpr Keyword keywords[] = {
     {"CONVERSION_BASED_UNIT", Kind::conversion_based_unit},
     {"CSG_SHAPE_REPRESENTATION", Kind::shape_representation},
     {"CURVE_BOUNDED_SURFACE", Kind::curve_bounded_surface},
-    {"CURVE_REPLICA", Kind::unread_curve},
+    {"CURVE_REPLICA", Kind::curve_replica},
     {"CYLINDRICAL_SURFACE", Kind::cylindrical_surface},
     {"DEFINITIONAL_REPRESENTATION", Kind::definitional_representation},
     {"DEGENERATE_PCURVE", Kind::point_on_geometry},
@@ -74,8 +74,8 @@ constexpr Keyword keywords[] = {
     {"MANIFOLD_SURFACE_SHAPE_REPRESENTATION", Kind::shape_representation},
     {"MAPPED_ITEM", Kind::mapped_item},
     {"MEASURE_WITH_UNIT", Kind::measure_with_unit},
-    {"OFFSET_CURVE_2D", Kind::unread_curve},
-    {"OFFSET_CURVE_3D", Kind::unread_curve},
+    {"OFFSET_CURVE_2D", Kind::offset_curve_2d},
+    {"OFFSET_CURVE_3D", Kind::offset_curve_3d},
     {"OFFSET_SURFACE", Kind::offset_surface},
     {"OPEN_SHELL", Kind::topology},
     {"ORIENTED_CLOSED_SHELL", Kind::topology},
@@ -117,7 +117,7 @@ constexpr Keyword keywords[] = {
     {"SURFACE_OF_LINEAR_EXTRUSION", Kind::surface_of_linear_extrusion},
     {"SURFACE_OF_REVOLUTION", Kind::surface_of_revolution},
     {"SURFACE_PATCH", Kind::unread_surface},
-    {"SURFACE_REPLICA", Kind::unread_surface},
+    {"SURFACE_REPLICA", Kind::surface_replica},
     {"TESSELLATED_SHAPE_REPRESENTATION", Kind::shape_representation},
     {"TOROIDAL_SURFACE", Kind::toroidal_surface},
     {"TRIMMED_CURVE", Kind::trimmed_curve},
@@ -145,12 +145,16 @@ bool owns_geometry(Kind kind) noexcept {
     case Kind::composite_curve_segment:
     case Kind::surface_curve:
     case Kind::pcurve:
+    case Kind::offset_curve_2d:
+    case Kind::offset_curve_3d:
+    case Kind::curve_replica:
     case Kind::unread_curve:
     case Kind::surface_of_revolution:
     case Kind::surface_of_linear_extrusion:
     case Kind::offset_surface:
     case Kind::rectangular_trimmed_surface:
     case Kind::curve_bounded_surface:
+    case Kind::surface_replica:
     case Kind::unread_surface:
     case Kind::point_on_geometry:
     case Kind::edge_curve:

@@ -27,6 +27,9 @@ enum class Kind : uint16_t {
     composite_curve,
     surface_curve,
     pcurve,
+    offset_curve_2d,
+    offset_curve_3d,
+    curve_replica,
     unread_curve,
     // surfaces
     plane,
@@ -45,6 +48,7 @@ enum class Kind : uint16_t {
     b_spline_surface_with_knots,
     rectangular_trimmed_surface,
     curve_bounded_surface,
+    surface_replica,
     unread_surface,
     // other geometry
     cartesian_point,
@@ -89,6 +93,9 @@ Kind kind_of(std::string_view keyword) noexcept;
 
 inline bool is_curve(Kind kind) noexcept {
     return kind >= Kind::line && kind <= Kind::unread_curve;
+}
+inline bool is_offset_curve(Kind kind) noexcept {
+    return kind == Kind::offset_curve_2d || kind == Kind::offset_curve_3d;
 }
 inline bool is_surface(Kind kind) noexcept {
     return kind >= Kind::plane && kind <= Kind::unread_surface;

@@ -336,8 +336,9 @@ TEST(StepSurfaces, offsets_of_kinks_and_others_are_noted) {
               offset + " OFFSET_SURFACE: the surface has no normal at (0, 0), where its offset is not known");
     EXPECT_EQ(only_note(builder).reason, Status::unsupported);
     StepBuilder other;
-    const std::string replica = other.add("SURFACE_REPLICA('',#98,#99)");
-    EXPECT_EQ(only_note(other).text, replica + " SURFACE_REPLICA: does not become a spline in this version");
+    const std::string unread = other.add("RECTANGULAR_COMPOSITE_SURFACE('',())");
+    EXPECT_EQ(only_note(other).text,
+              unread + " RECTANGULAR_COMPOSITE_SURFACE: does not become a spline in this version");
 }
 
 TEST(StepSurfaces, without_ends_and_boundary_there_is_a_note) {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Offsets of curves.
+#pragma once
+
+#include "fit/offset/offset_surface.h"
+#include "numeric/vector3.h"
+
+namespace nrb::fit {
+
+// The offset is C + d N with the unit normal N along V x C', as ISO 10303-42 defines it: V is a fixed direction, Z for curves of the
+// plane, where N is to the left.
+struct CurveOffset {
+    double distance;
+    Vector3 reference; // V, of length 1 to rounding
+};
+
+struct OffsetCurve {
+    SplinePtr spline;
+    double bound; // of the distance from the offset at equal parameters, proven
+    bool
+        turns_back; // somewhere, looked for at the ends and middles of the pieces: it runs against the curve behind a cusp, where the
+                    // radius of curvature is the distance
+};
+
+// A cubic polynomial spline within the tolerance, with the parameters of the curve: Hermite pieces, cut where offset_bounds() does not
+// prove it. They join with equal derivatives except at knots where those of the curve, up to the second ones, may jump. Throws
+// Status::unsupported where the curve has no tangent, one along V, or two at a knot; not_converged with the bound that was met.
+// Precondition: a curve of dimension 2 or 3, d != 0, tolerance > 0.
+OffsetCurve offset_curve(const SplinePtr &curve, const CurveOffset &offset, const OffsetRule &rule);
+
+} // namespace nrb::fit

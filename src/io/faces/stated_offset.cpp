@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "io/faces/stated_offset.h"
+
+#include "base/error.h"
+#include "bounds/box.h"
+#include "io/faces/make_face.h"
+#include "model/shapes/curve_spline.h"
+
+namespace nrb::io {
+
+namespace {
+
+constexpr double share = 0.25;             // of the tolerance, most of which is left to others
+constexpr double share_of_size = 0x1p-30;  // in the plane
+constexpr int64_t doubles_of_a_piece = 64; // while it is looked for
+
+double tolerance_for(const model::CurveShape &basis, double stated) {
+    if (basis.place.dim == 2 && model::bounded(basis)) {
+        return share_of_size * bounds::extent(*model::curve_spline(basis));
+    }
+    return share * (stated > 0 ? stated : usual_tolerance);
+}
+
+} // namespace
+
+model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
+                               const fit::CurveOffset &offset, double stated) {
+    const bool known = model::has_known_offset(*basis, offset);
+    const fit::OffsetRule rule{known ? usual_tolerance : tolerance_for(*basis, stated),
+                               limits.left() / doubles_of_a_piece, &limits.patches()};
+    return model::offset_curve_shape(basis, offset, rule, stated);
+}
+
+std::string note_on(const model::MadeCurve &made) {
+    std::string text;
+    if (made.distance > 0) {
+        text = std::string("its offset curve is approximated within ") + Number(made.distance).text;
+    }
+    if (made.turns_back) {
+        text += text.empty() ? "its offset curve" : ", and";
+        text += " runs against the basis where the radius of curvature of that is below the distance";
+    }
+    return text;
+}
+
+} // namespace nrb::io
