@@ -3,11 +3,11 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "io/step/write/shells.h"
+#include "io/written/shells.h"
+#include "io/written/spline_facts.h"
 #include "io/step/write/write_colours.h"
 #include "io/step/write/write_contexts.h"
 #include "io/step/write/write_products.h"
-#include "io/step/write/write_spline.h"
 #include "io/step/write/write_topology.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ public:
 
     std::string run() {
         check_splines();
-        const step::Topology topology = step::topology_of(model_);
+        const Topology topology = topology_of(model_);
         step::TopologyWriter written(geometry_, model_, topology, tolerances_);
         written.run();
         add_shells(written, topology);
@@ -107,7 +107,7 @@ private:
 
     void check_splines() const {
         for (size_t i = 0; i < model_.splines.size(); ++i) {
-            named("splines", i, [&] { step::check_writable(*model_.splines[i].spline); });
+            named("splines", i, [&] { check_writable(*model_.splines[i].spline, "STEP"); });
         }
     }
 
@@ -115,8 +115,8 @@ private:
         return model_.parts.empty() ? step::no_name : Text{model_.parts[static_cast<size_t>(part)].name};
     }
 
-    void add_shells(const step::TopologyWriter &written, const step::Topology &topology) {
-        for (const step::Shell &shell : step::shells_of(model_, topology)) {
+    void add_shells(const step::TopologyWriter &written, const Topology &topology) {
+        for (const Shell &shell : shells_of(model_, topology)) {
             std::vector<int64_t> faces;
             for (const size_t face : shell.faces) {
                 faces.push_back(written.faces()[face]);
@@ -135,7 +135,7 @@ private:
     }
 
     // Edges of which no face is made.
-    void add_wires(const step::TopologyWriter &written, const step::Topology &topology) {
+    void add_wires(const step::TopologyWriter &written, const Topology &topology) {
         std::vector<std::vector<int64_t>> edges(parts_.size());
         for (size_t i = 0; i < model_.edges.size(); ++i) {
             if (topology.edges[i].uses.empty()) {

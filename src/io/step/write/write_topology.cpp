@@ -5,6 +5,7 @@
 #include "io/iges/text.h"
 #include "io/step/write/edge_curves.h"
 #include "io/step/write/write_spline.h"
+#include "io/written/spline_facts.h"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ bool on_shape(const model::ModelFace &face) {
 
 void check_surface(const Spline &surface, size_t index) {
     try {
-        check_writable(surface);
+        check_writable(surface, "STEP");
     } catch (const Error &error) {
         fail(error.status(), "faces[%zu]: its surface %s", index, error.what());
     }

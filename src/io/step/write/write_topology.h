@@ -2,7 +2,7 @@
 // Vertices, edges and faces as they are written.
 #pragma once
 
-#include "io/step/write/topology.h"
+#include "io/written/topology.h"
 #include "io/step/write/write_geometry.h"
 
 #include <functional>

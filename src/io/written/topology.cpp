@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/write/topology.h"
+#include "io/written/topology.h"
 
 #include "eval/evaluate.h"
 #include "face/deviation.h"
@@ -8,7 +8,7 @@
 #include <array>
 #include <map>
 
-namespace nrb::io::step {
+namespace nrb::io {
 namespace {
 
 Vector3 point_on(const Spline &curve, double t, bool left) {
@@ -122,4 +122,4 @@ Topology topology_of(const model::Model &model) {
     return TopologyMaker(model).run();
 }
 
-} // namespace nrb::io::step
+} // namespace nrb::io
