@@ -6244,8 +6244,8 @@ typedef struct nurbs_read_options {
     double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
     int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
     double tolerance; /**< distances in the unit of the result that count as none, in place of the uncertainty
-                              that a STEP file states: the tolerance of faces, and how near to what the file states
-                              is what has to be made; 0 takes what the file states. \since 1.1 */
+                              or resolution that a file states: the tolerance of faces, and how near to what the file
+                              states is what has to be made; 0 takes what the file states. \since 1.1 */
 } nurbs_read_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -6266,11 +6266,11 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * domain, and the seam as a knot of multiplicity `degree`. Every other entity that did not go into a spline,
  * and every 126 or 128 that is not a valid spline, is listed in the notes.
  *
- * Since 1.1, in the same order, exactly but for rounding: circular and conic arcs (100, 104), composite
- * curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and surfaces
- * (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres (196),
- * tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite curves
- * and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
+ * Since 1.1, after those and in the same order, exactly but for rounding: circular and conic arcs (100, 104),
+ * composite curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and
+ * surfaces (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres
+ * (196), tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite
+ * curves and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
  * parameters of IGES, angles in radians; of hyperbolas and parabolas those of ISO 10303-42 (negated where
  * they run against them), of a tabulated cylinder those of its directrix. The angle of a surface of
  * revolution is its first parameter, the one along the generatrix the second. Curves of a composite one are
@@ -6280,8 +6280,8 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * 1e-9; others make arcs splines of what they are mapped to, and of spheres, tori and surfaces of revolution
  * notes. Rulings join points of equal parameters of the two splines; where the file asks for others (of equal
  * arc length, or equal angles of an arc and parameters of something else), a note with
- * NURBS_ERROR_UNSUPPORTED says so beside the spline. Surfaces and lines without ends, offset curves and
- * surfaces, and trimmed faces are listed in the notes.
+ * NURBS_ERROR_UNSUPPORTED says so beside the spline. Offset surfaces (140) are as those of STEP. Surfaces and
+ * lines without ends, offset curves, and trimmed faces are listed in the notes.
  *
  * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
  * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
@@ -6613,11 +6613,11 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
 /** \brief Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
  * says. Planes, cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines
  * exactly, and keep their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their
- * kind, too. Surfaces without ends are cut to the boundary of their face. A face has the
- * tolerance that the file states, 1e-7 if it states none, or one larger by powers of ten where its edges need
- * that, which a note tells. What is wrong with a face or an edge becomes a note and does not affect the others.
- * However the entities name each other, memory stays below 64 times the size of the file and 1 MB more, and
- * parts are not multiplied; a use that would put a part into itself is left out, and its note has the reason
+ * kind, too. Surfaces without ends are cut to the boundary of their face. A face has the tolerance that the
+ * file states, 1e-7 if it states none, or one larger by powers of ten where its edges need that, which a note
+ * tells. What is wrong with a face or an edge becomes a note and does not affect the others. However the
+ * entities name each other, memory stays below 64 times the size of the file and 1 MB more, and parts are not
+ * multiplied; a use that would put a part into itself is left out, and its note has the reason
  * NURBS_ERROR_CYCLE.
  *
  * STEP (ISO 10303-21; AP203, AP214, AP242): the curve in space of an edge rules: curves in the domain of a
@@ -6828,7 +6828,10 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * - curves in the domains of other surfaces than splines, and those that are not under their edges at equal
  *   parameters to the tolerance of the file, which readers make anew;
  * - parametrizations of curves in domains, which become those of their edges;
- * - blanks around names of faces and splines, and control characters, which become '?'.
+ * - blanks around names of faces and splines, control characters, which become '?', and empty names, which
+ *   become "#" and the number of their entity;
+ * - faces of NURBS_KEEP_GAPS whose loops have gaps of more than 10^4 times the tolerance of the file: readers
+ *   refuse them.
  *
  * Knots inside of a domain more than `degree` times, and weights of 0, are written as they are: this library
  * reads them, the standard has no such splines.
@@ -6847,7 +6850,8 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
 typedef struct nurbs_write_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< unit of the file in metres; 0: that of the model, millimetres if it has none */
-    double tolerance;    /**< distance that counts as none, in units of the file; 0: that of the faces */
+    double tolerance; /**< distance that counts as none, in units of the file; 0: the least of a part's faces,
+                              but no less than 10^-4 of its largest one, and 1e-7 metres without faces */
 } nurbs_write_options;
 
 /** \brief Fills an options struct with the defaults.

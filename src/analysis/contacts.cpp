@@ -5,7 +5,7 @@
 #include "base/finite.h"
 #include "base/numbers.h"
 #include "bounds/deviation.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "numeric/norm.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/parts/iso.h"
@@ -48,12 +48,7 @@ double gap_of(const Spline &a, const Spline &b, double tolerance) {
 double gap_of_ends(const Spline &curve) {
     std::vector<double> ends[2];
     for (const bool upper : {false, true}) {
-        const double t = end_of(curve.axis(0), upper);
-        eval::AxisRules rules{};
-        rules[0] = side(upper);
-        auto &x = ends[upper ? 1 : 0];
-        x.resize(static_cast<size_t>(curve.dim()));
-        eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
+        ends[upper ? 1 : 0] = eval::end_point(curve, upper);
     }
     if (ends[0] == ends[1]) {
         return 0;

@@ -3,7 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -14,14 +14,6 @@ namespace {
 
 constexpr size_t most_kept = 4096;
 constexpr int64_t work_of_a_piece = 2000; // of its memory, beyond that of its net
-
-std::vector<double> point(const Spline &curve, double t, bool left) {
-    eval::AxisRules rules{};
-    rules[0].left = left;
-    std::vector<double> x(static_cast<size_t>(curve.dim()));
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
-    return x;
-}
 
 } // namespace
 
@@ -52,7 +44,8 @@ double CurvePieces::jump(size_t e) const {
         return 0;
     }
     const double end_before = e > 0 ? start(e) : end(count() - 1);
-    const std::vector<double> a = point(curve_, end_before, true), b = point(curve_, start(e), false);
+    const std::vector<double> a = eval::curve_point(curve_, end_before, true),
+                              b = eval::curve_point(curve_, start(e), false);
     const auto n = static_cast<int>(a.size());
     const double gap = distance(a.data(), b.data(), n);
     return gap > 4 * eps * (norm(a.data(), n) + norm(b.data(), n)) ? gap : 0;

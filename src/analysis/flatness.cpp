@@ -2,6 +2,7 @@
 #include "analysis/flatness.h"
 
 #include "base/numbers.h"
+#include "eval/curve_point.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/principal_axes.h"
@@ -102,16 +103,6 @@ std::vector<double> places_on(const KnotVector &axis, int axes) {
     return places;
 }
 
-std::vector<double> end_point(const Spline &curve, bool upper) {
-    eval::AxisRules rules{};
-    rules[0].left = upper;
-    const Interval domain = curve.axis(0).domain();
-    const double t = upper ? domain.upper : domain.lower;
-    std::vector<double> x(static_cast<size_t>(curve.dim()));
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
-    return x;
-}
-
 // 1 - d d^T / |d|^2.
 std::vector<double> projection_across(const std::vector<double> &d) {
     const size_t n = d.size();
@@ -209,7 +200,7 @@ Flatness straightness(const Spline &spline) {
     points.resize(std::max(points.size(), static_cast<size_t>(dim)), 0.0);
     Flatness result{mean_of(points, dim), main_direction(points, dim), 0};
     if (spline.axes() == 1) {
-        const std::vector<double> a = end_point(spline, false), b = end_point(spline, true);
+        const std::vector<double> a = eval::end_point(spline, false), b = eval::end_point(spline, true);
         double along = 0;
         for (size_t c = 0; c < a.size(); ++c) {
             along += result.direction[c] * (b[c] - a[c]);

@@ -2,7 +2,7 @@
 #include "face/loop.h"
 
 #include "build/polylines.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
@@ -12,17 +12,16 @@ namespace nrb::face {
 
 namespace {
 
-Point2 point_of(const Spline &curve, double t, bool left) {
-    eval::AxisRules rules{};
-    rules[0].left = left;
+Point2 point_of(const Spline &curve, double t) {
     Point2 x;
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 2, 2, 1});
+    eval::curve_point(curve, t, false, x.data());
     return x;
 }
 
 Point2 end_of(const Spline &curve, bool upper) {
-    const Interval domain = curve.axis(0).domain();
-    return point_of(curve, upper ? domain.upper : domain.lower, upper);
+    Point2 x;
+    eval::end_point(curve, upper, x.data());
+    return x;
 }
 
 // Where a loop that came to a pole at `from` leaves it. Along the upper end of axis 1 the inside is to the left of those who run
@@ -63,8 +62,8 @@ CurveEnds ends_of(const Spline &surface, const Covering &covering, const Spline 
     CurveEnds ends{end_of(curve, false), end_of(curve, true), {}, {}};
     if (covering.has_poles()) {
         const Interval domain = curve.axis(0).domain();
-        const Covering::Pole middle = pole_at(
-            surface, covering, point_of(curve, domain.lower / 2 + domain.upper / 2, false), tolerance);
+        const Covering::Pole middle =
+            pole_at(surface, covering, point_of(curve, domain.lower / 2 + domain.upper / 2), tolerance);
         if (middle.axis < 0) {
             ends.first = pole_at(surface, covering, ends.start, tolerance);
             ends.last = pole_at(surface, covering, ends.end, tolerance);

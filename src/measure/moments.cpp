@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "measure/moment_integrand.h"
 #include "numeric/norm.h"
 
@@ -48,15 +48,6 @@ Moments moments_of(const std::vector<Elements> &splines, const Integrand &integr
                         frame, order, relative_tolerance);
 }
 
-// The place of a curve at a parameter, from one side.
-std::vector<double> place_of(const Spline &curve, double t, bool left) {
-    std::vector<double> x(static_cast<size_t>(curve.dim()));
-    eval::AxisRules rules{};
-    rules[0].left = left;
-    eval::evaluate_points(curve, rules, 0, {&t, 1}, {x.data(), 1, curve.dim(), curve.dim()});
-    return x;
-}
-
 struct CurveEnd {
     int64_t curve;
     std::vector<double> place;
@@ -74,10 +65,10 @@ void add_ends(const Spline &curve, int64_t number, std::vector<CurveEnd> &starts
             continue;
         }
         if (group.knot > lower) {
-            ends.push_back({number, place_of(curve, group.knot, true)});
+            ends.push_back({number, eval::curve_point(curve, group.knot, true)});
         }
         if (group.knot < upper) {
-            starts.push_back({number, place_of(curve, group.knot, false)});
+            starts.push_back({number, eval::curve_point(curve, group.knot, false)});
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/from_faces.h"
 
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "face/deviation.h"
 
 #include <cstdlib>
@@ -14,12 +14,8 @@ namespace {
 using Place = std::array<double, 3>;
 
 Place end_of(const Spline &curve, bool upper) {
-    const Interval domain = curve.axis(0).domain();
-    const double t = upper ? domain.upper : domain.lower;
-    eval::AxisRules rules{};
-    rules[0].left = upper;
     Place x;
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 3, 3, 1});
+    eval::end_point(curve, upper, x.data());
     return x;
 }
 

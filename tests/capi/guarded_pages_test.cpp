@@ -33,6 +33,7 @@ void run(const calls::Call &call, const calls::Inputs &in) {
 // Names and bytes, for which the table of the calls has no place.
 void names_and_bytes(const calls::Inputs &in) {
     const nurbs *const splines[] = {in.curve, in.loop};
+    const nurbs *const surface = in.surface;
     const char *const names[] = {"curve", "loop"};
     std::array<unsigned char, 1 << 14> bytes{};
     nurbs_list *list = nullptr;
@@ -41,6 +42,17 @@ void names_and_bytes(const calls::Inputs &in) {
     CHECK_OK(nurbs_to_bytes(in.curve, std::ssize(bytes), bytes.data(), nullptr));
     CHECK_OK(nurbs_face_to_bytes(in.face, std::ssize(bytes), bytes.data(), nullptr));
     CHECK_OK(nurbs_model_to_bytes(in.model, std::ssize(bytes), bytes.data(), nullptr));
+    nurbs_list *in_space = nullptr;
+    CHECK_OK(nurbs_list_create(1, &surface, names, 1, &in_space));
+    CHECK_OK(
+        nurbs_list_write(in_space, NURBS_FORMAT_STEP, nullptr, std::ssize(bytes), bytes.data(), nullptr));
+    CHECK_OK(nurbs_list_write_with(in_space, NURBS_FORMAT_STEP, nullptr, std::ssize(bytes), bytes.data(),
+                                   nullptr, nullptr));
+    CHECK_OK(
+        nurbs_model_write(in.model, NURBS_FORMAT_STEP, nullptr, std::ssize(bytes), bytes.data(), nullptr));
+    CHECK_OK(nurbs_model_write_with(in.model, NURBS_FORMAT_STEP, nullptr, std::ssize(bytes), bytes.data(),
+                                    nullptr, nullptr));
+    nurbs_list_destroy(in_space);
     nurbs_list_destroy(list);
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/step/write/edge_curves.h"
 #include "model/model.h"
+#include "spline/same_numbers.h"
 
 #include <string>
 #include <vector>
@@ -48,7 +49,7 @@ private:
         for (size_t i = 0; i < a_.splines.size(); ++i) {
             const std::string what = "spline " + std::to_string(i);
             expect(what + ": name", a_.splines[i].name == b_.splines[i].name);
-            expect(what, nrb::io::step::same_values(*a_.splines[i].spline, *b_.splines[i].spline));
+            expect(what, nrb::same_numbers(*a_.splines[i].spline, *b_.splines[i].spline));
         }
     }
     void parts() {
@@ -68,7 +69,7 @@ private:
         expect(what + ": kind", (a.shape == nullptr ? nrb::model::SurfaceKind::spline : a.shape->kind) ==
                                     (b.shape == nullptr ? nrb::model::SurfaceKind::spline : b.shape->kind));
         expect(what + ": tolerance", a.face->tolerance() == b.face->tolerance());
-        expect(what + ": surface", nrb::io::step::same_values(*a.face->surface(), *b.face->surface()));
+        expect(what + ": surface", nrb::same_numbers(*a.face->surface(), *b.face->surface()));
         expect(what + ": number of loops", a.face->loops().size() == b.face->loops().size());
         for (size_t i = 0; i < std::min(a.face->loops().size(), b.face->loops().size()); ++i) {
             loop(what + " loop " + std::to_string(i), a.face->loops()[i], b.face->loops()[i]);
@@ -78,7 +79,7 @@ private:
         expect(what + ": size", a.size() == b.size());
         for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
             const std::string at = what + " curve " + std::to_string(i);
-            expect(at, nrb::io::step::same_values(*a[i].curve, *b[i].curve));
+            expect(at, nrb::same_numbers(*a[i].curve, *b[i].curve));
             expect(at + ": key or direction", a[i].key == b[i].key && a[i].against == b[i].against);
         }
     }
@@ -86,7 +87,7 @@ private:
         for (size_t i = 0; i < a_.edges.size(); ++i) {
             const nrb::model::Edge &a = a_.edges[i], &b = b_.edges[i];
             const std::string what = "edge " + std::to_string(i);
-            expect(what, nrb::io::step::same_values(*a.curve, *b.curve));
+            expect(what, nrb::same_numbers(*a.curve, *b.curve));
             expect(what + ": ends or part", a.vertices == b.vertices && a.part == b.part);
             expect(what + ": kind", (a.shape == nullptr ? nrb::model::CurveKind::spline : a.shape->kind) ==
                                         (b.shape == nullptr ? nrb::model::CurveKind::spline : b.shape->kind));

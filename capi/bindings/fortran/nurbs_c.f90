@@ -186,9 +186,9 @@ module nurbs_c
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! wanted unit in metres (0.001: millimetres); 0 keeps the file's own
         integer(c_int64_t) :: max_bytes  ! largest file accepted; 0 means the default, 2^30
-        ! distances in the unit of the result that count as none, in place of the uncertainty that a STEP file
-        ! states: the tolerance of faces, and how near to what the file states is what has to be made; 0 takes
-        ! what the file states. \since 1.1
+        ! distances in the unit of the result that count as none, in place of the uncertainty or resolution
+        ! that a file states: the tolerance of faces, and how near to what the file states is what has to be
+        ! made; 0 takes what the file states. \since 1.1
         real(c_double) :: tolerance
     end type nurbs_read_options
 
@@ -198,7 +198,8 @@ module nurbs_c
     type, bind(c) :: nurbs_write_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! unit of the file in metres; 0: that of the model, millimetres if it has none
-        ! distance that counts as none, in units of the file; 0: that of the faces
+        ! distance that counts as none, in units of the file; 0: the least of a part's faces, but no less than
+        ! 10^-4 of its largest one, and 1e-7 metres without faces
         real(c_double) :: tolerance
     end type nurbs_write_options
 

@@ -12,6 +12,7 @@
 #include "pieces/best_first.h"
 #include "pieces/tree/framed_pieces.h"
 #include "spline/kind.h"
+#include "spline/same_numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -39,7 +39,4 @@ ParameterMap straight_map(const Spline &from, const Spline &to);
 std::optional<ParameterMap> matching_map(const Spline &from, const Spline &to, double rounding,
                                          double tolerance, int64_t budget);
 
-// Whether two splines are the same numbers.
-bool same_numbers(const Spline &a, const Spline &b) noexcept;
-
 } // namespace nrb::closest

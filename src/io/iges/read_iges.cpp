@@ -89,11 +89,14 @@ private:
         return std::move(made.spline);
     }
 
+    // The B-splines come first, at the places where they are without the others.
     void collect_splines() {
-        for (size_t i = 0; i < splines_.size(); ++i) {
-            const Entry &entry = directory_.entries()[i];
-            if (splines_[i] != nullptr && (!is_part_[i] || always_listed(entry.type))) {
-                model_.splines.push_back({geometry_.name(entry.line), std::move(splines_[i])});
+        for (const bool first : {true, false}) {
+            for (size_t i = 0; i < splines_.size(); ++i) {
+                const Entry &entry = directory_.entries()[i];
+                if (splines_[i] != nullptr && always_listed(entry.type) == first && (first || !is_part_[i])) {
+                    model_.splines.push_back({geometry_.name(entry.line), std::move(splines_[i])});
+                }
             }
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/written/topology.h"
 
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "face/deviation.h"
 #include "spline/part.h"
 
@@ -11,18 +11,10 @@
 namespace nrb::io {
 namespace {
 
-Vector3 point_on(const Spline &curve, double t, bool left) {
-    Vector3 x;
-    eval::AxisRules rules{};
-    rules[0].left = left;
-    double out[3];
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {out, 1, 3, 3, 1});
-    x = {out[0], out[1], out[2]};
-    return x;
-}
-
 Vector3 at_share(const Spline &curve, double share) {
-    return point_on(curve, parameter_in(curve.axis(0).domain(), share), share == 1);
+    double x[3];
+    eval::curve_point(curve, parameter_in(curve.axis(0).domain(), share), share == 1, x);
+    return {x[0], x[1], x[2]};
 }
 
 // Whether a curve in the domain of a face runs along an edge rather than against it, by some places of both.
@@ -31,7 +23,7 @@ bool runs_along(const face::Face &face, const Spline &curve, const Spline &edge)
     for (const double share : {0.0, 0.2, 0.4, 0.7, 1.0}) {
         const double t = parameter_in(curve.axis(0).domain(), share);
         face::Point2 place;
-        eval::evaluate_points(curve, {}, 0, {&t, 1, 1, 1, 1}, {place.data(), 1, 2, 2, 1});
+        eval::curve_point(curve, t, false, place.data());
         const std::vector<double> x = face::point_at(*face.surface(), face.covering().in_domain(place));
         const Vector3 at{x[0], x[1], x[2]};
         along += nrb::length(at - at_share(edge, share));

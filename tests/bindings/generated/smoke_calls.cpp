@@ -767,7 +767,9 @@ void data(const Inputs &in) {
     {
         begin("list_write_file");
         const n::List edges = n::boundaries(in.surface);
-        edges.write_file(replaced_path(), 1);
+        n::WriteOptions options;
+        options.unit = 0.0254;
+        edges.write_file(replaced_path(), 1, options);
     }
     {
         begin("read_with");
@@ -966,7 +968,9 @@ void data(const Inputs &in) {
     {
         begin("list_write_file_with");
         const n::List edges = n::boundaries(in.surface);
-        edges.write_file(replaced_path(), 1, {}, watched());
+        n::WriteOptions options;
+        options.unit = 0.0254;
+        edges.write_file(replaced_path(), 1, options, watched());
     }
 }
 

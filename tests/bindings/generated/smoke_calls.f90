@@ -1603,8 +1603,12 @@ contains
         call begin('list_write_file')
         block
             type(nurbs_list) :: edges
+            type(nurbs_write_options) :: options_given
             call spline_boundaries(g=surface, list=edges)
-            call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1)
+            call default_write_options(options_given)
+            options_given%unit = 0.0254d0
+            call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, &
+                options=options_given)
         end block
         call begin('read_with')
         block
@@ -1914,9 +1918,13 @@ contains
         call begin('list_write_file_with')
         block
             type(nurbs_list) :: edges
+            type(nurbs_write_options) :: options_given
             type(nurbs_call) :: watching
             call spline_boundaries(g=surface, list=edges)
-            call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, call=watching)
+            call default_write_options(options_given)
+            options_given%unit = 0.0254d0
+            call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, &
+                options=options_given, call=watching)
         end block
     end subroutine calls_of_data
 

@@ -1326,7 +1326,11 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("list_write_file");
     {
         let edges = given.surface.boundaries()?;
-        edges.write_file(written("smoke_calls_rust.replaced", REPLACED), 1, None)?;
+        edges.write_file(
+            written("smoke_calls_rust.replaced", REPLACED),
+            1,
+            Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
+        )?;
     }
     begin("read_with");
     {
@@ -1633,7 +1637,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         edges.write_file_with(
             written("smoke_calls_rust.replaced", REPLACED),
             1,
-            None,
+            Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
             &mut Call::new().progress(|_| true),
         )?;
     }

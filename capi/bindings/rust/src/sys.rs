@@ -345,9 +345,9 @@ pub struct nurbs_read_options {
     pub unit: f64,
     /// largest file accepted; 0 means the default, 2^30
     pub max_bytes: i64,
-    /// distances in the unit of the result that count as none, in place of the uncertainty that a STEP file
-    /// states: the tolerance of faces, and how near to what the file states is what has to be made; 0 takes
-    /// what the file states. \since 1.1
+    /// distances in the unit of the result that count as none, in place of the uncertainty or resolution that
+    /// a file states: the tolerance of faces, and how near to what the file states is what has to be made; 0
+    /// takes what the file states. \since 1.1
     pub tolerance: f64,
 }
 
@@ -361,7 +361,8 @@ pub struct nurbs_write_options {
     pub struct_size: i64,
     /// unit of the file in metres; 0: that of the model, millimetres if it has none
     pub unit: f64,
-    /// distance that counts as none, in units of the file; 0: that of the faces
+    /// distance that counts as none, in units of the file; 0: the least of a part's faces, but no less than
+    /// 10^-4 of its largest one, and 1e-7 metres without faces
     pub tolerance: f64,
 }
 

@@ -5,6 +5,7 @@
 #include "io/iges/geometry/power_pieces.h"
 #include "io/iges/geometry/shapes.h"
 #include "io/iges/geometry/spline.h"
+#include "model/shapes/offset_shape.h"
 
 #include <cmath>
 
@@ -118,6 +119,10 @@ Surface Geometry::offset(Reading &reading) {
     entities_.spend(size_of(*result.shape));
     const Vector3 indicator = reading.place.vector({x, y, z});
     const double side = dot(normal_in_the_middle(*result.shape), indicator) < 0 ? -1 : 1;
+    if (model::SurfaceShapePtr known = model::known_offset(result.shape, side * scale * distance)) {
+        result.shape = std::move(known);
+        return result;
+    }
     SurfaceShape shape = shape_of(SurfaceKind::offset);
     shape.basis = result.shape;
     shape.distance = side * scale * distance;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/model/edges.h"
 
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "face/deviation.h"
 #include "io/iges/types.h"
 #include "numeric/norm.h"
@@ -12,12 +12,8 @@ namespace {
 using Place = std::array<double, 3>;
 
 Place end_of(const Spline &curve, bool upper) {
-    const Interval domain = curve.axis(0).domain();
-    const double t = upper ? domain.upper : domain.lower;
-    eval::AxisRules rules{};
-    rules[0].left = upper;
     Place x;
-    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 3, 3, 1});
+    eval::end_point(curve, upper, x.data());
     return x;
 }
 
@@ -110,6 +106,28 @@ std::vector<const face::Coedge *> coedges_from(const face::Face &face, int64_t f
     return result;
 }
 
+// Each is where an edge begins, and the one before it in the loop ends. An edge that ends elsewhere, because the loop is open there,
+// has one of its own.
+void add_vertices(const face::Face &face, const std::vector<OwnEdge> &edges, std::vector<model::Edge> &made,
+                  model::Model &model) {
+    const auto first = static_cast<size_t>(std::ssize(model.vertices));
+    for (const model::Edge &edge : made) {
+        const Place x = end_of(*edge.curve, false);
+        model.vertices.push_back({x[0], x[1], x[2]});
+    }
+    for (size_t i = 0, start = 0; i < made.size(); ++i) {
+        const bool last = i + 1 == made.size() || edges[i + 1].loop != edges[i].loop;
+        size_t next = first + (last ? start : i + 1);
+        const Place x = end_of(*made[i].curve, true);
+        if (const Vector3 end{x[0], x[1], x[2]}; !(length(end - model.vertices[next]) <= face.tolerance())) {
+            next = model.vertices.size();
+            model.vertices.push_back(end);
+        }
+        made[i].vertices = {static_cast<int64_t>(first + i), static_cast<int64_t>(next)};
+        start = last ? i + 1 : start;
+    }
+}
+
 } // namespace
 
 EdgeLists read_edges(Geometry &geometry, const Topology &topology, model::Model &model,
@@ -130,16 +148,7 @@ void add_own_edges(Geometry &geometry, const face::Face &face, const std::vector
         geometry.entities().spend(Limits::size_of_a_shape + edge.curve->point_count() * edge.curve->width());
         made.push_back(std::move(edge));
     }
-    // Each vertex is where one of them begins, and the one before it in the loop ends.
-    const int64_t first = std::ssize(model.vertices);
-    for (size_t i = 0, start = 0; i < made.size(); ++i) {
-        const bool last = i + 1 == made.size() || edges[i + 1].loop != edges[i].loop;
-        const Place x = end_of(*made[i].curve, false);
-        model.vertices.push_back({x[0], x[1], x[2]});
-        made[i].vertices = {first + static_cast<int64_t>(i),
-                            first + static_cast<int64_t>(last ? start : i + 1)};
-        start = last ? i + 1 : start;
-    }
+    add_vertices(face, edges, made, model);
     std::move(made.begin(), made.end(), std::back_inserter(model.edges));
 }
 

@@ -42,6 +42,10 @@ void append_fields(std::span<const int64_t> values, std::string &text) {
 
 } // namespace
 
+std::string usual_name(int type, int64_t number) {
+    return std::to_string(type) + "#" + std::to_string(number);
+}
+
 void Parameters::end_line() {
     text_.append(columns_ - column_, ' ');
     text_ += after_line_;
@@ -140,8 +144,7 @@ void FileText::end() {
 // No associativities, and one property. Readers name an entity without one by its type and number.
 void FileText::end_named(std::string_view name) {
     const int type = entries_[static_cast<size_t>(current_ / 2)].head.type;
-    const std::string usual = std::to_string(type) + "#" + std::to_string(current_);
-    const std::string stated = printable(stated_name(name, usual));
+    const std::string stated = printable(stated_name(name, usual_name(type, current_)));
     if (stated.empty()) {
         return end();
     }

@@ -2,9 +2,9 @@
 #include "io/step/write/edge_curves.h"
 
 #include "base/error.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
 #include "io/step/write/write_geometry.h"
-#include "model/shapes/curve_spline.h"
+#include "io/written/edge_piece.h"
 #include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
 #include "spline/part.h"
@@ -21,7 +21,7 @@ bool together(const face::Face &face, const Spline &curve, const model::CurveSha
         const double share = static_cast<double>(i) / static_cast<double>(places);
         const double t = parameter_in(curve.axis(0).domain(), share);
         face::Point2 place;
-        eval::evaluate_points(curve, {}, 0, {&t, 1, 1, 1, 1}, {place.data(), 1, 2, 2, 1});
+        eval::curve_point(curve, t, false, place.data());
         for (size_t k = 0; k < 2; ++k) {
             const Interval domain = face.covering().domain(static_cast<int>(k));
             place[k] = std::clamp(place[k], domain.lower, domain.upper);
@@ -36,33 +36,11 @@ bool together(const face::Face &face, const Spline &curve, const model::CurveSha
 
 } // namespace
 
-bool same_values(const Spline &a, const Spline &b) noexcept {
-    if (a.axes() != b.axes() || a.dim() != b.dim() || a.form() != b.form()) {
-        return false;
-    }
-    for (int k = 0; k < a.axes(); ++k) {
-        if (a.axis(k).degree() != b.axis(k).degree() ||
-            !std::ranges::equal(a.axis(k).knots(), b.axis(k).knots())) {
-            return false;
-        }
-    }
-    return std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
-}
-
 model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, const Vector3 &end,
                                double tolerance) {
-    const double first[] = {start.x, start.y, start.z}, last[] = {end.x, end.y, end.z};
     if (edge.shape != nullptr && restatable(*edge.shape)) {
-        for (const bool forward : {true, false}) {
-            try {
-                const model::CurvePiece piece =
-                    model::piece_between(edge.shape, {first, last, forward, tolerance});
-                if (same_values(*model::piece_spline(piece), *edge.curve)) {
-                    return piece;
-                }
-            } catch (const Error &) { // no part of the shape is between the vertices
-                continue;
-            }
+        if (const std::optional<model::CurvePiece> piece = piece_of_shape(edge, start, end, tolerance)) {
+            return *piece;
         }
     }
     const model::CurveShapePtr curve = model::curve_of_spline(edge.curve);

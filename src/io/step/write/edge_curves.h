@@ -18,6 +18,4 @@ model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, co
 SplinePtr parameter_curve(const face::Face &face, const face::Coedge &coedge, bool along,
                           const model::CurvePiece &edge, double tolerance);
 
-bool same_values(const Spline &a, const Spline &b) noexcept;
-
 } // namespace nrb::io::step

@@ -3,12 +3,15 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "io/written/shells.h"
-#include "io/written/spline_facts.h"
+#include "io/faces/make_face.h"
 #include "io/step/write/write_colours.h"
 #include "io/step/write/write_contexts.h"
 #include "io/step/write/write_products.h"
 #include "io/step/write/write_topology.h"
+#include "io/unit_factor.h"
+#include "io/written/index_of_error.h"
+#include "io/written/shells.h"
+#include "io/written/spline_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +25,6 @@ using step::Ref;
 using step::Refs;
 using step::Text;
 
-constexpr double millimetre = 0.001;
 // Of what has no faces, in metres.
 constexpr double usual_uncertainty = 1e-7;
 
@@ -37,38 +39,12 @@ constexpr std::string_view header = "ISO-10303-21;\n"
 constexpr std::string_view footer = "ENDSEC;\n"
                                     "END-ISO-10303-21;\n";
 
-struct Lengths {
-    double metres; // of the unit of the file
-    double factor; // from the unit of the model
-};
-
-Lengths lengths_of(const model::Model &model, double wanted) {
-    const double own = model.metres_per_unit > 0 ? model.metres_per_unit : millimetre;
-    if (wanted == 0 || wanted == own) {
-        return {own, 1};
-    }
-    if (!std::isnormal(own / wanted)) {
-        fail(Status::options, "unit = %s cannot be reached from units of %s metres", Number(wanted).text,
-             Number(own).text);
-    }
-    return {wanted, own / wanted};
-}
-
-// What names no index of its own.
-template <class Run>
-auto named(const char *array, size_t index, const Run &run) {
-    try {
-        return run();
-    } catch (const Error &error) {
-        fail(error.status(), "%s[%zu]: %s", array, index, error.what());
-    }
-}
-
 class StepWriter {
 public:
     StepWriter(const model::Model &model, const WriteSettings &settings)
-        : model_(model), lengths_(lengths_of(model, settings.unit)), geometry_(text_, lengths_.factor),
-          contexts_(text_, lengths_.metres), parts_(std::max<size_t>(model.parts.size(), 1)) {
+        : model_(model), lengths_(lengths_of(model.metres_per_unit, settings)),
+          geometry_(text_, lengths_.factor), contexts_(text_, lengths_.metres),
+          parts_(std::max<size_t>(model.parts.size(), 1)) {
         set_tolerances(settings.tolerance);
     }
 
@@ -87,21 +63,24 @@ public:
     }
 
 private:
-    // The least tolerance of the faces of a part: where edges need more, readers find it, but what is less than it they take for
-    // nothing.
+    // The least tolerance of the faces of a part, because readers take what is less than it for nothing; but no less than that from
+    // which they find the largest one.
     void set_tolerances(double wanted) {
-        const double own = lengths_.metres / lengths_.factor, none = usual_uncertainty / own;
-        tolerances_.assign(parts_.size(), wanted > 0 ? wanted / lengths_.factor : infinity);
+        const double own = lengths_.metres / lengths_.factor;
+        std::vector<double> largest(parts_.size(), 0);
+        tolerances_.assign(parts_.size(), infinity);
         for (const model::ModelFace &face : model_.faces) {
-            double &least = tolerances_[static_cast<size_t>(face.part)];
-            if (wanted == 0 && face.face->tolerance() > 0) {
-                least = std::min(least, face.face->tolerance());
-            }
+            const auto part = static_cast<size_t>(face.part);
+            const double tolerance = face.face->tolerance();
+            tolerances_[part] = std::min(tolerances_[part], tolerance > 0 ? tolerance : infinity);
+            largest[part] = std::max(largest[part], tolerance);
         }
         for (size_t i = 0; i < parts_.size(); ++i) {
-            double &least = tolerances_[i];
-            least = std::isfinite(least) ? least : none;
-            parts_[i].context = contexts_.context(wanted > 0 ? wanted : lengths_.factor * least);
+            double &stated = tolerances_[i];
+            stated = wanted > 0              ? wanted / lengths_.factor
+                     : std::isfinite(stated) ? std::max(stated, largest[i] / most_of_stated)
+                                             : usual_uncertainty / own;
+            parts_[i].context = contexts_.context(wanted > 0 ? wanted : lengths_.factor * stated);
         }
     }
 

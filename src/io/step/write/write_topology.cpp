@@ -5,7 +5,9 @@
 #include "io/iges/text.h"
 #include "io/step/write/edge_curves.h"
 #include "io/step/write/write_spline.h"
+#include "io/written/lone_vertices.h"
 #include "io/written/spline_facts.h"
+#include "spline/same_numbers.h"
 
 #include <algorithm>
 
@@ -122,7 +124,7 @@ int64_t TopologyWriter::with_parameter_curves(int64_t curve, const model::CurveP
         if (made == nullptr) {
             continue;
         }
-        if (before != found.end() && same_values(*before->curve, *made)) {
+        if (before != found.end() && same_numbers(*before->curve, *made)) {
             found.erase(before);
             continue;
         }
@@ -162,7 +164,7 @@ void TopologyWriter::add_face(size_t index) {
     for (const std::vector<OrientedEdge> &edges : topology_.loops[index]) {
         loops.push_back(loop(edges, face.against));
     }
-    for (const Vector3 &at : lone_vertices(face)) {
+    for (const Vector3 &at : lone_vertices(face, on_shape(face))) {
         loops.push_back(vertex_loop(at));
     }
     std::vector<int64_t> bounds;
@@ -174,37 +176,6 @@ void TopologyWriter::add_face(size_t index) {
     text_.add_as(number, "ADVANCED_FACE", Text{stated_name(face.name, number)}, Refs{bounds},
                  Ref{surfaces_[index].number}, !face.against);
     faces_.push_back(number);
-}
-
-std::vector<Vector3> lone_vertices(const model::ModelFace &face) {
-    const face::Covering &covering = face.face->covering();
-    const bool bare = face.face->loops().empty();
-    if (!bare && (!on_shape(face) || model::bounded(*face.shape))) {
-        return {};
-    }
-    std::vector<Vector3> places;
-    const auto add = [&](const face::Point2 &place) {
-        const std::vector<double> x = face::point_at(*face.face->surface(), place);
-        places.push_back({x[0], x[1], x[2]});
-    };
-    for (const int k : {0, 1}) {
-        for (const int end : {0, 1}) {
-            const Interval across = covering.domain(k), way = covering.domain(1 - k);
-            face::Point2 place;
-            place[static_cast<size_t>(k)] = end == 0 ? across.lower : across.upper;
-            place[static_cast<size_t>(1 - k)] = way.lower + (way.upper - way.lower) / 3;
-            if (covering.collapsed(k, end) && face.face->trims().side(place) == 1) {
-                add(place);
-            }
-        }
-    }
-    if (bare) {
-        places.resize(std::min<size_t>(places.size(), 1));
-        if (places.empty()) {
-            add({covering.domain(0).lower, covering.domain(1).lower});
-        }
-    }
-    return places;
 }
 
 } // namespace nrb::io::step

@@ -818,7 +818,11 @@ const Call group[] = {
          if (made_edges.status() != NURBS_OK) {
              return made_edges.status();
          }
-         return nurbs_list_write(made_edges, 1, nullptr, 0, o.text, o.spans);
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         options.tolerance = 0.001;
+         return nurbs_list_write(made_edges, 1, &options, 0, o.text, o.spans);
      }},
     {"list_write_file",
      [](const Inputs &in, Output &) -> nurbs_status {
@@ -826,7 +830,10 @@ const Call group[] = {
          if (made_edges.status() != NURBS_OK) {
              return made_edges.status();
          }
-         return nurbs_list_write_file(made_edges, replaced_path, 1, nullptr);
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_list_write_file(made_edges, replaced_path, 1, &options);
      }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
@@ -1132,9 +1139,13 @@ const Call group[] = {
          if (made_edges.status() != NURBS_OK) {
              return made_edges.status();
          }
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         options.tolerance = 0.001;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_list_write_with(made_edges, 1, nullptr, 0, o.text, o.spans, &call);
+         return nurbs_list_write_with(made_edges, 1, &options, 0, o.text, o.spans, &call);
      }},
     {"list_write_file_with",
      [](const Inputs &in, Output &) -> nurbs_status {
@@ -1142,9 +1153,12 @@ const Call group[] = {
          if (made_edges.status() != NURBS_OK) {
              return made_edges.status();
          }
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_list_write_file_with(made_edges, replaced_path, 1, nullptr, &call);
+         return nurbs_list_write_file_with(made_edges, replaced_path, 1, &options, &call);
      }},
 };
 

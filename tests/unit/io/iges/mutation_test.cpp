@@ -38,7 +38,7 @@ std::string all_geometry() {
     builder.add(120, "5,11,0.,3.");
     builder.add(122, "7,3.,1.,5.");
     builder.add(102, "1,7");
-    builder.add(140, "0.,0.,1.,.5,17");
+    builder.add(140, "0.,0.,1.,.5,27"); // of the sphere: others are approximated, which takes long
     builder.add(196, "1,2.,3,3");
     builder.add(198, "1,3,5.,2.");
     return builder.text();
@@ -66,7 +66,7 @@ TEST(IgesMutation, the_file_itself_is_good) {
 TEST(IgesMutation, the_geometry_itself_is_good) {
     const nrb::model::Model document = read(all_geometry());
     EXPECT_EQ(document.splines.size(), 9U);
-    EXPECT_EQ(document.notes.size(), 2U); // a remark on rulings, and the offset surface
+    EXPECT_EQ(document.notes.size(), 1U); // a remark on rulings
 }
 
 TEST(IgesMutation, every_byte_changed) {

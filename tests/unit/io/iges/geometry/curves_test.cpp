@@ -246,8 +246,8 @@ TEST(IgesCurves, b_splines_in_composites_are_listed_as_before) {
     builder.add(110, "4.,6.,8.,5.,6.,8.");
     const nrb::model::Model document = read(builder);
     ASSERT_EQ(document.splines.size(), 2U);
-    EXPECT_EQ(document.splines[0].name, "102#1");
-    EXPECT_EQ(document.splines[1].name, "126#3");
+    EXPECT_EQ(document.splines[0].name, "126#3"); // B-splines come first
+    EXPECT_EQ(document.splines[1].name, "102#1");
 }
 
 // What a composite that cannot be read consists of is not lost.

@@ -353,13 +353,13 @@ TEST(IgesSurfaces, bad_elementary_surfaces) {
     }
 }
 
-TEST(IgesSurfaces, offset_surfaces_are_notes_and_their_basis_is_listed) {
+TEST(IgesSurfaces, offset_surfaces_take_the_place_of_their_basis) {
     IgesBuilder builder = with_profile();
     builder.add(120, "1,3,0.,1.");
     const nrb::model::Model document = read_last(builder, 140, "1.,0.,0.,0.5,5");
     ASSERT_EQ(document.splines.size(), 1U);
-    EXPECT_EQ(document.splines[0].name, "120#5");
-    EXPECT_EQ(only_note(document).reason, Status::unsupported);
+    EXPECT_EQ(document.splines[0].name, "LAST");
+    EXPECT_EQ(only_note(document).reason, Status::tolerance);
     EXPECT_EQ(only_note(document).line, 7);
 }
 

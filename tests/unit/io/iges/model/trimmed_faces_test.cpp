@@ -1,4 +1,5 @@
 // Trimmed and bounded surfaces, and surfaces that nothing trims, as faces.
+#include "eval/curve_point.h"
 #include "support/iges_solids.h"
 
 #include <numbers>
@@ -256,6 +257,16 @@ TEST(IgesTrimmedFaces, open_boundaries_are_closed_in_the_domain_and_told) {
     ASSERT_FALSE(found.notes.empty());
     EXPECT_EQ(found.notes.back().line, face);
     EXPECT_EQ(found.notes.back().reason, Status::gap);
+    // The last side ends at a vertex of its own.
+    ASSERT_EQ(found.edges.size(), 3U);
+    ASSERT_EQ(found.vertices.size(), 4U);
+    for (const nrb::model::Edge &edge : found.edges) {
+        for (const size_t end : {size_t{0}, size_t{1}}) {
+            const nrb::Vector3 at = found.vertices[static_cast<size_t>(edge.vertices[end])];
+            const std::vector<double> x = nrb::eval::end_point(*edge.curve, end == 1);
+            EXPECT_EQ((std::vector<double>{at.x, at.y, at.z}), x);
+        }
+    }
 }
 
 // What is wrong with one face is told, and does not affect the others, nor does what it consists of become something else.

@@ -246,6 +246,34 @@ TEST(StepWriteModel, TolerancesAreStated) {
 }
 
 // But for the rounding of readers, which convert them to metres and back; what has been read is read again.
+// A square at a height, on the plane z = 0.
+face::FacePtr square_at(double height, double tolerance) {
+    face::FaceParts parts;
+    const auto axis = [] { return make_knot_vector(1, {0, 0, 1, 1}); };
+    parts.surface =
+        make_spline({axis(), axis()}, 3, Form::polynomial, {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, {});
+    const double corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+    face::Loop &loop = parts.loops.emplace_back();
+    for (size_t i = 0; i < 4; ++i) {
+        const auto &a = corners[i], &b = corners[i + 1];
+        loop.push_back({nullptr, spline_of(3, Form::polynomial, {0, 0, 1, 1}, 1,
+                                           {a[0], a[1], height, b[0], b[1], height})});
+    }
+    parts.tolerance = tolerance;
+    return std::make_shared<const face::Face>(std::move(parts), nullptr);
+}
+
+// The least tolerance is stated, unless readers could not find the largest one from it.
+TEST(StepWriteModel, FacesOfOnePartMayHaveAnyTolerances) {
+    const model::Model model = model::model_of_faces({square_at(0, 1e-7), square_at(0.05, 0.1)}, 0.001);
+    const model::Model again = io::read_model(written(model), {});
+    ASSERT_EQ(again.faces.size(), 2U);
+    EXPECT_EQ(again.faces[0].face->tolerance(), 1e-5);
+    EXPECT_GE(again.faces[1].face->tolerance(), 0.05);
+    const model::Model near = model::model_of_faces({square_at(0, 1e-7), square_at(5e-5, 1e-4)}, 0.001);
+    EXPECT_EQ(io::read_model(written(near), {}).faces.at(0).face->tolerance(), 1e-7);
+}
+
 TEST(StepWriteModel, StatedTolerancesAreRead) {
     const model::Model cube = io::read_model(step_cube(), {});
     std::mt19937 random(4);

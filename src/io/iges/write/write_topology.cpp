@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "io/iges/write/write_topology.h"
+
+#include "io/iges/types.h"
+#include "io/written/lone_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::io::iges {
+namespace {
+
+constexpr int edge_of_loop = 0, vertex_of_loop = 1;
+constexpr int list_form = 1, loop_form = 1, face_form = 1;
+
+// The percentage that readers take for a part of a colour, or what is next to it.
+double percentage(double part) noexcept {
+    const double near = 100 * part;
+    for (const double candidate : {near, std::nextafter(near, 0.0), std::nextafter(near, 100.0)}) {
+        if (candidate / 100 == part) {
+            return candidate;
+        }
+    }
+    return near;
+}
+
+} // namespace
+
+bool StatedShapes::any_edge() const noexcept {
+    return std::ranges::any_of(edges, [](const auto &piece) { return piece.has_value(); });
+}
+
+bool StatedShapes::any_face() const noexcept {
+    return std::ranges::find(faces, true) != faces.end();
+}
+
+TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
+                               const StatedShapes &stated)
+    : geometry_(geometry), text_(geometry.text()), model_(model), topology_(topology), stated_(stated) {}
+
+void TopologyWriter::run() {
+    add_vertices();
+    add_edges();
+    const auto count = std::ssize(model_.faces);
+    const int64_t first = text_.reserve(count);
+    Steps steps(count);
+    for (int64_t i = 0; i < count; ++i) {
+        faces_.push_back(first + 2 * i);
+        add_face(static_cast<size_t>(i));
+        steps.next();
+    }
+}
+
+// Those of the topology, then those that only faces have.
+void TopologyWriter::add_vertices() {
+    std::vector<Vector3> all = topology_.vertices;
+    for (size_t i = 0; i < model_.faces.size(); ++i) {
+        std::vector<int64_t> &own = lone_vertices_.emplace_back();
+        for (const Vector3 &at : lone_vertices(model_.faces[i], stated_.faces[i])) {
+            all.push_back(at);
+            own.push_back(std::ssize(all));
+        }
+    }
+    if (all.empty()) {
+        return;
+    }
+    vertex_list_ = text_.begin({vertex_list_type, list_form, dependent});
+    text_.put(std::ssize(all));
+    for (const Vector3 &at : all) {
+        const double length = geometry_.length();
+        text_.put(length * at.x, length * at.y, length * at.z);
+    }
+    text_.end();
+}
+
+int64_t TopologyWriter::edge_curve(size_t index) {
+    const std::optional<model::CurvePiece> &piece = stated_.edges[index];
+    return piece ? geometry_.curve(*piece) : geometry_.spline(*topology_.edges[index].curve);
+}
+
+void TopologyWriter::add_edges() {
+    std::vector<int64_t> curves(topology_.edges.size());
+    Steps steps(std::ssize(curves));
+    for (size_t i = 0; i < curves.size(); ++i) {
+        curves[i] = edge_curve(i);
+        steps.next();
+    }
+    if (curves.empty()) {
+        return;
+    }
+    edge_list_ = text_.begin({edge_list_type, list_form, dependent});
+    text_.put(std::ssize(curves));
+    for (size_t i = 0; i < curves.size(); ++i) {
+        const auto &ends = topology_.edges[i].vertices;
+        text_.put(curves[i], vertex_list_, ends[0] + 1, vertex_list_, ends[1] + 1);
+    }
+    text_.end();
+}
+
+// Once, however many faces have it.
+int64_t TopologyWriter::surface(size_t index) {
+    const model::ModelFace &face = model_.faces[index];
+    const bool shape = stated_.faces[index];
+    const void *const key = shape ? static_cast<const void *>(face.shape.get()) : face.face->surface().get();
+    const auto [known, fresh] = surfaces_.try_emplace(key);
+    if (fresh) {
+        known->second = shape ? geometry_.surface(*face.shape) : geometry_.spline(*face.face->surface());
+    }
+    return known->second;
+}
+
+// With the curves in the domain where the surface is a spline. On others readers make them, for the standard has other parameters
+// there.
+int64_t TopologyWriter::loop(size_t face, size_t index) {
+    const std::vector<OrientedEdge> &edges = topology_.loops[face][index];
+    std::vector<int64_t> curves;
+    for (size_t i = 0; i < edges.size() && !stated_.faces[face]; ++i) {
+        curves.push_back(geometry_.parameter_curve(*model_.faces[face].face->loops()[index][i].curve));
+    }
+    const int64_t number = text_.begin({loop_type, loop_form, dependent});
+    text_.put(std::ssize(edges));
+    for (size_t i = 0; i < edges.size(); ++i) {
+        text_.put(edge_of_loop, edge_list_, static_cast<int64_t>(edges[i].edge) + 1, edges[i].along ? 1 : 0);
+        if (curves.empty()) {
+            text_.put(0);
+        } else {
+            text_.put(1, 0, curves[i]); // one curve, not said to be an iso-curve
+        }
+    }
+    text_.end();
+    return number;
+}
+
+int64_t TopologyWriter::vertex_loop(int64_t vertex) {
+    return text_.add({loop_type, loop_form, dependent}, 1, vertex_of_loop, vertex_list_, vertex, 1, 0);
+}
+
+int64_t TopologyWriter::colour(const std::array<double, 3> &rgb) {
+    const auto [known, fresh] = colours_.try_emplace(rgb);
+    if (fresh) {
+        known->second = text_.add({colour_type, 0, definition}, percentage(rgb[0]), percentage(rgb[1]),
+                                  percentage(rgb[2]), std::string_view());
+    }
+    return known->second;
+}
+
+void TopologyWriter::add_face(size_t index) {
+    const model::ModelFace &face = model_.faces[index];
+    const int64_t on = surface(index), coloured = face.colour ? -colour(*face.colour) : 0;
+    std::vector<int64_t> loops;
+    for (size_t i = 0; i < topology_.loops[index].size(); ++i) {
+        loops.push_back(loop(index, i));
+    }
+    for (const int64_t vertex : lone_vertices_[index]) {
+        loops.push_back(vertex_loop(vertex));
+    }
+    text_.begin(faces_[index], {face_type, face_form, dependent, coloured});
+    text_.put(on, std::ssize(loops), loops.size() == 1 ? 1 : 0); // whether the first one is the outer one
+    for (const int64_t pointer : loops) {
+        text_.put(pointer);
+    }
+    text_.end_named(face.name);
+}
+
+} // namespace nrb::io::iges
