@@ -7,6 +7,7 @@
 #include "io/written/edge_piece.h"
 #include "spline/same_numbers.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace nrb::io::iges {
@@ -16,8 +17,6 @@ namespace {
 model::Model read_again(const std::string &text) {
     try {
         return read_iges_model(text, {});
-    } catch (const CallEnded &) {
-        throw;
     } catch (const Error &) {
         return {};
     }

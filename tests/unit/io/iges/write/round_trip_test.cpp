@@ -1,0 +1,99 @@
+// What is written reads back as it was, and is written again as the same bytes.
+#include "io/writers.h"
+#include "support/iges_solids.h"
+#include "support/same_model.h"
+#include "support/step_solids.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace iges_round_trip_test {
+namespace {
+
+using namespace nrb;
+using namespace iges_test;
+
+std::string written(const model::Model &model, const io::WriteSettings &settings = {}) {
+    return io::write(model, 2, settings);
+}
+
+// Once through a file.
+void expect_again(const model::Model &model) {
+    const std::string text = written(model);
+    const model::Model again = io::read_model(text, {});
+    EXPECT_EQ(step_test::ModelDifferences(model, again).found(), std::vector<std::string>());
+    EXPECT_TRUE(written(again) == text);
+}
+
+void expect_round_trip(const std::string &text) {
+    expect_again(io::read_model(text, {}));
+}
+
+double area_of_all(const model::Model &model) {
+    double sum = 0;
+    for (const model::ModelFace &face : model.faces) {
+        sum += area_of(face);
+    }
+    return sum;
+}
+
+// From another format: the same faces, and from then on the same file.
+void expect_same_faces(const model::Model &model) {
+    const std::string text = written(model);
+    const model::Model again = io::read_model(text, {});
+    ASSERT_EQ(model.faces.size(), again.faces.size());
+    for (size_t i = 0; i < model.faces.size(); ++i) {
+        EXPECT_EQ(model.faces[i].name, again.faces[i].name);
+        EXPECT_EQ(model.faces[i].colour, again.faces[i].colour);
+        EXPECT_EQ(model.faces[i].against, again.faces[i].against);
+        EXPECT_NEAR(area_of(model.faces[i]), area_of(again.faces[i]), 1e-12 * area_of(model.faces[i])) << i;
+    }
+    EXPECT_EQ(step_test::ModelDifferences(model, again).found(), std::vector<std::string>());
+    EXPECT_TRUE(written(again) == text);
+}
+
+TEST(IgesRoundTrip, OfSolids) {
+    CubeBuilder cube;
+    cube.cube();
+    expect_round_trip(cube.text());
+}
+
+TEST(IgesRoundTrip, OfSolidsOfStepFiles) {
+    for (const std::string &text :
+         {step_test::step_cube(), step_test::step_cylinder(false), step_test::step_cylinder(true),
+          step_test::step_cone(), step_test::step_sphere(true), step_test::step_sphere(false),
+          step_test::step_half_torus(), step_test::step_patch()}) {
+        SCOPED_TRACE(text.substr(0, 3000));
+        expect_same_faces(io::read_model(text, {}));
+    }
+}
+
+TEST(IgesRoundTrip, OfFacesOnBothSides) {
+    for (const char *const bound : {".T.", ".F."}) {
+        for (const char *const same : {".T.", ".F."}) {
+            expect_same_faces(io::read_model(step_test::step_plate(bound, same), {}));
+        }
+    }
+}
+
+TEST(IgesRoundTrip, OfRealFiles) {
+    const char *const folder = std::getenv("NURBS_TEST_DATA");
+    if (folder == nullptr) {
+        GTEST_SKIP() << "NURBS_TEST_DATA is not set";
+    }
+    for (const auto &file : std::filesystem::directory_iterator(folder)) {
+        const std::string suffix = file.path().extension().string();
+        const bool iges = suffix == ".igs" || suffix == ".iges", step = suffix == ".stp" || suffix == ".step";
+        if (iges || step) {
+            SCOPED_TRACE(file.path());
+            std::ifstream in(file.path(), std::ios::binary);
+            const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+            iges ? expect_round_trip(text) : expect_same_faces(io::read_model(text, {}));
+        }
+    }
+}
+
+} // namespace
+} // namespace iges_round_trip_test
