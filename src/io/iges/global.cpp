@@ -104,8 +104,11 @@ Global read_global(const Lines &lines) {
     Global global;
     global.delimiters = read_delimiters(text);
     Record record(std::move(text), global.delimiters);
-    constexpr int64_t before_scale = 12;
-    record.skip(before_scale);
+    record.skip(2); // delimiters
+    global.product = printable(trim(record.string("global section: product")));
+    record.skip(2); // the file and the system
+    global.all_digits = record.string("global section: preprocessor") == own_preprocessor;
+    record.skip(6); // digits of numbers, who reads it
     const bool unscaled = record.next_is_blank();
     const double given = record.real("global section: model space scale");
     const double scale = unscaled ? 1.0 : given;

@@ -3,9 +3,11 @@
 
 #include "io/iges/types.h"
 #include "io/iges/write/write_spline.h"
+#include "io/written/spline_facts.h"
 #include "model/shapes/curve_spline.h"
 #include "spline/part.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +51,13 @@ bool has_all_angles(Interval range) noexcept {
     return range.lower == 0 && range.upper == model::turn;
 }
 
+// The spline that readers make of a line.
+bool is_line(const Spline &spline) {
+    constexpr double knots[] = {0, 0, 1, 1};
+    return spline.axes() == 1 && spline.dim() == 3 && spline.axis(0).degree() == 1 && !has_weights(spline) &&
+           std::ranges::equal(spline.axis(0).knots(), knots) && !spline.axis(0).periodic();
+}
+
 } // namespace
 
 bool statable(const CurvePiece &piece) {
@@ -89,6 +98,12 @@ bool statable(const SurfaceShape &surface) {
 }
 
 int64_t GeometryWriter::spline(const Spline &spline) {
+    if (is_line(spline)) {
+        const auto end = [&](int64_t i) {
+            return Vector3{spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
+        };
+        return line(end(0), end(1));
+    }
     const int64_t number = begin_spline(text_, spline, dependent, length_);
     text_.end();
     return number;

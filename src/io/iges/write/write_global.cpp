@@ -2,7 +2,9 @@
 #include "io/iges/write/write_global.h"
 
 #include "base/numbers.h"
+#include "io/iges/global.h"
 #include "io/iges/lines.h"
+#include "io/iges/text.h"
 #include "io/iges/units.h"
 
 #include <cmath>
@@ -55,8 +57,9 @@ Parameters write_global(const GlobalFacts &facts) {
     Parameters global(data_columns);
     global.begin("G");
     const auto put = [&global](const auto &...values) { (global.put(values), ...); };
-    const std::string_view none, program("libnurbs");
-    put(std::string_view(","), std::string_view(";"), none, none, program, program);
+    const std::string product = printable(trim(facts.product));
+    const std::string_view none;
+    put(std::string_view(","), std::string_view(";"), std::string_view(product), none, own_preprocessor, own_preprocessor);
     put(integer_bits, single_power, single_digits, double_power, double_digits, none);
     put(scale, unit->flag, unit->name, line_weights, 0.0, no_date);
     put(facts.resolution);

@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "io/faces/make_face.h"
+#include "io/iges/read_model.h"
 #include "io/iges/types.h"
 #include "io/iges/write/confirmed.h"
 #include "io/iges/write/write_assembly.h"
@@ -32,14 +34,18 @@ void check_spline(const Spline &spline) {
     check_writable(spline, "IGES");
 }
 
-// The least tolerance of the faces, because readers take what is less than it for nothing.
+// The least tolerance of the faces, because readers take what is less than it for nothing; but no less than that from which they
+// find those of the others.
 double resolution_of(const model::Model &model, double metres) {
-    double least = infinity;
+    double least = infinity, needed = 0;
     for (const model::ModelFace &face : model.faces) {
         const double tolerance = face.face->tolerance();
         least = std::min(least, tolerance > 0 ? tolerance : infinity);
+        if (tolerance > iges::largest_gap(*face.face->surface())) {
+            needed = std::max(needed, tolerance / most_of_stated);
+        }
     }
-    return std::isfinite(least) ? least : usual_resolution / metres;
+    return std::isfinite(least) ? std::max(least, needed) : usual_resolution / metres;
 }
 
 // No coordinate is larger, control points included.
@@ -66,9 +72,10 @@ double extent_of(const model::Model &model) {
 
 class IgesWriter {
 public:
-    IgesWriter(const model::Model &model, const Topology &topology, const StatedShapes &stated, double length)
+    IgesWriter(const model::Model &model, const Topology &topology, const StatedShapes &stated, double length,
+               double resolution)
         : model_(model), topology_(topology), geometry_(text_, length),
-          faces_(geometry_, model, topology, stated), items_(std::max<size_t>(model.parts.size(), 1)) {}
+          faces_(geometry_, model, topology, stated, resolution), items_(std::max<size_t>(model.parts.size(), 1)) {}
 
     std::string run(const GlobalFacts &facts) {
         faces_.run();
@@ -134,7 +141,7 @@ void check_splines(const model::Model &model) {
 void confirm_edges(const Topology &topology, const GlobalFacts &facts, StatedShapes &stated) {
     if (stated.any_edge()) {
         const model::Model none;
-        iges::confirm_edges(IgesWriter(none, topology, stated, 1).run_edges(facts), topology, stated);
+        iges::confirm_edges(IgesWriter(none, topology, stated, 1, facts.resolution).run_edges(facts), topology, stated);
     }
 }
 
@@ -147,7 +154,7 @@ void confirm_faces(const model::Model &model, const Topology &topology, const Gl
         for (model::ModelFace &face : nameless.faces) {
             face.name.clear();
         }
-        IgesWriter writer(nameless, topology, stated, 1);
+        IgesWriter writer(nameless, topology, stated, 1, facts.resolution);
         const std::string text = writer.run_edges(facts);
         iges::confirm_faces(text, model, writer.faces(), stated);
     }
@@ -164,11 +171,12 @@ std::string write_iges(const model::Model &model, const WriteSettings &settings)
                      settings.tolerance > 0 ? settings.tolerance / factor : resolution_of(model, own),
                  extent = extent_of(model);
     StatedShapes stated = iges::statable_shapes(model, topology, resolution);
-    const GlobalFacts facts{own, resolution, extent};
+    const bool named = iges::first_is_whole(model) && !model.parts.empty();
+    const GlobalFacts facts{named ? model.parts.front().name : std::string(), own, resolution, extent};
     confirm_edges(topology, facts, stated);
     confirm_faces(model, topology, facts, stated);
-    return IgesWriter(model, topology, stated, factor)
-        .run({lengths.metres, settings.tolerance > 0 ? settings.tolerance : factor * resolution,
+    return IgesWriter(model, topology, stated, factor, resolution)
+        .run({facts.product, lengths.metres, settings.tolerance > 0 ? settings.tolerance : factor * resolution,
               factor * extent});
 }
 

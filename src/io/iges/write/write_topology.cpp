@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/write/write_topology.h"
 
+#include "io/faces/make_face.h"
 #include "io/iges/types.h"
 #include "io/written/lone_vertices.h"
+#include "refine/forms/parametrization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,20 @@ double percentage(double part) noexcept {
     return near;
 }
 
+// By its control points; around a closed axis there is no end.
+bool is_inside(const Spline &curve, const face::Covering &covering) {
+    for (int64_t i = 0; i < curve.point_count(); ++i) {
+        for (const int k : {0, 1}) {
+            const Interval domain = covering.domain(k);
+            const double x = curve.coordinate(i, k);
+            if (!covering.closed(k) && !(domain.lower <= x && x <= domain.upper)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 bool StatedShapes::any_edge() const noexcept {
@@ -35,8 +51,9 @@ bool StatedShapes::any_face() const noexcept {
 }
 
 TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
-                               const StatedShapes &stated)
-    : geometry_(geometry), text_(geometry.text()), model_(model), topology_(topology), stated_(stated) {}
+                               const StatedShapes &stated, double resolution)
+    : geometry_(geometry), text_(geometry.text()), model_(model), topology_(topology), stated_(stated),
+      resolution_(resolution) {}
 
 void TopologyWriter::run() {
     add_vertices();
@@ -109,19 +126,30 @@ int64_t TopologyWriter::surface(size_t index) {
     return known->second;
 }
 
-// With the curves in the domain where the surface is a spline. On others readers make them, for the standard has other parameters
-// there.
+// For readers only those that are where the edge is, and in the domain where the tolerance of the file, with which they begin, wants
+// that. On surfaces that are no splines the standard has other parameters. Readers make the others.
+int64_t TopologyWriter::parameter_curve(size_t index, const face::Coedge &coedge, const OrientedEdge &edge) {
+    const face::Face &face = *model_.faces[index].face;
+    const SplinePtr &along = topology_.edges[edge.edge].curve;
+    const bool taken =
+        !stated_.faces[index] &&
+        (face.tolerance() <= resolution_ || is_inside(*coedge.curve, face.covering())) &&
+        lies_under(*face.surface(), *coedge.curve, *(edge.along ? along : refine::reverse(*along, 0, false)),
+                   face.tolerance());
+    return taken ? geometry_.parameter_curve(*coedge.curve) : 0;
+}
+
 int64_t TopologyWriter::loop(size_t face, size_t index) {
     const std::vector<OrientedEdge> &edges = topology_.loops[face][index];
     std::vector<int64_t> curves;
-    for (size_t i = 0; i < edges.size() && !stated_.faces[face]; ++i) {
-        curves.push_back(geometry_.parameter_curve(*model_.faces[face].face->loops()[index][i].curve));
+    for (size_t i = 0; i < edges.size(); ++i) {
+        curves.push_back(parameter_curve(face, model_.faces[face].face->loops()[index][i], edges[i]));
     }
     const int64_t number = text_.begin({loop_type, loop_form, dependent});
     text_.put(std::ssize(edges));
     for (size_t i = 0; i < edges.size(); ++i) {
         text_.put(edge_of_loop, edge_list_, static_cast<int64_t>(edges[i].edge) + 1, edges[i].along ? 1 : 0);
-        if (curves.empty()) {
+        if (curves[i] == 0) {
             text_.put(0);
         } else {
             text_.put(1, 0, curves[i]); // one curve, not said to be an iso-curve

@@ -22,8 +22,9 @@ struct StatedShapes {
 
 class TopologyWriter {
 public:
+    // resolution: that of the file, in units of the model.
     TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
-                   const StatedShapes &stated);
+                   const StatedShapes &stated, double resolution);
 
     // One list of vertices, one of edges, and the faces in the order of the model.
     void run();
@@ -36,6 +37,7 @@ private:
     void add_edges();
     [[nodiscard]] int64_t edge_curve(size_t index);
     int64_t surface(size_t face);
+    int64_t parameter_curve(size_t face, const face::Coedge &coedge, const OrientedEdge &edge);
     int64_t loop(size_t face, size_t index);
     int64_t vertex_loop(int64_t vertex);
     int64_t colour(const std::array<double, 3> &rgb);
@@ -46,6 +48,7 @@ private:
     const model::Model &model_;
     const Topology &topology_;
     const StatedShapes &stated_;
+    double resolution_;
     int64_t vertex_list_ = 0, edge_list_ = 0;
     std::vector<std::vector<int64_t>> lone_vertices_; // of faces, from 1
     std::map<const void *, int64_t> surfaces_;
