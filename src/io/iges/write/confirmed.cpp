@@ -2,12 +2,14 @@
 #include "io/iges/write/confirmed.h"
 
 #include "base/error.h"
+#include "io/iges/lines.h"
 #include "io/iges/read_model.h"
 #include "io/iges/types.h"
 #include "io/written/edge_piece.h"
 #include "spline/same_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace nrb::io::iges {
@@ -22,16 +24,58 @@ model::Model read_again(const std::string &text) {
     }
 }
 
-bool same_loops(const face::Face &a, const face::Face &b) {
-    return std::ranges::equal(a.loops(), b.loops(), [](const face::Loop &one, const face::Loop &other) {
-        return std::ranges::equal(one, other, [](const face::Coedge &x, const face::Coedge &y) {
-            return same_numbers(*x.curve, *y.curve);
-        });
-    });
+constexpr double rounding = 0x1p-48; // of knots that were others
+
+// The same but for a linear change of the parameter: a straight line may have any, and what lies under it has the same.
+bool same_course(const Spline &a, const Spline &b) {
+    if (same_numbers(a, b)) {
+        return true;
+    }
+    const KnotVector &p = a.axis(0), &q = b.axis(0);
+    const Interval from = p.domain(), to = q.domain();
+    const auto share = [](Interval domain, double t) {
+        return (t - domain.lower) / (domain.upper - domain.lower);
+    };
+    return p.degree() == q.degree() && p.periodic() == q.periodic() &&
+           std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights()) &&
+           std::ranges::equal(p.knots(), q.knots(), [&](double s, double t) {
+               return std::abs(share(from, s) - share(to, t)) <= rounding;
+           });
 }
 
 bool same_face(const face::Face &a, const face::Face &b) {
-    return same_numbers(*a.surface(), *b.surface()) && same_loops(a, b);
+    return same_numbers(*a.surface(), *b.surface()) &&
+           std::ranges::equal(a.loops(), b.loops(), [](const face::Loop &one, const face::Loop &other) {
+               return std::ranges::equal(one, other, [](const face::Coedge &x, const face::Coedge &y) {
+                   return same_course(*x.curve, *y.curve);
+               });
+           });
+}
+
+// What is written for a shape.
+template <class Write>
+std::string statement(const Write &write) {
+    FileText text;
+    GeometryWriter geometry(text, 1);
+    write(geometry);
+    return text.file(Parameters(data_columns));
+}
+std::string statement_of(const model::CurvePiece &piece) {
+    return statement([&](GeometryWriter &geometry) { geometry.curve(piece); });
+}
+std::string statement_of(const model::SurfaceShape &surface) {
+    return statement([&](GeometryWriter &geometry) { geometry.surface(surface); });
+}
+
+// The part of a curve between the vertices of an edge that there is an entity for.
+std::optional<model::CurvePiece> statable_piece(const model::Edge &edge, const std::vector<Vector3> &vertices,
+                                                double tolerance) {
+    if (edge.shape == nullptr || edge.shape->kind == model::CurveKind::spline) {
+        return std::nullopt;
+    }
+    const auto end = [&](size_t k) { return vertices[static_cast<size_t>(edge.vertices[k])]; };
+    std::optional<model::CurvePiece> piece = piece_of_shape(edge, end(0), end(1), tolerance);
+    return piece && statable(*piece) ? piece : std::nullopt;
 }
 
 } // namespace
@@ -40,15 +84,7 @@ StatedShapes statable_shapes(const model::Model &model, const Topology &topology
     StatedShapes stated{std::vector<std::optional<model::CurvePiece>>(topology.edges.size()),
                         std::vector<bool>(model.faces.size(), false)};
     for (size_t i = 0; i < topology.edges.size(); ++i) {
-        const model::Edge &edge = topology.edges[i];
-        if (edge.shape == nullptr || edge.shape->kind == model::CurveKind::spline) {
-            continue;
-        }
-        const auto end = [&](size_t k) { return topology.vertices[static_cast<size_t>(edge.vertices[k])]; };
-        std::optional<model::CurvePiece> piece = piece_of_shape(edge, end(0), end(1), tolerance);
-        if (piece && statable(*piece)) {
-            stated.edges[i] = std::move(piece);
-        }
+        stated.edges[i] = statable_piece(topology.edges[i], topology.vertices, tolerance);
     }
     for (size_t i = 0; i < model.faces.size(); ++i) {
         const model::SurfaceShapePtr &shape = model.faces[i].shape;
@@ -57,12 +93,27 @@ StatedShapes statable_shapes(const model::Model &model, const Topology &topology
     return stated;
 }
 
-void confirm_edges(const std::string &text, const Topology &topology, StatedShapes &stated) {
-    const model::Model read = read_again(text);
-    const bool whole = read.edges.size() == topology.edges.size();
-    for (size_t i = 0; i < stated.edges.size(); ++i) {
-        if (!whole || !same_numbers(*read.edges[i].curve, *topology.edges[i].curve)) {
-            stated.edges[i].reset();
+void confirm_edges(const WriteEdges &write, const Topology &topology, double tolerance,
+                   StatedShapes &stated) {
+    constexpr int most_rounds = 4;
+    bool settled = false;
+    for (int round = 0; !settled && stated.any_edge(); ++round) {
+        const model::Model read = read_again(write(stated));
+        const bool whole = read.edges.size() == topology.edges.size();
+        settled = true;
+        for (size_t i = 0; i < stated.edges.size(); ++i) {
+            std::optional<model::CurvePiece> &piece = stated.edges[i];
+            if (!piece ||
+                (whole && is_line(*piece) && same_course(*read.edges[i].curve, *topology.edges[i].curve))) {
+                continue;
+            }
+            std::optional<model::CurvePiece> next;
+            if (whole && same_numbers(*read.edges[i].curve, *topology.edges[i].curve)) {
+                next = statable_piece(read.edges[i], read.vertices, tolerance);
+            }
+            const bool same = next && statement_of(*next) == statement_of(*piece);
+            piece = same || round < most_rounds ? std::move(next) : std::nullopt;
+            settled = settled && (same || !piece);
         }
     }
 }
@@ -76,8 +127,9 @@ void confirm_faces(const std::string &text, const model::Model &model, const std
     }
     for (size_t i = 0; i < pointers.size(); ++i) {
         const auto found = faces.find(usual_name(face_type, pointers[i]));
-        stated.faces[i] =
-            stated.faces[i] && found != faces.end() && same_face(*found->second->face, *model.faces[i].face);
+        stated.faces[i] = stated.faces[i] && found != faces.end() &&
+                          same_face(*found->second->face, *model.faces[i].face) &&
+                          statement_of(*found->second->shape) == statement_of(*model.faces[i].shape);
     }
 }
 

@@ -69,8 +69,7 @@ bool first_is_whole(const model::Model &model) {
     }
     const auto of_first =
         std::ranges::count_if(model.uses, [](const model::Use &use) { return use.part == 0; });
-    return of_first <= 1 &&
-           std::ranges::none_of(model.uses, [](const model::Use &use) {
+    return of_first <= 1 && std::ranges::none_of(model.uses, [](const model::Use &use) {
                return use.part == 0 && (use.parent >= 0 || !is_identity(use.placement) || !use.name.empty());
            });
 }

@@ -51,6 +51,10 @@ bool has_all_angles(Interval range) noexcept {
     return range.lower == 0 && range.upper == model::turn;
 }
 
+Vector3 point_of(const Spline &spline, int64_t i) noexcept {
+    return {spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
+}
+
 // The spline that readers make of a line.
 bool is_line(const Spline &spline) {
     constexpr double knots[] = {0, 0, 1, 1};
@@ -58,11 +62,38 @@ bool is_line(const Spline &spline) {
            std::ranges::equal(spline.axis(0).knots(), knots) && !spline.axis(0).periodic();
 }
 
+// Where a circle around the origin is at an angle, in numbers of which readers compute the same radius and the same angle, if there
+// are some next to the exact ones.
+std::array<double, 2> place_on_circle(double radius, double angle) noexcept {
+    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    const auto near = [](double value) {
+        return std::array{value, std::nextafter(value, -HUGE_VAL), std::nextafter(value, HUGE_VAL)};
+    };
+    for (const double p : near(x)) {
+        for (const double q : near(y)) {
+            const double found = std::atan2(q, p);
+            if (std::hypot(p, q) == radius && (found < 0 ? found + model::turn : found) == angle) {
+                return {p, q};
+            }
+        }
+    }
+    return {x, y};
+}
+
 } // namespace
+
+bool is_line(const CurvePiece &piece) noexcept {
+    return piece.curve->kind == CurveKind::line ||
+           (piece.curve->kind == CurveKind::trimmed && is_line(piece.curve->pieces.front()));
+}
 
 bool statable(const CurvePiece &piece) {
     const model::CurveShape &curve = *piece.curve;
+    if (!std::isfinite(piece.range.upper - piece.range.lower)) {
+        return false;
+    }
     switch (curve.kind) {
+    case CurveKind::line:
     case CurveKind::circle:
     case CurveKind::ellipse:
         return curve.place.dim == 3;
@@ -99,10 +130,7 @@ bool statable(const SurfaceShape &surface) {
 
 int64_t GeometryWriter::spline(const Spline &spline) {
     if (is_line(spline)) {
-        const auto end = [&](int64_t i) {
-            return Vector3{spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
-        };
-        return line(end(0), end(1));
+        return line(point_of(spline, 0), point_of(spline, 1));
     }
     const int64_t number = begin_spline(text_, spline, dependent, length_);
     text_.end();
@@ -161,8 +189,9 @@ int64_t GeometryWriter::arc(const CurvePiece &piece) {
     const double r = length_ * curve->sizes[0];
     const int64_t place = frame(curve->place);
     const double end = has_all_angles({0, range.upper - range.lower}) ? range.lower : range.upper;
-    return text_.add({circular_arc_type, 0, dependent, 0, place}, 0.0, 0.0, 0.0, r * std::cos(range.lower),
-                     r * std::sin(range.lower), r * std::cos(end), r * std::sin(end));
+    const std::array<double, 2> from = place_on_circle(r, range.lower), to = place_on_circle(r, end);
+    return text_.add({circular_arc_type, 0, dependent, 0, place}, 0.0, 0.0, 0.0, from[0], from[1], to[0],
+                     to[1]);
 }
 
 // x^2 / a^2 + y^2 / b^2 = 1.
@@ -179,6 +208,10 @@ int64_t GeometryWriter::conic(const CurvePiece &piece) {
 int64_t GeometryWriter::curve(const CurvePiece &piece) {
     const bool all = piece.forward && same(piece.range, model::natural_range(*piece.curve));
     switch (piece.curve->kind) {
+    case CurveKind::line: {
+        const SplinePtr spline = model::piece_spline(piece);
+        return line(point_of(*spline, 0), point_of(*spline, spline->point_count() - 1));
+    }
     case CurveKind::circle:
         return piece.forward ? arc(piece) : spline(*model::piece_spline(piece));
     case CurveKind::ellipse:

@@ -44,6 +44,8 @@ private:
     std::map<std::array<double, 12>, int64_t> matrices_;
 };
 
+// A straight line, of which readers make a spline over [0, 1].
+bool is_line(const model::CurvePiece &piece) noexcept;
 // Whether there is an entity for what these are. What is read of it may differ by rounding.
 bool statable(const model::CurvePiece &piece);
 bool statable(const model::SurfaceShape &surface);

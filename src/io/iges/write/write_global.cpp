@@ -59,7 +59,8 @@ Parameters write_global(const GlobalFacts &facts) {
     const auto put = [&global](const auto &...values) { (global.put(values), ...); };
     const std::string product = printable(trim(facts.product));
     const std::string_view none;
-    put(std::string_view(","), std::string_view(";"), std::string_view(product), none, own_preprocessor, own_preprocessor);
+    put(std::string_view(","), std::string_view(";"), std::string_view(product), none, own_preprocessor,
+        own_preprocessor);
     put(integer_bits, single_power, single_digits, double_power, double_digits, none);
     put(scale, unit->flag, unit->name, line_weights, 0.0, no_date);
     put(facts.resolution);

@@ -75,7 +75,8 @@ public:
     IgesWriter(const model::Model &model, const Topology &topology, const StatedShapes &stated, double length,
                double resolution)
         : model_(model), topology_(topology), geometry_(text_, length),
-          faces_(geometry_, model, topology, stated, resolution), items_(std::max<size_t>(model.parts.size(), 1)) {}
+          faces_(geometry_, model, topology, stated, resolution),
+          items_(std::max<size_t>(model.parts.size(), 1)) {}
 
     std::string run(const GlobalFacts &facts) {
         faces_.run();
@@ -141,7 +142,10 @@ void check_splines(const model::Model &model) {
 void confirm_edges(const Topology &topology, const GlobalFacts &facts, StatedShapes &stated) {
     if (stated.any_edge()) {
         const model::Model none;
-        iges::confirm_edges(IgesWriter(none, topology, stated, 1, facts.resolution).run_edges(facts), topology, stated);
+        const auto write = [&](const StatedShapes &shapes) {
+            return IgesWriter(none, topology, shapes, 1, facts.resolution).run_edges(facts);
+        };
+        iges::confirm_edges(write, topology, facts.resolution, stated);
     }
 }
 
@@ -176,8 +180,8 @@ std::string write_iges(const model::Model &model, const WriteSettings &settings)
     confirm_edges(topology, facts, stated);
     confirm_faces(model, topology, facts, stated);
     return IgesWriter(model, topology, stated, factor, resolution)
-        .run({facts.product, lengths.metres, settings.tolerance > 0 ? settings.tolerance : factor * resolution,
-              factor * extent});
+        .run({facts.product, lengths.metres,
+              settings.tolerance > 0 ? settings.tolerance : factor * resolution, factor * extent});
 }
 
 } // namespace nrb::io
