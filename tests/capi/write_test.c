@@ -145,9 +145,12 @@ static void boxes_come_back_from_iges(void) {
     text_in(NURBS_FORMAT_IGES, model, &options, &made);
     CHECK(strstr(made.data, "4HINCH") != NULL);
     CHECK_OK(nurbs_read_model(made.data, made.size, NULL, &read));
+    nurbs_list *splines = NULL;
     double unit = 0;
-    CHECK_OK(nurbs_model_unit(read, &unit));
+    CHECK_OK(nurbs_model_splines(read, &splines));
+    CHECK_OK(nurbs_list_unit(splines, &unit));
     CHECK_DOUBLE(unit, 0.0254);
+    nurbs_list_destroy(splines);
     nurbs_model_destroy(read);
     nurbs_model_destroy(model);
 }

@@ -19,11 +19,13 @@ std::string written(const model::Model &model, const io::WriteSettings &settings
     return io::write(model, 2, settings);
 }
 
-// Once through a file.
+// Once through a file. Shapes that do not read back bit for bit become splines.
 void expect_again(const model::Model &model) {
     const std::string text = written(model);
     const model::Model again = io::read_model(text, {});
-    EXPECT_EQ(step_test::ModelDifferences(model, again).found(), std::vector<std::string>());
+    for (const std::string &difference : step_test::ModelDifferences(model, again).found()) {
+        EXPECT_TRUE(difference.ends_with(": kind")) << difference;
+    }
     EXPECT_TRUE(written(again) == text);
 }
 
@@ -31,27 +33,28 @@ void expect_round_trip(const std::string &text) {
     expect_again(io::read_model(text, {}));
 }
 
-double area_of_all(const model::Model &model) {
-    double sum = 0;
-    for (const model::ModelFace &face : model.faces) {
-        sum += area_of(face);
-    }
-    return sum;
-}
-
 // From another format: the same faces, and from then on the same file.
 void expect_same_faces(const model::Model &model) {
     const std::string text = written(model);
     const model::Model again = io::read_model(text, {});
     ASSERT_EQ(model.faces.size(), again.faces.size());
+    ASSERT_EQ(model.edges.size(), again.edges.size());
+    ASSERT_EQ(model.vertices.size(), again.vertices.size());
     for (size_t i = 0; i < model.faces.size(); ++i) {
-        EXPECT_EQ(model.faces[i].name, again.faces[i].name);
-        EXPECT_EQ(model.faces[i].colour, again.faces[i].colour);
-        EXPECT_EQ(model.faces[i].against, again.faces[i].against);
-        EXPECT_NEAR(area_of(model.faces[i]), area_of(again.faces[i]), 1e-12 * area_of(model.faces[i])) << i;
+        const model::ModelFace &a = model.faces[i], &b = again.faces[i];
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(a.colour, b.colour);
+        EXPECT_EQ(a.against, b.against);
+        EXPECT_TRUE(same_numbers(*a.face->surface(), *b.face->surface())) << i;
+        EXPECT_NEAR(area_of(a), area_of(b), 1e-12 * area_of(a)) << i;
     }
-    EXPECT_EQ(step_test::ModelDifferences(model, again).found(), std::vector<std::string>());
+    for (size_t i = 0; i < model.edges.size(); ++i) {
+        const Spline &a = *model.edges[i].curve, &b = *again.edges[i].curve;
+        EXPECT_TRUE(std::ranges::equal(a.points(), b.points())) << i;
+        EXPECT_TRUE(std::ranges::equal(a.weights(), b.weights())) << i;
+    }
     EXPECT_TRUE(written(again) == text);
+    expect_again(again);
 }
 
 TEST(IgesRoundTrip, OfSolids) {
