@@ -3,6 +3,7 @@
 
 #include "io/iges/types.h"
 #include "io/iges/write/write_spline.h"
+#include "io/written/similarity.h"
 #include "io/written/spline_facts.h"
 #include "model/shapes/curve_spline.h"
 #include "spline/part.h"
@@ -32,10 +33,14 @@ Vector3 x_of(const build::Placement &place) noexcept {
     return given(place.given_x) ? place.given_x : place.x;
 }
 
+std::array<double, 3> with_neighbours(double value) noexcept {
+    return {value, std::nextafter(value, -HUGE_VAL), std::nextafter(value, HUGE_VAL)};
+}
+
 // The degrees that readers take for an angle, or what is next to them.
 double degrees(double angle) noexcept {
     const double near = angle / radians_per_degree;
-    for (const double candidate : {near, std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL)}) {
+    for (const double candidate : with_neighbours(near)) {
         if (radians_per_degree * candidate == angle) {
             return candidate;
         }
@@ -55,6 +60,31 @@ Vector3 point_of(const Spline &spline, int64_t i) noexcept {
     return {spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
 }
 
+// Of the matrix of a plane: the direction that was given for x, if it was a column already.
+Vector3 first_column(const build::Placement &place) noexcept {
+    constexpr double digits = 0x1p-40;
+    const Vector3 &x = place.given_x;
+    return given(x) && std::abs(length(x) - 1) <= digits ? x : place.x;
+}
+
+// Readers take the product of the columns for the axis: next to y there is one of which they get the axis that was given, if that was
+// made so.
+Vector3 second_column(const build::Placement &place, const Vector3 &x) noexcept {
+    const auto same = [](const Vector3 &a, const Vector3 &b) {
+        return a.x == b.x && a.y == b.y && a.z == b.z;
+    };
+    for (const double p : with_neighbours(place.y.x)) {
+        for (const double q : with_neighbours(place.y.y)) {
+            for (const double r : with_neighbours(place.y.z)) {
+                if (same(cross(x, {p, q, r}), place.given_axis)) {
+                    return {p, q, r};
+                }
+            }
+        }
+    }
+    return place.y;
+}
+
 // The spline that readers make of a line.
 bool is_line(const Spline &spline) {
     constexpr double knots[] = {0, 0, 1, 1};
@@ -66,11 +96,8 @@ bool is_line(const Spline &spline) {
 // are some next to the exact ones.
 std::array<double, 2> place_on_circle(double radius, double angle) noexcept {
     const double x = radius * std::cos(angle), y = radius * std::sin(angle);
-    const auto near = [](double value) {
-        return std::array{value, std::nextafter(value, -HUGE_VAL), std::nextafter(value, HUGE_VAL)};
-    };
-    for (const double p : near(x)) {
-        for (const double q : near(y)) {
+    for (const double p : with_neighbours(x)) {
+        for (const double q : with_neighbours(y)) {
             const double found = std::atan2(q, p);
             if (std::hypot(p, q) == radius && (found < 0 ? found + model::turn : found) == angle) {
                 return {p, q};
@@ -178,9 +205,9 @@ int64_t GeometryWriter::matrix(const std::array<double, 12> &rows) {
 
 // From the plane of a conic to where it is; 0 for no change.
 int64_t GeometryWriter::frame(const build::Placement &place) {
-    const Vector3 &x = place.x, &y = place.y, &z = place.z, &o = place.origin;
+    const Vector3 x = first_column(place), y = second_column(place, x), &z = place.z, &o = place.origin;
     const std::array<double, 12> rows{x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z};
-    return rows == std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0} ? 0 : matrix(rows);
+    return is_identity(rows) ? 0 : matrix(rows);
 }
 
 // Arcs run around the axis, counterclockwise.
