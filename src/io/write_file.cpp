@@ -105,6 +105,9 @@ std::string target_of(const char *path) {
         void operator()(char *text) const noexcept { std::free(text); }
     };
     const std::unique_ptr<char, Free> target(::realpath(path, nullptr));
+    if (!target && errno == ENOMEM) {
+        throw std::bad_alloc();
+    }
     return target ? target.get() : path;
 }
 

@@ -2,6 +2,7 @@
 #include "property/fits.h"
 
 #include <limits>
+#include <numeric>
 
 namespace approximate_test {
 
@@ -109,9 +110,13 @@ TEST(Approximate, meets_the_tolerance_with_few_control_points) {
 }
 
 TEST(Approximate, needs_least_for_any_distance) {
-    const Handle g = create(even_curve(3, 9, 2));
+    SplineData cubic = even_curve(3, 9, 2);
+    std::iota(cubic.points.begin(), cubic.points.end(), 0.0);
+    const Handle g = create(cubic);
     const Approximated result = approximated(g.get(), {1}, std::numeric_limits<double>::infinity());
     EXPECT_EQ(result.count(), 2);
+    // One constant cannot keep two ends; two can.
+    EXPECT_EQ(approximated(g.get(), {0}, std::numeric_limits<double>::infinity()).count(), 2);
 }
 
 TEST(Approximate, returns_what_is_simple_already) {

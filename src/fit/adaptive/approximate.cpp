@@ -249,7 +249,7 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
     if (same && tolerance == 0) {
         return itself();
     }
-    const UsualLimit usual(3 * usual_work(g->point_count(), 100000) / 4);
+    const UsualLimit usual(5 * usual_work(g->point_count(), 100000) / 8);
     const int64_t own = same ? (*same)->point_count() : max_count;
     int64_t limit = std::min(max_count, own); // more would not be taken
     Approximation found{nullptr, INFINITY};

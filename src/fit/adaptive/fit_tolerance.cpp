@@ -249,7 +249,7 @@ private:
     [[nodiscard]] bool enough(const Counts &counts, const Data &data) {
         return attempt(data, axes_with(counts)).largest <= tolerance_;
     }
-    // No spline where there are too few control points for the conditions.
+    // No spline where there are too few control points for the conditions; NaN is within no tolerance, even an infinite one.
     [[nodiscard]] FittedPoints attempt(const Data &data, const Axes &axes) {
         try {
             FittedPoints made = fit_points(data, rules_, axes, wishes_, true);
@@ -259,7 +259,7 @@ private:
             if (error.status() != Status::contradiction) {
                 throw;
             }
-            return {{}, 0, INFINITY, -1};
+            return {{}, 0, NAN, -1};
         }
     }
     // The fewest knots that do, or else those that miss least.

@@ -77,14 +77,14 @@ const Call group[] = {
     {"read",
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_read(texts::file, 1134, nullptr, &o.list);
-     }},
+     }, true},
     {"read in millimetres",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_read_options options;
          (void)nurbs_read_options_init(&options, sizeof options);
          options.unit = 0.001;
          return nurbs_read(texts::file, 1134, &options, &o.list);
-     }},
+     }, true},
     {"read_file",
      [](const Inputs &, Output &o) -> nurbs_status {
          return nurbs_read_file(file_path, nullptr, &o.list);
@@ -856,7 +856,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_with(texts::file, 1134, nullptr, &call, &o.list);
-     }},
+     }, true},
     {"read_with in millimetres",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_read_options options;
@@ -865,7 +865,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_with(texts::file, 1134, &options, &call, &o.list);
-     }},
+     }, true},
     {"read_file_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
