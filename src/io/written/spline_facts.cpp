@@ -27,6 +27,14 @@ void check_writable(const Spline &spline, const char *format) {
     }
 }
 
+void check_surface(const Spline &surface, size_t face, const char *format) {
+    try {
+        check_writable(surface, format);
+    } catch (const Error &error) {
+        fail(error.status(), "faces[%zu]: its surface %s", face, error.what());
+    }
+}
+
 bool has_weights(const Spline &spline) {
     if (!spline.rational()) {
         return false;

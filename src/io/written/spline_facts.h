@@ -13,6 +13,9 @@ namespace nrb::io {
 // 0, weight_sign for homogeneous points whose weight is not positive.
 void check_writable(const Spline &spline, const char *format);
 
+// The same of the surface of a face, naming that.
+void check_surface(const Spline &surface, size_t face, const char *format);
+
 // Whether the weights differ, so that they mean something.
 bool has_weights(const Spline &spline);
 std::vector<double> weights_of(const Spline &spline);

@@ -2,6 +2,7 @@
 #include "io/iges/write/confirmed.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "io/iges/lines.h"
 #include "io/iges/read_model.h"
 #include "io/iges/types.h"
@@ -78,6 +79,16 @@ std::optional<model::CurvePiece> statable_piece(const model::Edge &edge, const s
     return piece && statable(*piece) ? piece : std::nullopt;
 }
 
+// What readers take a part of a curve for, if that is the same spline. They take a line for a spline, which is written as that line.
+std::optional<model::CurvePiece> read_piece(const model::CurvePiece &piece, const Spline &curve,
+                                            const model::Edge &read, const std::vector<Vector3> &vertices,
+                                            double tolerance) {
+    if (is_line(piece)) {
+        return same_course(*read.curve, curve) ? std::optional(piece) : std::nullopt;
+    }
+    return same_numbers(*read.curve, curve) ? statable_piece(read, vertices, tolerance) : std::nullopt;
+}
+
 } // namespace
 
 StatedShapes statable_shapes(const model::Model &model, const Topology &topology, double tolerance) {
@@ -98,18 +109,15 @@ void confirm_edges(const WriteEdges &write, const Topology &topology, double tol
     constexpr int most_rounds = 4;
     bool settled = false;
     for (int round = 0; !settled && stated.any_edge(); ++round) {
+        const Phase phase;
         const model::Model read = read_again(write(stated));
         const bool whole = read.edges.size() == topology.edges.size();
         settled = true;
         for (size_t i = 0; i < stated.edges.size(); ++i) {
             std::optional<model::CurvePiece> &piece = stated.edges[i];
-            if (!piece ||
-                (whole && is_line(*piece) && same_course(*read.edges[i].curve, *topology.edges[i].curve))) {
-                continue;
-            }
             std::optional<model::CurvePiece> next;
-            if (whole && same_numbers(*read.edges[i].curve, *topology.edges[i].curve)) {
-                next = statable_piece(read.edges[i], read.vertices, tolerance);
+            if (piece && whole) {
+                next = read_piece(*piece, *topology.edges[i].curve, read.edges[i], read.vertices, tolerance);
             }
             const bool same = next && statement_of(*next) == statement_of(*piece);
             piece = same || round < most_rounds ? std::move(next) : std::nullopt;

@@ -148,10 +148,10 @@ void FileText::end_named(std::string_view name) {
     if (stated.empty()) {
         return end();
     }
-    const int64_t property = reserve();
-    put(0, 1, property);
+    const int64_t number = reserve();
+    put(0, 1, number);
     end();
-    begin(property, {property_type, name_form, dependent});
+    begin(number, {property_type, name_form, property});
     put(1, std::string_view(stated));
     end();
 }

@@ -11,8 +11,8 @@
 namespace nrb::io::iges {
 
 // Status numbers of directory entries: blank, subordinate, use, hierarchy.
-inline constexpr std::string_view independent{"00000000"}, dependent{"00010000"}, in_parameters{"00010500"},
-    definition{"00000200"}, definition_dependent{"00010200"};
+inline constexpr std::string_view independent{"00000000"}, dependent{"00010000"}, property{"00010300"},
+    in_parameters{"00010500"}, definition{"00000200"}, definition_dependent{"00010200"};
 
 // What readers call an entity without a name.
 std::string usual_name(int type, int64_t number);

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "io/faces/make_face.h"
 #include "io/iges/read_model.h"
 #include "io/iges/types.h"
@@ -29,10 +30,6 @@ using iges::StatedShapes;
 constexpr int closed_form = 1, open_form = 2;
 // Of what has no faces, in metres.
 constexpr double usual_resolution = 1e-7;
-
-void check_spline(const Spline &spline) {
-    check_writable(spline, "IGES");
-}
 
 // The least tolerance of the faces, because readers take what is less than it for nothing; but no less than that from which they
 // find those of the others.
@@ -78,15 +75,18 @@ public:
           faces_(geometry_, model, topology, stated, resolution),
           items_(std::max<size_t>(model.parts.size(), 1)) {}
 
-    std::string run(const GlobalFacts &facts) {
-        faces_.run();
+    std::string all(const GlobalFacts &facts) {
+        {
+            const Phase phase;
+            faces_.run();
+        }
         add_shells();
         add_splines();
         iges::AssemblyWriter(geometry_, model_, items_).run();
         return text_.file(write_global(facts));
     }
-    // Of what stands in no part.
-    std::string run_edges(const GlobalFacts &facts) {
+    // Edges and faces, but nothing that they are part of.
+    std::string topology_alone(const GlobalFacts &facts) {
         faces_.run();
         return text_.file(write_global(facts));
     }
@@ -131,10 +131,7 @@ private:
 
 void check_splines(const model::Model &model) {
     for (size_t i = 0; i < model.splines.size(); ++i) {
-        named("splines", i, [&] { check_spline(*model.splines[i].spline); });
-    }
-    for (size_t i = 0; i < model.faces.size(); ++i) {
-        named("faces", i, [&] { check_spline(*model.faces[i].face->surface()); });
+        named("splines", i, [&] { check_writable(*model.splines[i].spline, "IGES"); });
     }
 }
 
@@ -143,7 +140,7 @@ void confirm_edges(const Topology &topology, const GlobalFacts &facts, StatedSha
     if (stated.any_edge()) {
         const model::Model none;
         const auto write = [&](const StatedShapes &shapes) {
-            return IgesWriter(none, topology, shapes, 1, facts.resolution).run_edges(facts);
+            return IgesWriter(none, topology, shapes, 1, facts.resolution).topology_alone(facts);
         };
         iges::confirm_edges(write, topology, facts.resolution, stated);
     }
@@ -152,6 +149,7 @@ void confirm_edges(const Topology &topology, const GlobalFacts &facts, StatedSha
 void confirm_faces(const model::Model &model, const Topology &topology, const GlobalFacts &facts,
                    StatedShapes &stated) {
     if (stated.any_face()) {
+        const Phase phase;
         model::Model nameless{{}, {}, 0};
         nameless.parts = model.parts;
         nameless.faces = model.faces;
@@ -159,7 +157,7 @@ void confirm_faces(const model::Model &model, const Topology &topology, const Gl
             face.name.clear();
         }
         IgesWriter writer(nameless, topology, stated, 1, facts.resolution);
-        const std::string text = writer.run_edges(facts);
+        const std::string text = writer.topology_alone(facts);
         iges::confirm_faces(text, model, writer.faces(), stated);
     }
 }
@@ -180,7 +178,7 @@ std::string write_iges(const model::Model &model, const WriteSettings &settings)
     confirm_edges(topology, facts, stated);
     confirm_faces(model, topology, facts, stated);
     return IgesWriter(model, topology, stated, factor, resolution)
-        .run({facts.product, lengths.metres,
+        .all({facts.product, lengths.metres,
               settings.tolerance > 0 ? settings.tolerance : factor * resolution, factor * extent});
 }
 

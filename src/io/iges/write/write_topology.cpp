@@ -4,6 +4,7 @@
 #include "io/faces/make_face.h"
 #include "io/iges/types.h"
 #include "io/written/lone_vertices.h"
+#include "io/written/spline_facts.h"
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
@@ -56,11 +57,11 @@ TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &mod
       resolution_(resolution) {}
 
 void TopologyWriter::run() {
-    add_vertices();
-    add_edges();
     const auto count = std::ssize(model_.faces);
+    Steps steps(std::ssize(topology_.edges) + count);
+    add_vertices();
+    add_edges(steps);
     const int64_t first = text_.reserve(count);
-    Steps steps(count);
     for (int64_t i = 0; i < count; ++i) {
         faces_.push_back(first + 2 * i);
         add_face(static_cast<size_t>(i));
@@ -95,9 +96,8 @@ int64_t TopologyWriter::edge_curve(size_t index) {
     return piece ? geometry_.curve(*piece) : geometry_.spline(*topology_.edges[index].curve);
 }
 
-void TopologyWriter::add_edges() {
+void TopologyWriter::add_edges(Steps &steps) {
     std::vector<int64_t> curves(topology_.edges.size());
-    Steps steps(std::ssize(curves));
     for (size_t i = 0; i < curves.size(); ++i) {
         curves[i] = edge_curve(i);
         steps.next();
@@ -121,6 +121,9 @@ int64_t TopologyWriter::surface(size_t index) {
     const void *const key = shape ? static_cast<const void *>(face.shape.get()) : face.face->surface().get();
     const auto [known, fresh] = surfaces_.try_emplace(key);
     if (fresh) {
+        if (!shape) {
+            check_surface(*face.face->surface(), index, "IGES");
+        }
         known->second = shape ? geometry_.surface(*face.shape) : geometry_.spline(*face.face->surface());
     }
     return known->second;

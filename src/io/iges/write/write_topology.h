@@ -2,6 +2,7 @@
 // Vertices, edges and faces as they are written.
 #pragma once
 
+#include "base/watch.h"
 #include "io/iges/write/write_geometry.h"
 #include "io/written/topology.h"
 
@@ -34,7 +35,7 @@ public:
 
 private:
     void add_vertices();
-    void add_edges();
+    void add_edges(Steps &steps);
     [[nodiscard]] int64_t edge_curve(size_t index);
     int64_t surface(size_t face);
     int64_t parameter_curve(size_t face, const face::Coedge &coedge, const OrientedEdge &edge);

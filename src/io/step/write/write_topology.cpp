@@ -19,14 +19,6 @@ bool on_shape(const model::ModelFace &face) {
     return face.shape != nullptr && face.shape->kind != model::SurfaceKind::spline && restatable(*face.shape);
 }
 
-void check_surface(const Spline &surface, size_t index) {
-    try {
-        check_writable(surface, "STEP");
-    } catch (const Error &error) {
-        fail(error.status(), "faces[%zu]: its surface %s", index, error.what());
-    }
-}
-
 } // namespace
 
 TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
@@ -37,7 +29,7 @@ TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &mod
 void TopologyWriter::run() {
     for (size_t i = 0; i < model_.faces.size(); ++i) {
         if (!on_shape(model_.faces[i])) {
-            check_surface(*model_.faces[i].face->surface(), i);
+            check_surface(*model_.faces[i].face->surface(), i, "STEP");
         }
         add_surface(model_.faces[i]);
     }

@@ -192,13 +192,9 @@ TEST(IgesWriteModel, ColoursAreWrittenOncePerColour) {
 
 TEST(IgesWriteModel, HostileNames) {
     model::Model model = cube();
-    const char *const names[] = {"it's",
-                                 ",;5Hab",
-                                 "\xE6\xB0\xB4 \xF0\x9F\x94\xA9",
-                                 "S      1\\",
-                                 "510#7",
-                                 "a name that goes on behind the end of its line, twice: "
-                                 "a name that goes on behind the end of its line"};
+    const std::string long_name(200, 'n');
+    const char *const names[] = {"it's",       ",;5Hab", "\xE6\xB0\xB4 \xF0\x9F\x94\xA9",
+                                 "S      1\\", "510#7",  long_name.c_str()};
     for (size_t i = 0; i < 6; ++i) {
         model.faces[i].name = names[i];
     }

@@ -63,6 +63,47 @@ TEST(IgesRoundTrip, OfSolids) {
     expect_round_trip(cube.text());
 }
 
+// With a seam, without edges, and with a hole; alone, so that they are shells of one face.
+TEST(IgesRoundTrip, OfFacesAlone) {
+    FacesBuilder files[4];
+    files[0].cylinder(2, 3);
+    files[1].add(196, std::to_string(files[1].add(116, "1.,2.,3.,0")) + ",2.");
+    const int64_t square = files[2].square(4);
+    files[2].trimmed(
+        square, 0,
+        {files[2].curve_on_surface(square, files[2].polygon({"0.25,0.25", "0.5,0.25", "0.5,0.5"}), 0, 1)});
+    const int64_t around = files[3].cylinder(2, 3);
+    files[3].trimmed(around, files[3].curve_on_surface(
+                                 around, files[3].polygon({"0.,1.", "1.,2.", "1.,4.", "0.,3."}), 0, 1));
+    for (const FacesBuilder &file : files) {
+        const model::Model model = io::read_model(file.text(), {});
+        EXPECT_EQ(model.faces.size(), 1U);
+        expect_again(model);
+    }
+}
+
+// Curves in domains are read as they are written, though near the ends of a domain files with few digits mean the ends.
+TEST(IgesRoundTrip, OfCurvesNextToTheEndsOfADomain) {
+    model::Model model = [] {
+        CubeBuilder cube;
+        cube.cube();
+        return io::read_model(cube.text(), {});
+    }();
+    face::FaceParts parts{model.faces[0].face->surface(), {}};
+    for (const face::Loop &loop : model.faces[0].face->loops()) {
+        parts.loops.push_back(loop);
+    }
+    parts.tolerance = model.faces[0].face->tolerance();
+    const SplinePtr &curve = parts.loops[0][0].curve;
+    std::vector<double> points(curve->points().begin(), curve->points().end());
+    for (double &x : points) {
+        x = x == 0 ? 1e-11 : x;
+    }
+    parts.loops[0][0].curve = make_spline(curve->knot_vectors(), 2, Form::polynomial, points);
+    model.faces[0].face = std::make_shared<const face::Face>(std::move(parts), nullptr);
+    expect_again(model);
+}
+
 TEST(IgesRoundTrip, OfSolidsOfStepFiles) {
     for (const std::string &text :
          {step_test::step_cube(), step_test::step_cylinder(false), step_test::step_cylinder(true),
