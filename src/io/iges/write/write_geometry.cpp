@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/write/write_geometry.h"
 
+#include "build/conics/angle.h"
 #include "io/iges/types.h"
 #include "io/iges/write/write_spline.h"
 #include "io/written/similarity.h"
@@ -56,6 +57,17 @@ bool has_all_angles(Interval range) noexcept {
     return range.lower == 0 && range.upper == model::turn;
 }
 
+// All of it ends where it begins.
+double end_of(Interval range) noexcept {
+    return model::sweep_of(range) == model::turn ? range.lower : range.upper;
+}
+
+// That is neither too large nor too small in any unit; 0 is what circles have besides their radius.
+bool has_square(double size) noexcept {
+    constexpr double least = 1e-100, most = 1e100;
+    return size == 0 || (least <= size && size <= most);
+}
+
 Vector3 point_of(const Spline &spline, int64_t i) noexcept {
     return {spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
 }
@@ -95,7 +107,8 @@ bool is_line(const Spline &spline) {
 // Where a circle around the origin is at an angle, in numbers of which readers compute the same radius and the same angle, if there
 // are some next to the exact ones.
 std::array<double, 2> place_on_circle(double radius, double angle) noexcept {
-    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    const auto [cos, sin] = build::Angle::from_radians(angle).direction();
+    const double x = radius * cos, y = radius * sin;
     for (const double p : with_neighbours(x)) {
         for (const double q : with_neighbours(y)) {
             const double found = std::atan2(q, p);
@@ -121,9 +134,11 @@ bool statable(const CurvePiece &piece) {
     }
     switch (curve.kind) {
     case CurveKind::line:
+        return curve.place.dim == 3;
     case CurveKind::circle:
     case CurveKind::ellipse:
-        return curve.place.dim == 3;
+        return curve.place.dim == 3 && piece.forward && 0 <= piece.range.lower &&
+               piece.range.lower < model::turn && has_square(curve.sizes[0]) && has_square(curve.sizes[1]);
     case CurveKind::spline:
         return curve.spline->dim() == 3 && curve.spline->form() != Form::homogeneous &&
                curve.spline->axis(0).degree() > 0;
@@ -213,9 +228,8 @@ int64_t GeometryWriter::frame(const build::Placement &place) {
 // Arcs run around the axis, counterclockwise.
 int64_t GeometryWriter::arc(const CurvePiece &piece) {
     const auto &[curve, range, forward] = piece;
-    const double r = length_ * curve->sizes[0];
+    const double r = length_ * curve->sizes[0], end = end_of(range);
     const int64_t place = frame(curve->place);
-    const double end = has_all_angles({0, range.upper - range.lower}) ? range.lower : range.upper;
     const std::array<double, 2> from = place_on_circle(r, range.lower), to = place_on_circle(r, end);
     return text_.add({circular_arc_type, 0, dependent, 0, place}, 0.0, 0.0, 0.0, from[0], from[1], to[0],
                      to[1]);
@@ -226,10 +240,10 @@ int64_t GeometryWriter::conic(const CurvePiece &piece) {
     const auto &[curve, range, forward] = piece;
     const double a = length_ * curve->sizes[0], b = length_ * curve->sizes[1];
     const int64_t place = frame(curve->place);
-    const double end = has_all_angles({0, range.upper - range.lower}) ? range.lower : range.upper;
+    const auto from = build::Angle::from_radians(range.lower).direction(),
+               to = build::Angle::from_radians(end_of(range)).direction();
     return text_.add({conic_arc_type, 1, dependent, 0, place}, 1 / (a * a), 0.0, 1 / (b * b), 0.0, 0.0, -1.0,
-                     0.0, a * std::cos(range.lower), b * std::sin(range.lower), a * std::cos(end),
-                     b * std::sin(end));
+                     0.0, a * from.cos, b * from.sin, a * to.cos, b * to.sin);
 }
 
 int64_t GeometryWriter::curve(const CurvePiece &piece) {
@@ -240,9 +254,9 @@ int64_t GeometryWriter::curve(const CurvePiece &piece) {
         return line(point_of(*spline, 0), point_of(*spline, spline->point_count() - 1));
     }
     case CurveKind::circle:
-        return piece.forward ? arc(piece) : spline(*model::piece_spline(piece));
+        return arc(piece);
     case CurveKind::ellipse:
-        return piece.forward ? conic(piece) : spline(*model::piece_spline(piece));
+        return conic(piece);
     case CurveKind::trimmed:
         return all ? curve(piece.curve->pieces.front()) : spline(*model::piece_spline(piece));
     default:
