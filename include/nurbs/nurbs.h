@@ -6812,7 +6812,8 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * nurbs_model_destroy(model);
  * \endcode
  * Models and lists of splines as files that other programs read. The same model is the same bytes on every
- * machine: files name no time, no path and no user.
+ * machine, but for the last digits of arcs (100, 104) in IGES, which come from its sine and cosine: files name no
+ * time, no path and no user.
  *
  * **STEP** (ISO 10303-21, AP214). Faces become advanced faces with the edges and vertices that they share, in
  * solids where every edge is used once in each direction, else in shells; edges that no face uses become

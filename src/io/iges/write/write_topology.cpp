@@ -8,24 +8,12 @@
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb::io::iges {
 namespace {
 
 constexpr int edge_of_loop = 0, vertex_of_loop = 1;
 constexpr int list_form = 1, loop_form = 1, face_form = 1;
-
-// The percentage that readers take for a part of a colour, or what is next to it.
-double percentage(double part) noexcept {
-    const double near = 100 * part;
-    for (const double candidate : {near, std::nextafter(near, 0.0), std::nextafter(near, 100.0)}) {
-        if (candidate / 100 == part) {
-            return candidate;
-        }
-    }
-    return near;
-}
 
 // By its control points; around a closed axis there is no end.
 bool is_inside(const Spline &curve, const face::Covering &covering) {
@@ -169,8 +157,8 @@ int64_t TopologyWriter::vertex_loop(int64_t vertex) {
 int64_t TopologyWriter::colour(const std::array<double, 3> &rgb) {
     const auto [known, fresh] = colours_.try_emplace(rgb);
     if (fresh) {
-        known->second = text_.add({colour_type, 0, definition}, percentage(rgb[0]), percentage(rgb[1]),
-                                  percentage(rgb[2]), std::string_view());
+        known->second = text_.add({colour_type, 0, definition}, 100 * rgb[0], 100 * rgb[1], 100 * rgb[2],
+                                  std::string_view()); // percentages
     }
     return known->second;
 }
