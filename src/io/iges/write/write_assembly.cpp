@@ -21,17 +21,6 @@ struct Stated {
     double scale;
 };
 
-// The factor that is multiplied to a value, or what is next to it: the same for the value that is read.
-double factor_of(double value, double scale) noexcept {
-    const double near = value / scale;
-    for (const double candidate : {near, std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL)}) {
-        if (scale * candidate == value) {
-            return candidate;
-        }
-    }
-    return near;
-}
-
 // Computed from a matrix, but with no more digits than what others may have stated, which it then is.
 double stated_scale(double size) {
     char digits[32];
@@ -41,9 +30,9 @@ double stated_scale(double size) {
     return is_one(rounded) ? 1 : rounded;
 }
 
-// Multiplying the same value again gives the same.
+// The quotient of what readers multiply again, so that the next file has it too.
 double settled_factor(double value, double scale) noexcept {
-    return factor_of(scale * factor_of(value, scale), scale);
+    return scale * (value / scale) / scale;
 }
 
 // Only a translation needs no matrix.

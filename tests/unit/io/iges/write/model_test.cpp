@@ -171,6 +171,7 @@ TEST(IgesWriteModel, RandomMotionsReadBackBitForBit) {
                        ""},
                       {-1, 0, model::Use().placement, ""}};
         const model::Model once = read_model(written(model));
+        EXPECT_TRUE(written(once) == written(model));
         for (size_t k = 0; k < 12; ++k) {
             EXPECT_NEAR(once.uses[0].placement[k], model.uses[0].placement[k], 1e-11 * scale);
             if (i % 3 == 1) {
