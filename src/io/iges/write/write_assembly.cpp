@@ -30,17 +30,12 @@ double stated_scale(double size) {
     return is_one(rounded) ? 1 : rounded;
 }
 
-// The quotient of what readers multiply again, so that the next file has it too.
-double settled_factor(double value, double scale) noexcept {
-    return scale * (value / scale) / scale;
-}
-
 // Only a translation needs no matrix.
 Stated stated(const std::array<double, 12> &placement, double size) {
     Stated result{placement, stated_scale(size)};
     for (size_t i = 0; i < 12; ++i) {
         if (i % 4 != 3) {
-            result.rows[i] = settled_factor(placement[i], result.scale);
+            result.rows[i] = placement[i] / result.scale;
         }
     }
     return result;
