@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Opens a STEP or IGES file, lists its faces with their areas, takes the first one apart, and writes a copy in inches.
+/* Opens a STEP or IGES file, lists its faces with their areas, takes the first one apart, and writes a copy in
+ * inches as IGES.
  * model.py does the same.
  * Compile: cc -std=c99 model.c $(pkg-config --cflags --libs nurbs) -o model */
 #include <nurbs/nurbs.h>
@@ -74,7 +75,7 @@ static void write_copy(const nurbs_model *model, const char *path) {
     nurbs_write_options options;
     check(nurbs_write_options_init(&options, (int64_t)sizeof options));
     options.unit = 0.0254;
-    check(nurbs_model_write_file(model, path, NURBS_FORMAT_STEP, &options));
+    check(nurbs_model_write_file(model, path, NURBS_FORMAT_IGES, &options));
 }
 
 int main(int argc, char **argv) {
@@ -82,7 +83,7 @@ int main(int argc, char **argv) {
     nurbs_face *first;
     int64_t faces = 0, edges = 0, vertices = 0;
     if (argc != 2 && argc != 3) {
-        fprintf(stderr, "usage: model FILE.step [COPY.step]\n");
+        fprintf(stderr, "usage: model FILE.step [COPY.igs]\n");
         return 2;
     }
     check(nurbs_read_model_file(argv[1], NULL, &model));

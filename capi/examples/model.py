@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Opens a STEP or IGES file, lists its faces with their areas, takes the first one apart, and writes a copy in inches.
+"""Opens a STEP or IGES file, lists its faces with their areas, takes the first one apart, and writes a copy in
+inches, as IGES if its name ends with .igs.
 
-usage: model.py [FILE.step [COPY.step]]
+usage: model.py [FILE.step [COPY.igs]]
 """
 
 import pathlib

@@ -6817,7 +6817,8 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * nurbs_model_destroy(model);
  * \endcode
  * Models and lists of splines as files that other programs read. The same model is the same bytes on every
- * machine: files name no time, no path and no user.
+ * machine, but for the last digits of arcs (100, 104) in IGES, which come from its sine and cosine: files name no
+ * time, no path and no user.
  *
  * **STEP** (ISO 10303-21, AP214). Faces become advanced faces with the edges and vertices that they share, in
  * solids where every edge is used once in each direction, else in shells; edges that no face uses become
@@ -6837,8 +6838,32 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  *   become "#" and the number of their entity;
  * - gaps of loops that were kept (NURBS_KEEP_GAPS): the segments that close them become edges.
  *
- * Knots inside of a domain more than `degree` times, and weights of 0, are written as they are: this library
- * reads them, the standard has no such splines.
+ * **IGES** (5.3, fixed-length form). Faces (510) with loops (508) share the edges and vertices of one list each
+ * (504, 502), in solids (186) where every edge is used once in each direction, else in open shells (514). Edges
+ * that no face uses stand in the list only, which other programs may not show. Splines of a model or a list are
+ * entities 126 and 128, in their order, surfaces of a model come back as faces over their whole domains. Parts
+ * become subfigures (308), and their uses instances (408) with matrices (124), of form 1 for mirror images; a
+ * first part that stands in the whole once and unmoved is what no subfigure has, and its name that of the
+ * product. Units without a number are one with another model space scale. What surfaces and edges were in a
+ * file they are again, as planes, cylinders, cones, spheres and tori with a reference direction (190 to 198),
+ * surfaces of revolution and tabulated cylinders (120, 122), arcs and ellipses (100, 104), where reading them
+ * gives the same splines bit for bit, with all curves in the domains: to know, what is written is read once
+ * before. All others are B-splines (126, 128), with their parameter curves. So nurbs_read_model() and nurbs_read()
+ * give back what they do of STEP files, and the mark of a periodic axis too; not so
+ * - lengths in another unit than that of the model, and placements that are rotated and scaled, for rounding;
+ * - homogeneous points, and weights that are all equal, as for STEP;
+ * - the parameters of straight edges (110) that were others than 0 to 1, and of curves that lie under them;
+ * - curves in domains that are not under their edges at equal parameters, or that leave the domain by more than
+ *   the tolerance of the file, which readers make anew;
+ * - tolerances of faces, of which readers find the least powers of ten from that of the file on that will do;
+ * - blanks around names and control characters, as for STEP, and empty names, which become type and number:
+ *   "510#37";
+ * - colours whose percentages have no digits of their own: they are next to them;
+ * - faces of NURBS_KEEP_GAPS, as for STEP.
+ *
+ * Knots inside of a domain more than `degree` times, knots that are not clamped, and weights of 0 are written as
+ * they are: this library reads them; STEP and IGES have no such knots and weights, and some readers of IGES want
+ * clamped knots.
  * @{ */
 
 /** \name Formats of files
@@ -6846,6 +6871,8 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * @{ */
 /** \brief STEP: an exchange structure of ISO 10303-21, by AP214 */
 #define NURBS_FORMAT_STEP 1
+/** \brief IGES 5.3 in lines of 80 columns */
+#define NURBS_FORMAT_IGES 2
 /** @} */
 
 /** \brief Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
@@ -6867,7 +6894,7 @@ NURBS_API nurbs_status nurbs_write_options_init(nurbs_write_options *options, in
 
 /** \brief A model as the contents of a file. To ask how many bytes there are takes as long as to write them.
  * \param[in] model a model.
- * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
  * \param[in] options or NULL for the defaults: settings.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
@@ -6875,7 +6902,8 @@ NURBS_API nurbs_status nurbs_write_options_init(nurbs_write_options *options, in
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _OPTIONS, _FORMAT for any other format; _SIZE if cap is
  *   neither 0 nor enough. Of what the format cannot hold, naming the index: _DIMENSION of splines outside of
  *   space, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous points whose weights are not
- *   positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE.
+ *   positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE; _TOO_LARGE for an IGES file of
+ *   more lines than its seven digits can count.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_write(const nurbs_model *model, int32_t format,
                                          const nurbs_write_options *options, int64_t cap, void *bytes,
@@ -6896,7 +6924,7 @@ NURBS_API nurbs_status nurbs_model_write_with(const nurbs_model *model, int32_t 
  * fails. A link stays, and what it leads to is replaced; devices and pipes are written to.
  * \param[in] model a model.
  * \param[in] path file name, zero-terminated, in the system's encoding.
- * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
  * \param[in] options or NULL for the defaults: settings.
  * \return as for nurbs_model_write() without _COUNT, _OVERLAP, _SIZE, and NURBS_ERROR_FILE.
  * \since 1.1 */
@@ -6915,7 +6943,7 @@ NURBS_API nurbs_status nurbs_model_write_file_with(const nurbs_model *model, con
 /** \brief The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those that
  * belong to no face, with their names.
  * \param[in] list a list.
- * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
  * \param[in] options or NULL for the defaults: settings.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
@@ -6940,7 +6968,7 @@ NURBS_API nurbs_status nurbs_list_write_with(const nurbs_list *list, int32_t for
 /** \brief Writes the curves and surfaces of a list to a file, as nurbs_model_write_file() does.
  * \param[in] list a list.
  * \param[in] path file name, zero-terminated, in the system's encoding.
- * \param[in] format NURBS_FORMAT_STEP.
+ * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
  * \param[in] options or NULL for the defaults: settings.
  * \return as for nurbs_list_write() without _COUNT, _OVERLAP, _SIZE, and NURBS_ERROR_FILE.
  * \since 1.1 */

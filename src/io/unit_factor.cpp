@@ -6,21 +6,36 @@
 #include <cmath>
 
 namespace nrb::io {
+namespace {
 
-double unit_factor(double metres_per_unit, const ReadSettings &settings) {
-    if (settings.unit == 0) {
+constexpr double millimetre = 0.001;
+
+// The unit that is wanted in metres, 0: the one from which it is reached.
+double factor_between(double metres, double wanted) {
+    if (wanted == 0 || wanted == metres) {
         return 1;
     }
-    if (metres_per_unit == 0) {
+    const double factor = metres / wanted;
+    if (!std::isnormal(factor)) {
+        fail(Status::options, "unit = %s cannot be reached from units of %s metres", Number(wanted).text,
+             Number(metres).text);
+    }
+    return factor;
+}
+
+} // namespace
+
+double unit_factor(double metres_per_unit, const ReadSettings &settings) {
+    if (settings.unit != 0 && metres_per_unit == 0) {
         fail(Status::options, "unit = %s cannot be reached: the unit of the file is not known",
              Number(settings.unit).text);
     }
-    const double factor = metres_per_unit / settings.unit;
-    if (!std::isnormal(factor)) {
-        fail(Status::options, "unit = %s cannot be reached from units of %s metres",
-             Number(settings.unit).text, Number(metres_per_unit).text);
-    }
-    return factor;
+    return factor_between(metres_per_unit, settings.unit);
+}
+
+Lengths lengths_of(double metres_per_unit, const WriteSettings &settings) {
+    const double own = metres_per_unit > 0 ? metres_per_unit : millimetre;
+    return {settings.unit == 0 ? own : settings.unit, factor_between(own, settings.unit)};
 }
 
 } // namespace nrb::io

@@ -2,6 +2,7 @@
 #include "io/writers.h"
 
 #include "base/error.h"
+#include "io/iges/write/write_iges.h"
 #include "io/step/write/write_step.h"
 
 #include <cmath>
@@ -20,10 +21,13 @@ void check_setting(const char *name, double value, const char *expected) {
 std::string write(const model::Model &model, int32_t format, const WriteSettings &settings) {
     check_setting("unit", settings.unit, "metres > 0, or 0 for the unit of the model");
     check_setting("tolerance", settings.tolerance, "a length > 0, or 0 for that of the faces");
-    if (format != static_cast<int32_t>(WrittenFormat::step)) {
-        fail(Status::format, "format = %d, expected 1 for STEP, the only format that is written", format);
+    switch (static_cast<WrittenFormat>(format)) {
+    case WrittenFormat::step:
+        return write_step(model, settings);
+    case WrittenFormat::iges:
+        return write_iges(model, settings);
     }
-    return write_step(model, settings);
+    fail(Status::format, "format = %d, expected 1 for STEP or 2 for IGES", format);
 }
 
 } // namespace nrb::io

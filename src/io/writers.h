@@ -10,7 +10,7 @@
 
 namespace nrb::io {
 
-enum class WrittenFormat : int32_t { step = 1 };
+enum class WrittenFormat : int32_t { step = 1, iges = 2 };
 
 // A model as a file of a format. Throws Status::format for other numbers than those of formats, options for settings that are
 // negative or not finite, and what the writer throws.

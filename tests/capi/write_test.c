@@ -17,10 +17,15 @@ static nurbs_write_options defaults(void) {
     return options;
 }
 
-static void text_of(const nurbs_model *model, const nurbs_write_options *options, Written *made) {
+static void text_in(int32_t format, const nurbs_model *model, const nurbs_write_options *options,
+                    Written *made) {
     memset(made, 0, sizeof *made);
-    CHECK_OK(nurbs_model_write(model, NURBS_FORMAT_STEP, options, most_text, made->data, &made->size));
+    CHECK_OK(nurbs_model_write(model, format, options, most_text, made->data, &made->size));
     CHECK(made->size > 0 && made->size < most_text);
+}
+
+static void text_of(const nurbs_model *model, const nurbs_write_options *options, Written *made) {
+    text_in(NURBS_FORMAT_STEP, model, options, made);
 }
 
 /* The options and their size, as for other structs. */
@@ -118,6 +123,62 @@ static void lists_come_back(void) {
     nurbs_destroy(flat);
 }
 
+/* The same box as an IGES file, in its own unit and in inches. */
+static void boxes_come_back_from_iges(void) {
+    static Written made, again;
+    nurbs_model *model = box(), *read = NULL;
+    text_in(NURBS_FORMAT_IGES, model, NULL, &made);
+    CHECK_INT(made.size % 81, 0); /* lines of 80 columns */
+    CHECK(strstr(made.data, "     186 ") != NULL);
+    CHECK_OK(nurbs_read_model(made.data, made.size, NULL, &read));
+    int64_t faces = 0, edges = 0, vertices = 0;
+    CHECK_OK(nurbs_model_counts(read, NULL, NULL, &faces, &edges, &vertices));
+    CHECK_INT(faces, 6);
+    CHECK_INT(edges, 12);
+    CHECK_INT(vertices, 8);
+    text_in(NURBS_FORMAT_IGES, read, NULL, &again);
+    CHECK_INT(again.size, made.size);
+    CHECK_BITS(again.data, made.data, (size_t)made.size);
+    nurbs_model_destroy(read);
+    nurbs_write_options options = defaults();
+    options.unit = 0.0254;
+    text_in(NURBS_FORMAT_IGES, model, &options, &made);
+    CHECK(strstr(made.data, "4HINCH") != NULL);
+    CHECK_OK(nurbs_read_model(made.data, made.size, NULL, &read));
+    nurbs_list *splines = NULL;
+    double unit = 0;
+    CHECK_OK(nurbs_model_splines(read, &splines));
+    CHECK_OK(nurbs_list_unit(splines, &unit));
+    CHECK_DOUBLE(unit, 0.0254);
+    nurbs_list_destroy(splines);
+    nurbs_model_destroy(read);
+    nurbs_model_destroy(model);
+}
+
+static void lists_come_back_from_iges(void) {
+    static char text[most_text];
+    nurbs *curve = curve_of(3), *flat = curve_of(2);
+    nurbs_list *list = NULL, *read = NULL;
+    const char *names[] = {"it's \xC3\xA4", "b"};
+    int64_t size = 0, count = 0;
+    CHECK_OK(nurbs_list_create(2, CURVES(curve, curve), names, 0, &list));
+    CHECK_OK(nurbs_list_write(list, NURBS_FORMAT_IGES, NULL, most_text, text, &size));
+    CHECK_OK(nurbs_read(text, size, NULL, &read));
+    CHECK_OK(nurbs_list_count(read, &count));
+    CHECK_INT(count, 2);
+    char name[16];
+    CHECK_OK(nurbs_list_name(read, 0, name, (int64_t)sizeof name, NULL));
+    CHECK(strcmp(name, names[0]) == 0);
+    nurbs_list_destroy(read);
+    nurbs_list_destroy(list);
+    CHECK_OK(nurbs_list_create(2, CURVES(curve, flat), NULL, 0, &list));
+    CHECK_FAILS(nurbs_list_write(list, NURBS_FORMAT_IGES, NULL, most_text, text, &size),
+                NURBS_ERROR_DIMENSION, "splines[1]|dimension 2");
+    nurbs_list_destroy(list);
+    nurbs_destroy(curve);
+    nurbs_destroy(flat);
+}
+
 static void files_are_written(void) {
     static const char path[] = "write_test.step";
     static Written made;
@@ -189,6 +250,8 @@ int main(void) {
     boxes_come_back();
     units_are_converted();
     lists_come_back();
+    boxes_come_back_from_iges();
+    lists_come_back_from_iges();
     files_are_written();
     what_cannot_be_is_refused();
     return check_summary("write");

@@ -48,18 +48,19 @@ bool written(Write &&write, std::string &text) {
     return true;
 }
 
-bool written(const nurbs_model *model, const nurbs_write_options *options, std::string &text) {
+bool written(const nurbs_model *model, int32_t format, const nurbs_write_options *options,
+             std::string &text) {
     return written(
         [&](int64_t cap, void *bytes, int64_t *length) {
-            return nurbs_model_write(model, NURBS_FORMAT_STEP, options, cap, bytes, length);
+            return nurbs_model_write(model, format, options, cap, bytes, length);
         },
         text);
 }
 
-bool written(const nurbs_list *list, const nurbs_write_options *options, std::string &text) {
+bool written(const nurbs_list *list, int32_t format, const nurbs_write_options *options, std::string &text) {
     return written(
         [&](int64_t cap, void *bytes, int64_t *length) {
-            return nurbs_list_write(list, NURBS_FORMAT_STEP, options, cap, bytes, length);
+            return nurbs_list_write(list, format, options, cap, bytes, length);
         },
         text);
 }
@@ -72,21 +73,26 @@ Model read(const void *bytes, size_t size) {
     return Model(out);
 }
 
+int32_t any_format(Input &in) {
+    return in.coin() ? NURBS_FORMAT_IGES : NURBS_FORMAT_STEP;
+}
+
 void of_a_model(Input &in, const nurbs_model *model) {
     const nurbs_call_options call = limited(30);
-    FUZZ_OK(nurbs_model_write_with(model, NURBS_FORMAT_STEP, nullptr, 0, nullptr, nullptr, &call));
+    const int32_t format = any_format(in);
+    FUZZ_OK(nurbs_model_write_with(model, format, nullptr, 0, nullptr, nullptr, &call));
     const nurbs_write_options options = any_options(in);
     std::string other, first, second, third;
-    written(model, &options, other);
-    if (!written(model, nullptr, first)) {
+    written(model, format, &options, other);
+    if (!written(model, format, nullptr, first)) {
         return;
     }
     const Model once = read(first.data(), first.size());
-    if (!once || !written(once.get(), nullptr, second)) {
+    if (!once || !written(once.get(), format, nullptr, second)) {
         return;
     }
     const Model twice = read(second.data(), second.size());
-    if (twice && written(twice.get(), nullptr, third)) {
+    if (twice && written(twice.get(), format, nullptr, third)) {
         FUZZ_REQUIRE(third == second);
     }
 }
@@ -130,9 +136,10 @@ void of_a_list(Input &in) {
     }
     const List list(made);
     const nurbs_write_options options = any_options(in);
+    const int32_t format = any_format(in);
     std::string other, text;
-    written(made, &options, other);
-    if (!written(made, nullptr, text)) {
+    written(made, format, &options, other);
+    if (!written(made, format, nullptr, text)) {
         return;
     }
     FUZZ_REQUIRE(nurbs_read(text.data(), std::ssize(text), nullptr, &read_list) == NURBS_OK);
@@ -153,9 +160,9 @@ void to_nowhere(Input &in, const nurbs_model *model) {
     FUZZ_REQUIRE(nurbs_model_splines(model, &made) == NURBS_OK);
     const List list(made);
     const char *const path = in.coin() ? "/nonexistent/a.step" : "/dev/null";
-    FUZZ_OK(nurbs_model_write_file(model, path, in.below(3), nullptr));
+    FUZZ_OK(nurbs_model_write_file(model, path, in.below(4), nullptr));
     FUZZ_OK(nurbs_model_write_file_with(model, path, NURBS_FORMAT_STEP, nullptr, &call));
-    FUZZ_OK(nurbs_list_write_file(made, path, in.below(3), nullptr));
+    FUZZ_OK(nurbs_list_write_file(made, path, in.below(4), nullptr));
     FUZZ_OK(nurbs_list_write_file_with(made, path, NURBS_FORMAT_STEP, nullptr, &call));
     FUZZ_OK(nurbs_list_write_with(made, NURBS_FORMAT_STEP, nullptr, in.bad_size(), nullptr, nullptr, &call));
 }

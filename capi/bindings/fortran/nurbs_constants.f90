@@ -421,4 +421,5 @@ module nurbs_constants
     ! --- Formats of files
     ! STEP: an exchange structure of ISO 10303-21, by AP214
     integer(c_int32_t), parameter :: NURBS_FORMAT_STEP = 1
+    integer(c_int32_t), parameter :: NURBS_FORMAT_IGES = 2  ! IGES 5.3 in lines of 80 columns
 end module nurbs_constants

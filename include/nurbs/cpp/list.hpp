@@ -24,6 +24,7 @@ inline constexpr std::int32_t bytes_model = NURBS_BYTES_MODEL;
 
 /// Formats of files that are written.
 inline constexpr std::int32_t format_step = NURBS_FORMAT_STEP;
+inline constexpr std::int32_t format_iges = NURBS_FORMAT_IGES;
 
 /// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of
 /// them: where libraries that were compiled with two versions meet in one program, each has to say its own

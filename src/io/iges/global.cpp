@@ -3,35 +3,21 @@
 
 #include "base/error.h"
 #include "io/iges/text.h"
+#include "io/iges/units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <iterator>
 
 namespace nrb::io::iges {
 namespace {
-
-// Units by flag, IGES 5.3 table 2; flag 3 leaves it to the name.
-constexpr std::array<double, 12> metres_by_flag = {0, 0.0254, 0.001,   0,    0.3048, 1609.344,
-                                                   1, 1000,   2.54e-5, 1e-6, 0.01,   2.54e-8};
-constexpr int64_t flag_by_name = 3;
-constexpr int64_t flag_default = 1; // inch
-
-constexpr std::pair<std::string_view, int64_t> flags_by_name[] = {
-    {"IN", 1}, {"INCH", 1}, {"MM", 2}, {"FT", 4},  {"MI", 5},  {"M", 6},
-    {"KM", 7}, {"MIL", 8},  {"UM", 9}, {"CM", 10}, {"UIN", 11}};
 
 double metres_of_name(std::string_view name) {
     std::string upper(trim(name));
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    for (const auto &[known, flag] : flags_by_name) {
-        if (known == upper) {
-            return metres_by_flag[static_cast<size_t>(flag)];
-        }
-    }
-    return 0;
+    const auto *const found = std::ranges::find(units, std::string_view(upper), &Unit::name);
+    return found != std::end(units) ? found->metres : 0;
 }
 
 // The flag rules; the name counts only if the flag is 3 or left out.
@@ -39,10 +25,8 @@ double metres_of(int64_t flag, std::string_view name) {
     if (flag == flag_by_name || (flag == 0 && !trim(name).empty())) {
         return metres_of_name(name);
     }
-    if (flag == 0) {
-        flag = flag_default;
-    }
-    return flag > 0 && flag < std::ssize(metres_by_flag) ? metres_by_flag[static_cast<size_t>(flag)] : 0;
+    const Unit *const unit = unit_of_flag(flag == 0 ? inch_flag : flag);
+    return unit != nullptr ? unit->metres : 0;
 }
 
 std::string joined(const Lines &lines) {
@@ -120,8 +104,11 @@ Global read_global(const Lines &lines) {
     Global global;
     global.delimiters = read_delimiters(text);
     Record record(std::move(text), global.delimiters);
-    constexpr int64_t before_scale = 12;
-    record.skip(before_scale);
+    record.skip(2); // delimiters
+    global.product = printable(trim(record.string("global section: product")));
+    record.skip(2); // the file and the system
+    global.all_digits = record.string("global section: preprocessor") == own_preprocessor;
+    record.skip(6); // digits of numbers, who reads it
     const bool unscaled = record.next_is_blank();
     const double given = record.real("global section: model space scale");
     const double scale = unscaled ? 1.0 : given;

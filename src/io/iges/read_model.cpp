@@ -26,16 +26,12 @@ using iges::FaceSource;
 using iges::LoopReader;
 using iges::LoopSource;
 
-// Writers state the digits that they print as the resolution, whatever their edges are worth: gaps that are no larger than this part
-// of the surface are closed.
-constexpr double share_of_gaps = 1e-2;
-
 class ModelReader : public iges::Source {
 public:
     ModelReader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
                 const ReadSettings &settings)
         : Source(bytes, sections, global, settings), colours_(entities_),
-          used_(directory_.entries().size(), false) {}
+          used_(directory_.entries().size(), false), product_(global.product) {}
 
     model::Model run() {
         Steps steps(3);
@@ -50,6 +46,7 @@ public:
         read_all([](const Entry &) { return true; }, [this](const Entry &entry) { read_entity(entry); });
         steps.next();
         model_.parts = std::move(assembly_.parts);
+        model_.parts.front().name = product_;
         model_.uses = std::move(assembly_.uses);
         model::index_uses(model_);
         for (model::Edge &edge : model_.edges) {
@@ -237,8 +234,7 @@ private:
     void add_face(const Entry &entry, const FaceSource &source, const Way &way) {
         const double resolution = geometry_.units().resolution;
         const double stated = resolution > 0 ? resolution : usual_tolerance;
-        const double most =
-            std::max(most_of_stated * stated, share_of_gaps * bounds::extent(*source.surface));
+        const double most = std::max(most_of_stated * stated, iges::largest_gap(*source.surface));
         const double tolerance =
             least_tolerance(stated, most, [&](double wide) { add_face(entry, source, way, wide); });
         if (tolerance > stated) {
@@ -303,6 +299,7 @@ private:
 
     iges::Colours colours_;
     std::vector<bool> used_;
+    const std::string &product_;
     std::vector<iges::Damage> damages_;
     iges::Topology topology_;
     iges::Assembly assembly_;
@@ -311,6 +308,11 @@ private:
 };
 
 } // namespace
+
+double iges::largest_gap(const Spline &surface) {
+    constexpr double share = 1e-2;
+    return share * bounds::extent(surface);
+}
 
 model::Model read_iges_model(std::span<const char> bytes, const ReadSettings &settings) {
     const iges::Sections sections = iges::split_sections(bytes);

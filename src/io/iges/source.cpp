@@ -10,7 +10,8 @@ namespace {
 
 Units units_of(const Global &global, const ReadSettings &settings) {
     const double factor = unit_factor(global.metres_per_unit, settings);
-    return {factor, settings.tolerance > 0 ? settings.tolerance : factor * global.resolution};
+    return {factor, settings.tolerance > 0 ? settings.tolerance : factor * global.resolution,
+            global.all_digits};
 }
 
 } // namespace

@@ -753,6 +753,7 @@ void data(const Inputs &in) {
     by_hand("write_options_init");
     by_hand("model_write");
     by_hand("model_write in inches");
+    by_hand("model_write as IGES");
     {
         begin("model_write_file");
         in.model.write_file(replaced_path(), 1);
@@ -764,6 +765,7 @@ void data(const Inputs &in) {
         in.model.write_file(replaced_path(), 1, options);
     }
     by_hand("list_write");
+    by_hand("list_write as IGES");
     {
         begin("list_write_file");
         const n::List edges = n::boundaries(in.surface);
@@ -954,6 +956,7 @@ void data(const Inputs &in) {
     }
     by_hand("model_write_with");
     by_hand("model_write_with in inches");
+    by_hand("model_write_with as IGES");
     {
         begin("model_write_file_with");
         in.model.write_file(replaced_path(), 1, {}, watched());
@@ -965,6 +968,7 @@ void data(const Inputs &in) {
         in.model.write_file(replaced_path(), 1, options, watched());
     }
     by_hand("list_write_with");
+    by_hand("list_write_with as IGES");
     {
         begin("list_write_file_with");
         const n::List edges = n::boundaries(in.surface);

@@ -1587,6 +1587,7 @@ contains
         call by_hand('write_options_init')
         call by_hand('model_write')
         call by_hand('model_write in inches')
+        call by_hand('model_write as IGES')
         call begin('model_write_file')
         block
             call model%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1)
@@ -1600,6 +1601,7 @@ contains
                 options=options_given)
         end block
         call by_hand('list_write')
+        call by_hand('list_write as IGES')
         call begin('list_write_file')
         block
             type(nurbs_list) :: edges
@@ -1900,6 +1902,7 @@ contains
         end block
         call by_hand('model_write_with')
         call by_hand('model_write_with in inches')
+        call by_hand('model_write_with as IGES')
         call begin('model_write_file_with')
         block
             type(nurbs_call) :: watching
@@ -1915,6 +1918,7 @@ contains
                 options=options_given, call=watching)
         end block
         call by_hand('list_write_with')
+        call by_hand('list_write_with as IGES')
         call begin('list_write_file_with')
         block
             type(nurbs_list) :: edges

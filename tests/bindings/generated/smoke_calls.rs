@@ -1308,6 +1308,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     by_hand("write_options_init");
     by_hand("model_write");
     by_hand("model_write in inches");
+    by_hand("model_write as IGES");
     begin("model_write_file");
     {
         given
@@ -1323,6 +1324,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
     }
     by_hand("list_write");
+    by_hand("list_write as IGES");
     begin("list_write_file");
     {
         let edges = given.surface.boundaries()?;
@@ -1612,6 +1614,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     by_hand("model_write_with");
     by_hand("model_write_with in inches");
+    by_hand("model_write_with as IGES");
     begin("model_write_file_with");
     {
         given.model.write_file_with(
@@ -1631,6 +1634,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
     }
     by_hand("list_write_with");
+    by_hand("list_write_with as IGES");
     begin("list_write_file_with");
     {
         let edges = given.surface.boundaries()?;

@@ -232,9 +232,9 @@ class Model:
 
     def write(self, format: int = NURBS_FORMAT_STEP, unit: float = 0.0, tolerance: float = 0.0, *,
               progress: Progress = None, work: Optional[int] = None) -> bytes:
-        """The contents of a file that holds the model, the same for the same model. `unit` is that of the file in
-        metres, 0 keeps its own; `tolerance`, in that unit, is the distance that counts as none, 0 takes that of the
-        faces. Raises ArgumentError for what the format cannot hold."""
+        """The contents of a file that holds the model, by NURBS_FORMAT_STEP or NURBS_FORMAT_IGES, the same for the same
+        model. `unit` is that of the file in metres, 0 keeps its own; `tolerance`, in that unit, is the distance that
+        counts as none, 0 takes that of the faces. Raises ArgumentError for what the format cannot hold."""
         return file_bytes(lib.nurbs_model_write, self._handle, format, unit, tolerance, progress, work)
 
     def write_file(self, path: Union[str, bytes, os.PathLike[str]], format: Optional[int] = None, unit: float = 0.0,

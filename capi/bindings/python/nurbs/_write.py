@@ -11,12 +11,13 @@ import numpy
 
 from ._calls import watched
 from ._library import call, get, lib
-from .constants import NURBS_FORMAT_STEP
+from .constants import NURBS_FORMAT_IGES, NURBS_FORMAT_STEP
 
 if TYPE_CHECKING:
     from ._calls import Progress
 
-_SUFFIXES = {".step": NURBS_FORMAT_STEP, ".stp": NURBS_FORMAT_STEP, ".p21": NURBS_FORMAT_STEP}
+_SUFFIXES = {".step": NURBS_FORMAT_STEP, ".stp": NURBS_FORMAT_STEP, ".p21": NURBS_FORMAT_STEP,
+             ".iges": NURBS_FORMAT_IGES, ".igs": NURBS_FORMAT_IGES}
 
 
 class _Options(ctypes.Structure):

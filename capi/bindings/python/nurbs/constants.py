@@ -289,6 +289,7 @@ NURBS_BYTES_MODEL = 5  # a model: nurbs_model_from_bytes()
 
 # --- Formats of files
 NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214
+NURBS_FORMAT_IGES = 2  # IGES 5.3 in lines of 80 columns
 
 
 def on_axis(axis: int, flags: int) -> int:

@@ -861,6 +861,8 @@ pub const NURBS_BYTES_MODEL: i32 = 5;
 // --- Formats of files
 /// STEP: an exchange structure of ISO 10303-21, by AP214
 pub const NURBS_FORMAT_STEP: i32 = 1;
+/// IGES 5.3 in lines of 80 columns
+pub const NURBS_FORMAT_IGES: i32 = 2;
 
 #[link(name = "nurbs")]
 extern "C" {

@@ -46,6 +46,7 @@ struct Units {
     double factor = 1; // from the unit of the file to the one that is wanted
     double resolution =
         0; // the least distance that the file tells from none, in the wanted unit; 0: not stated
+    bool all_digits = false; // whether the file has all digits of its numbers
 };
 
 // Pointers are directory lines. Shapes lie where the matrices of their entities put them, and then that of the entity

@@ -24,6 +24,7 @@ public:
         : geometry_(geometry), topology_(topology), model_(model), damages_(damages) {}
 
     EdgeLists run() {
+        add_vertices();
         EdgeLists lists;
         for (const auto &[pointer, edges] : topology_.edge_lists) {
             std::vector<ListedEdge> &list = lists[pointer];
@@ -62,17 +63,33 @@ private:
         model_.edges.push_back(std::move(edge));
         return {std::move(spline), std::ssize(model_.edges) - 1};
     }
-    int64_t vertex(int64_t list, int64_t index) {
+    // Those that edges name, in the order of their lists.
+    void add_vertices() {
+        for (const auto &[pointer, edges] : topology_.edge_lists) {
+            for (const EdgeEntity &edge : edges) {
+                for (size_t end = 0; end < 2; ++end) {
+                    if (point_at(edge.vertex_lists[end], edge.vertex_indices[end]) != nullptr) {
+                        vertices_[{edge.vertex_lists[end], edge.vertex_indices[end]}] = 0;
+                    }
+                }
+            }
+        }
+        for (auto &[place, number] : vertices_) {
+            const Place &x = *point_at(place.first, place.second);
+            number = std::ssize(model_.vertices);
+            model_.vertices.push_back({x[0], x[1], x[2]});
+        }
+    }
+    [[nodiscard]] const Place *point_at(int64_t list, int64_t index) const {
         const auto points = topology_.vertex_lists.find(list);
         const auto count = points == topology_.vertex_lists.end() ? 0 : std::ssize(points->second);
-        if (index < 1 || index > count) {
+        return index < 1 || index > count ? nullptr : &points->second[static_cast<size_t>(index - 1)];
+    }
+    [[nodiscard]] int64_t vertex(int64_t list, int64_t index) const {
+        const auto known = vertices_.find({list, index});
+        if (known == vertices_.end()) {
             fail(Status::syntax, "the vertex list (502) at directory line %lld has no vertex %lld",
                  static_cast<long long>(list), static_cast<long long>(index));
-        }
-        const auto [known, fresh] = vertices_.try_emplace({list, index}, std::ssize(model_.vertices));
-        if (fresh) {
-            const Place &x = points->second[static_cast<size_t>(index - 1)];
-            model_.vertices.push_back({x[0], x[1], x[2]});
         }
         return known->second;
     }

@@ -8,6 +8,7 @@
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nrb::io::iges {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 std::vector<SplinePtr> curves_of(const std::vector<LoopSource> &loops) {
     std::vector<SplinePtr> result;
     for (const LoopSource &loop : loops) {
-        result.insert(result.end(), loop.curves.begin(), loop.curves.end());
+        std::ranges::copy_if(loop.curves, std::back_inserter(result),
+                             [](const SplinePtr &curve) { return curve != nullptr; });
     }
     return result;
 }
@@ -36,10 +38,13 @@ model::MadeSurface surface_of(Geometry &geometry, const model::SurfaceShape &sha
 }
 
 // What cannot be carried over to the parameters of the spline is left to be made from the edges.
-void carry_over(const model::SurfaceShape &shape, const Spline &surface, LoopSource &loop) {
+void carry_over(const model::SurfaceShape &shape, const Spline &surface, bool all_digits, LoopSource &loop) {
     try {
         for (SplinePtr &curve : loop.curves) {
-            curve = snapped_to_ends(in_spline_parameters(shape, surface, curve), surface);
+            if (curve != nullptr) {
+                curve = in_spline_parameters(shape, surface, curve);
+                curve = all_digits ? curve : snapped_to_ends(curve, surface);
+            }
         }
     } catch (const Error &) {
         if (loop.edges.empty()) {
@@ -90,6 +95,9 @@ private:
         }
     }
     void add_curves(const LoopSource &loop) {
+        if (std::ranges::find(loop.curves, nullptr) != loop.curves.end()) {
+            fail(Status::syntax, "an edge that cannot be read has no curve in the domain");
+        }
         const bool paired = loop.curves.size() == loop.edges.size();
         for (size_t i = 0; i < loop.curves.size(); ++i) {
             const SpaceCurve *const edge = paired ? &loop.edges[i] : nullptr;
@@ -113,6 +121,9 @@ private:
 
     // The curve in the domain as the edge runs in the boundary, if it belongs to that: files differ on its direction. Else null.
     [[nodiscard]] SplinePtr curve_under(const SplinePtr &curve, const SpaceCurve &edge) const {
+        if (curve == nullptr) {
+            return nullptr;
+        }
         const SplinePtr along = edge.against ? refine::reverse(*edge.spline, 0, false) : edge.spline;
         if (lies_under(*source_.surface, *curve, *along, tolerance_)) {
             return curve;
@@ -152,7 +163,7 @@ FaceSource make_source(Geometry &geometry, const Surface &surface, std::vector<L
     source.surface = std::move(made.spline);
     source.distance = made.distance;
     for (LoopSource &loop : source.loops) {
-        carry_over(*source.shape, *source.surface, loop);
+        carry_over(*source.shape, *source.surface, geometry.units().all_digits, loop);
     }
     return source;
 }

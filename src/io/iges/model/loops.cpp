@@ -53,6 +53,19 @@ void LoopReader::add_curves(const std::vector<int64_t> &pointers, std::vector<Sp
     }
 }
 
+// Of an edge without one, which is made, null; if all have none, they are missing.
+void LoopReader::add_curves_of(const std::vector<EdgeReference> &references, std::vector<SplinePtr> &curves) {
+    const bool any = std::ranges::any_of(
+        references, [](const EdgeReference &edge) { return !edge.vertex && !edge.domain_curves.empty(); });
+    for (const EdgeReference &reference : references) {
+        if (any && !reference.vertex && reference.domain_curves.empty()) {
+            curves.push_back(nullptr);
+        } else if (!reference.vertex) {
+            add_curves(reference.domain_curves, curves);
+        }
+    }
+}
+
 // What edges() and curves() fill; one of the two may throw, or find none.
 template <class Edges, class Curves>
 LoopSource LoopReader::either(Edges &&edges, Curves &&curves) {
@@ -146,13 +159,7 @@ LoopSource LoopReader::loop(int64_t pointer, const EdgeLists &lists) {
                 }
             }
         },
-        [&](auto &curves) {
-            for (const EdgeReference &reference : references) {
-                if (!reference.vertex) {
-                    add_curves(reference.domain_curves, curves);
-                }
-            }
-        });
+        [&](auto &curves) { add_curves_of(references, curves); });
 }
 
 LoopSource LoopReader::closed_curve(int64_t pointer) {

@@ -20,7 +20,7 @@ struct SpaceCurve {
 // The same boundary in space and in the domain: each of the two may be missing, and they may be divided in other places.
 struct LoopSource {
     std::vector<SpaceCurve> edges;
-    std::vector<SplinePtr> curves; // in the parameters of the surface's shape
+    std::vector<SplinePtr> curves; // in the parameters of the surface's shape; null: to be made from the edge
     bool domain_rules = false;     // whether the file prefers the curves in the domain
 
     [[nodiscard]] bool both() const noexcept { return !edges.empty() && !curves.empty(); }
@@ -53,6 +53,7 @@ private:
     LoopSource either(Edges &&edges, Curves &&curves);
     void add_edges(int64_t pointer, bool reversed, std::vector<SpaceCurve> &edges);
     void add_curves(const std::vector<int64_t> &pointers, std::vector<SplinePtr> &curves);
+    void add_curves_of(const std::vector<EdgeReference> &references, std::vector<SplinePtr> &curves);
     void add_edge(const EdgeReference &reference, const EdgeLists &lists, std::vector<SpaceCurve> &edges);
     SplinePtr spline(const model::CurvePiece &piece);
 

@@ -5,11 +5,10 @@
 #include "eval/curve_point.h"
 #include "io/faces/make_face.h"
 #include "io/step/write/write_geometry.h"
+#include "io/written/edge_piece.h"
 #include "model/shapes/curve_spline.h"
-#include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
 #include "spline/part.h"
-#include "spline/same_numbers.h"
 
 #include <algorithm>
 
@@ -47,18 +46,9 @@ bool taken(const face::Face &face, const OrientedEdge &oriented, const model::Cu
 
 model::CurvePiece stated_piece(const model::Edge &edge, const Vector3 &start, const Vector3 &end,
                                double tolerance) {
-    const double first[] = {start.x, start.y, start.z}, last[] = {end.x, end.y, end.z};
     if (edge.shape != nullptr && restatable(*edge.shape)) {
-        for (const bool forward : {true, false}) {
-            try {
-                const model::CurvePiece piece =
-                    model::piece_between(edge.shape, {first, last, forward, tolerance});
-                if (same_numbers(*model::piece_spline(piece), *edge.curve)) {
-                    return piece;
-                }
-            } catch (const Error &) { // no part of the shape is between the vertices
-                continue;
-            }
+        if (const std::optional<model::CurvePiece> piece = piece_of_shape(edge, start, end, tolerance)) {
+            return *piece;
         }
     }
     const model::CurveShapePtr curve = model::curve_of_spline(edge.curve);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "face/face.h"
-#include "io/step/write/topology.h"
+#include "io/written/topology.h"
 #include "model/model.h"
 
 namespace nrb::io::step {

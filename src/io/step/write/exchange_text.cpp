@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/step/write/exchange_text.h"
 
-#include "base/error.h"
 #include "io/step/structure/text.h"
+#include "io/written/real_text.h"
 
 #include <charconv>
-#include <cmath>
 
 namespace nrb::io::step {
 namespace {
@@ -97,24 +96,9 @@ void ExchangeText::attribute(int64_t value) {
     append_integer(value);
 }
 
-// The shortest digits that name the value, with the point that a real has to have: 1., 1.E-7.
 void ExchangeText::attribute(double value) {
     separate();
-    if (!std::isfinite(value)) {
-        fail(Status::not_representable, "a number overflows in the unit of the file");
-    }
-    char digits[32];
-    const char *const end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    const std::string_view number(digits, static_cast<size_t>(end - digits));
-    const size_t exponent = std::min(number.find('e'), number.size());
-    text_ += number.substr(0, exponent);
-    if (number.find('.') == std::string_view::npos) {
-        text_ += '.';
-    }
-    if (exponent < number.size()) {
-        text_ += 'E';
-        text_ += number.substr(exponent + 1);
-    }
+    append_real(value, text_);
 }
 
 } // namespace nrb::io::step

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/step/write/write_spline.h"
 
-#include "base/error.h"
-#include "io/iges/text.h"
-#include "reduce/periodic_form.h"
+#include "io/written/spline_facts.h"
 
-#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace nrb::io::step {
@@ -29,22 +27,6 @@ Multiplicities multiplicities(const KnotVector &axis) {
     return result;
 }
 
-bool has_weights(const Spline &spline) {
-    if (!spline.rational()) {
-        return false;
-    }
-    const Spline::WeightRange range = spline.all_weights();
-    return range.smallest != range.largest;
-}
-
-std::vector<double> weights_of(const Spline &spline) {
-    std::vector<double> weights(static_cast<size_t>(spline.point_count()));
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        weights[static_cast<size_t>(i)] = spline.weight(i);
-    }
-    return weights;
-}
-
 std::vector<int64_t> write_points(ExchangeText &text, const Spline &spline, double length) {
     std::vector<int64_t> points(static_cast<size_t>(spline.point_count()));
     const auto dim = static_cast<size_t>(spline.dim());
@@ -56,29 +38,6 @@ std::vector<int64_t> write_points(ExchangeText &text, const Spline &spline, doub
         points[i] = text.add("CARTESIAN_POINT", no_name, Reals{point});
     }
     return points;
-}
-
-// Whether the first and the last layer of control points are the same, or the axis could be declared periodic: files do not keep
-// whether it is.
-bool closed(const Spline &spline, int k) {
-    const KnotVector &axis = spline.axis(k);
-    if (!axis.clamped_start() || !axis.clamped_end()) {
-        return reduce::wraps(spline, k);
-    }
-    const int64_t inner = spline.axes() == 2 && k == 0 ? spline.count(1) : 1;
-    const int64_t outer = spline.axes() == 2 && k == 1 ? spline.count(0) : 1;
-    const int64_t last = (axis.count() - 1) * inner;
-    for (int64_t o = 0; o < outer; ++o) {
-        for (int64_t i = 0; i < inner; ++i) {
-            const int64_t first = o * axis.count() * inner + i;
-            for (int c = 0; c < spline.dim(); ++c) {
-                if (spline.coordinate(first, c) != spline.coordinate(first + last, c)) {
-                    return false;
-                }
-            }
-        }
-    }
-    return true;
 }
 
 // In rows along the last axis.
@@ -151,29 +110,7 @@ int64_t write_surface(ExchangeText &text, const Spline &surface, std::string_vie
 } // namespace
 
 std::string_view stated_name(std::string_view name, int64_t number) {
-    name = iges::trim(name);
-    return name == "#" + std::to_string(number) ? std::string_view() : name;
-}
-
-void check_writable(const Spline &spline) {
-    if (spline.axes() > 2) {
-        fail(Status::axes, "a volume, which STEP has no entity for");
-    }
-    if (spline.dim() != 3) {
-        fail(Status::dimension, "has dimension %d, expected 3", spline.dim());
-    }
-    for (int k = 0; k < spline.axes(); ++k) {
-        if (spline.axis(k).degree() < 1) {
-            fail(Status::degree, "has degree 0 on axis %d, expected 1 or more", k);
-        }
-    }
-    for (int64_t i = 0; spline.form() == Form::homogeneous && i < spline.point_count(); ++i) {
-        if (!(spline.weight(i) > 0)) {
-            fail(Status::weight_sign,
-                 "control point %lld is homogeneous with the weight %s, expected one above 0",
-                 static_cast<long long>(i), Number(spline.weight(i)).text);
-        }
-    }
+    return io::stated_name(name, "#" + std::to_string(number));
 }
 
 int64_t write_spline(ExchangeText &text, const Spline &spline, std::string_view name, double length) {

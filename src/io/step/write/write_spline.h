@@ -7,10 +7,6 @@
 
 namespace nrb::io::step {
 
-// Throws for what no entity of STEP can hold: Status::axes for volumes, dimension for points that are not of space, degree for 0,
-// weight_sign for homogeneous points whose weight is not positive.
-void check_writable(const Spline &spline);
-
 // The name of an item without blanks around it; none for that which readers give to this instance if it has none.
 std::string_view stated_name(std::string_view name, int64_t number);
 

@@ -4,12 +4,14 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "io/faces/make_face.h"
-#include "io/step/write/shells.h"
 #include "io/step/write/write_colours.h"
 #include "io/step/write/write_contexts.h"
 #include "io/step/write/write_products.h"
-#include "io/step/write/write_spline.h"
 #include "io/step/write/write_topology.h"
+#include "io/unit_factor.h"
+#include "io/written/index_of_error.h"
+#include "io/written/shells.h"
+#include "io/written/spline_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,6 @@ using step::Ref;
 using step::Refs;
 using step::Text;
 
-constexpr double millimetre = 0.001;
 // Of what has no faces, in metres.
 constexpr double usual_uncertainty = 1e-7;
 
@@ -38,44 +39,18 @@ constexpr std::string_view header = "ISO-10303-21;\n"
 constexpr std::string_view footer = "ENDSEC;\n"
                                     "END-ISO-10303-21;\n";
 
-struct Lengths {
-    double metres; // of the unit of the file
-    double factor; // from the unit of the model
-};
-
-Lengths lengths_of(const model::Model &model, double wanted) {
-    const double own = model.metres_per_unit > 0 ? model.metres_per_unit : millimetre;
-    if (wanted == 0 || wanted == own) {
-        return {own, 1};
-    }
-    if (!std::isnormal(own / wanted)) {
-        fail(Status::options, "unit = %s cannot be reached from units of %s metres", Number(wanted).text,
-             Number(own).text);
-    }
-    return {wanted, own / wanted};
-}
-
-// What names no index of its own.
-template <class Run>
-auto named(const char *array, size_t index, const Run &run) {
-    try {
-        return run();
-    } catch (const Error &error) {
-        fail(error.status(), "%s[%zu]: %s", array, index, error.what());
-    }
-}
-
 class StepWriter {
 public:
     StepWriter(const model::Model &model, const WriteSettings &settings)
-        : model_(model), lengths_(lengths_of(model, settings.unit)), geometry_(text_, lengths_.factor),
-          contexts_(text_, lengths_.metres), parts_(std::max<size_t>(model.parts.size(), 1)) {
+        : model_(model), lengths_(lengths_of(model.metres_per_unit, settings)),
+          geometry_(text_, lengths_.factor), contexts_(text_, lengths_.metres),
+          parts_(std::max<size_t>(model.parts.size(), 1)) {
         set_tolerances(settings.tolerance);
     }
 
     std::string run() {
         check_splines();
-        const step::Topology topology = step::topology_of(model_);
+        const Topology topology = topology_of(model_);
         step::TopologyWriter written(geometry_, model_, topology, tolerances_);
         written.run();
         add_shells(written, topology);
@@ -111,7 +86,7 @@ private:
 
     void check_splines() const {
         for (size_t i = 0; i < model_.splines.size(); ++i) {
-            named("splines", i, [&] { step::check_writable(*model_.splines[i].spline); });
+            named("splines", i, [&] { check_writable(*model_.splines[i].spline, "STEP"); });
         }
     }
 
@@ -119,8 +94,8 @@ private:
         return model_.parts.empty() ? step::no_name : Text{model_.parts[static_cast<size_t>(part)].name};
     }
 
-    void add_shells(const step::TopologyWriter &written, const step::Topology &topology) {
-        for (const step::Shell &shell : step::shells_of(model_, topology)) {
+    void add_shells(const step::TopologyWriter &written, const Topology &topology) {
+        for (const Shell &shell : shells_of(model_, topology)) {
             std::vector<int64_t> faces;
             for (const size_t face : shell.faces) {
                 faces.push_back(written.faces()[face]);
@@ -139,7 +114,7 @@ private:
     }
 
     // Edges of which no face is made.
-    void add_wires(const step::TopologyWriter &written, const step::Topology &topology) {
+    void add_wires(const step::TopologyWriter &written, const Topology &topology) {
         std::vector<std::vector<int64_t>> edges(parts_.size());
         for (size_t i = 0; i < model_.edges.size(); ++i) {
             if (topology.edges[i].uses.empty()) {

@@ -5,6 +5,8 @@
 #include "io/iges/text.h"
 #include "io/step/write/edge_curves.h"
 #include "io/step/write/write_spline.h"
+#include "io/written/lone_vertices.h"
+#include "io/written/spline_facts.h"
 #include "spline/same_numbers.h"
 
 #include <algorithm>
@@ -17,14 +19,6 @@ bool on_shape(const model::ModelFace &face) {
     return face.shape != nullptr && face.shape->kind != model::SurfaceKind::spline && restatable(*face.shape);
 }
 
-void check_surface(const Spline &surface, size_t index) {
-    try {
-        check_writable(surface);
-    } catch (const Error &error) {
-        fail(error.status(), "faces[%zu]: its surface %s", index, error.what());
-    }
-}
-
 } // namespace
 
 TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
@@ -35,7 +29,7 @@ TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &mod
 void TopologyWriter::run() {
     for (size_t i = 0; i < model_.faces.size(); ++i) {
         if (!on_shape(model_.faces[i])) {
-            check_surface(*model_.faces[i].face->surface(), i);
+            check_surface(*model_.faces[i].face->surface(), i, "STEP");
         }
         add_surface(model_.faces[i]);
     }
@@ -162,7 +156,7 @@ void TopologyWriter::add_face(size_t index) {
     for (const std::vector<OrientedEdge> &edges : topology_.loops[index]) {
         loops.push_back(loop(edges, face.against));
     }
-    for (const Vector3 &at : lone_vertices(face)) {
+    for (const Vector3 &at : lone_vertices(face, on_shape(face))) {
         loops.push_back(vertex_loop(at));
     }
     std::vector<int64_t> bounds;
@@ -174,37 +168,6 @@ void TopologyWriter::add_face(size_t index) {
     text_.add_as(number, "ADVANCED_FACE", Text{stated_name(face.name, number)}, Refs{bounds},
                  Ref{surfaces_[index].number}, !face.against);
     faces_.push_back(number);
-}
-
-std::vector<Vector3> lone_vertices(const model::ModelFace &face) {
-    const face::Covering &covering = face.face->covering();
-    const bool bare = face.face->loops().empty();
-    if (!bare && (!on_shape(face) || model::bounded(*face.shape))) {
-        return {};
-    }
-    std::vector<Vector3> places;
-    const auto add = [&](const face::Point2 &place) {
-        const std::vector<double> x = face::point_at(*face.face->surface(), place);
-        places.push_back({x[0], x[1], x[2]});
-    };
-    for (const int k : {0, 1}) {
-        for (const int end : {0, 1}) {
-            const Interval across = covering.domain(k), way = covering.domain(1 - k);
-            face::Point2 place;
-            place[static_cast<size_t>(k)] = end == 0 ? across.lower : across.upper;
-            place[static_cast<size_t>(1 - k)] = way.lower + (way.upper - way.lower) / 3;
-            if (covering.collapsed(k, end) && face.face->trims().side(place) == 1) {
-                add(place);
-            }
-        }
-    }
-    if (bare) {
-        places.resize(std::min<size_t>(places.size(), 1));
-        if (places.empty()) {
-            add({covering.domain(0).lower, covering.domain(1).lower});
-        }
-    }
-    return places;
 }
 
 } // namespace nrb::io::step

@@ -2,8 +2,8 @@
 // Vertices, edges and faces as they are written.
 #pragma once
 
-#include "io/step/write/topology.h"
 #include "io/step/write/write_geometry.h"
+#include "io/written/topology.h"
 
 #include <functional>
 #include <map>
@@ -51,9 +51,5 @@ private:
     std::vector<int64_t> edges_;
     std::vector<int64_t> faces_;
 };
-
-// Places where a face needs a vertex besides its edges: on a surface without ends, a pole inside of the face; on any, if it has no
-// edges at all.
-std::vector<Vector3> lone_vertices(const model::ModelFace &face);
 
 } // namespace nrb::io::step

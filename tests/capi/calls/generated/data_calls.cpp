@@ -801,6 +801,14 @@ const Call group[] = {
          options.tolerance = 0.001;
          return nurbs_model_write(in.model, 1, &options, 0, o.text, o.spans);
      }},
+    {"model_write as IGES",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         options.tolerance = 0.001;
+         return nurbs_model_write(in.model, 2, &options, 0, o.text, o.spans);
+     }},
     {"model_write_file",
      [](const Inputs &in, Output &) -> nurbs_status {
          return nurbs_model_write_file(in.model, replaced_path, 1, nullptr);
@@ -823,6 +831,14 @@ const Call group[] = {
          options.unit = 0.0254;
          options.tolerance = 0.001;
          return nurbs_list_write(made_edges, 1, &options, 0, o.text, o.spans);
+     }},
+    {"list_write as IGES",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         return nurbs_list_write(made_edges, 2, nullptr, 0, o.text, o.spans);
      }},
     {"list_write_file",
      [](const Inputs &in, Output &) -> nurbs_status {
@@ -1118,6 +1134,16 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_model_write_with(in.model, 1, &options, 0, o.text, o.spans, &call);
      }},
+    {"model_write_with as IGES",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         options.tolerance = 0.001;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_write_with(in.model, 2, &options, 0, o.text, o.spans, &call);
+     }},
     {"model_write_file_with",
      [](const Inputs &in, Output &) -> nurbs_status {
          nurbs_call_options call;
@@ -1146,6 +1172,16 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_list_write_with(made_edges, 1, &options, 0, o.text, o.spans, &call);
+     }},
+    {"list_write_with as IGES",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_edges(in, make_edges);
+         if (made_edges.status() != NURBS_OK) {
+             return made_edges.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_list_write_with(made_edges, 2, nullptr, 0, o.text, o.spans, &call);
      }},
     {"list_write_file_with",
      [](const Inputs &in, Output &) -> nurbs_status {

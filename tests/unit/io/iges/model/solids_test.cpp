@@ -63,6 +63,14 @@ TEST(IgesSolids, neighbours_use_an_edge_in_opposite_directions) {
     }
 }
 
+// The name that its sender gives to the product is that of what stands in no subfigure.
+TEST(IgesSolids, the_first_part_has_the_name_of_the_product) {
+    CubeBuilder file;
+    file.cube();
+    EXPECT_EQ(read_model(file.global(3, "9H gearbox ")).parts.at(0).name, "gearbox");
+    EXPECT_EQ(read_model(file.global(3, "")).parts.at(0).name, "");
+}
+
 TEST(IgesSolids, the_orientation_of_shells_turns_all_of_their_faces) {
     CubeBuilder file;
     const int64_t solid = file.cube();

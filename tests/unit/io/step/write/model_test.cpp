@@ -216,7 +216,7 @@ TEST(StepWriteModel, SettingsAreChecked) {
     }
     EXPECT_THROW(written(model, {5e-324, 0}), Error);
     EXPECT_THROW(io::write(model, 0, {}), Error);
-    EXPECT_THROW(io::write(model, 2, {}), Error);
+    EXPECT_THROW(io::write(model, 3, {}), Error);
 }
 
 // A model in another unit is the same in metres.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/write/topology.h"
+#include "io/written/topology.h"
 
 #include "eval/curve_point.h"
 #include "face/closing_segments.h"
@@ -9,7 +9,7 @@
 #include <array>
 #include <map>
 
-namespace nrb::io::step {
+namespace nrb::io {
 namespace {
 
 Vector3 at_share(const Spline &curve, double share) {
@@ -145,4 +145,4 @@ Topology topology_of(const model::Model &model) {
     return TopologyMaker(model).run();
 }
 
-} // namespace nrb::io::step
+} // namespace nrb::io

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "io/step/write/shells.h"
+#include "io/written/shells.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 
-namespace nrb::io::step {
+namespace nrb::io {
 namespace {
 
 // Calls visit(face, oriented edge) for all uses.
@@ -88,4 +88,4 @@ std::vector<Shell> shells_of(const model::Model &model, const Topology &topology
     return shells;
 }
 
-} // namespace nrb::io::step
+} // namespace nrb::io

@@ -2,11 +2,11 @@
 // Which faces hang together by their edges.
 #pragma once
 
-#include "io/step/write/topology.h"
+#include "io/written/topology.h"
 
 #include <vector>
 
-namespace nrb::io::step {
+namespace nrb::io {
 
 struct Shell {
     int64_t part = 0;
@@ -18,4 +18,4 @@ struct Shell {
 // In the order of their first faces; faces of different parts do not hang together.
 std::vector<Shell> shells_of(const model::Model &model, const Topology &topology);
 
-} // namespace nrb::io::step
+} // namespace nrb::io

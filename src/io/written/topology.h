@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb::io::step {
+namespace nrb::io {
 
 struct OrientedEdge {
     size_t edge;
@@ -25,4 +25,4 @@ struct Topology {
 // Throws what face::edge_of() does.
 Topology topology_of(const model::Model &model);
 
-} // namespace nrb::io::step
+} // namespace nrb::io

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The part of a curve that an edge is.
+#pragma once
+
+#include "model/model.h"
+
+#include <optional>
+
+namespace nrb::io {
+
+// The part of the shape of an edge between its vertices, if that is the edge, bit for bit.
+std::optional<model::CurvePiece> piece_of_shape(const model::Edge &edge, const Vector3 &start,
+                                                const Vector3 &end, double tolerance);
+
+} // namespace nrb::io
