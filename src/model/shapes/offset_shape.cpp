@@ -21,8 +21,9 @@ Result grown(SurfaceShape shape, int size, double by) {
 
 // With half of the angle a at the apex the normal is cos a outwards and -sin a along the axis.
 Result cone_at(SurfaceShape cone, double distance) {
-    move(cone.place, -std::sin(cone.sizes[1]) * distance * cone.place.z);
-    return grown(std::move(cone), 0, std::cos(cone.sizes[1]) * distance);
+    const double half = cone.sizes[1];
+    move(cone.place, -std::sin(half) * distance * cone.place.z);
+    return grown(std::move(cone), 0, std::cos(half) * distance);
 }
 
 // A tube that meets itself or the axis is none that could be stated.
