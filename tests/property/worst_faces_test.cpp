@@ -129,6 +129,58 @@ TEST(WorstFaces, bands_of_a_torus_are_halves) {
     EXPECT_NEAR(band({0, 0}, {1, 1}, {1.5, 1}, {0.5, 0}), 0.5, 1e-9);
 }
 
+// The face of the edges alone has the area of the face that they are of.
+void expect_again(const Ground &ground, const std::vector<Handle> &loop) {
+    std::vector<const nurbs *> curves;
+    for (const Handle &curve : loop) {
+        curves.push_back(curve.get());
+    }
+    const Face face = face_of(ground.surface.get(), {curves}, 1e-5);
+    const auto size = std::ssize(loop);
+    std::vector<Handle> held;
+    std::vector<const nurbs *> edges;
+    for (int64_t i = 0; i < size; ++i) {
+        held.push_back(made([&](nurbs **out) { return nurbs_face_edge(face.get(), 0, i, nullptr, out); }));
+        edges.push_back(held.back().get());
+    }
+    nurbs_face *again = nullptr;
+    require_ok(nurbs_face_create(ground.surface.get(), 1, &size, nullptr, edges.data(), nullptr, 1e-4, 0,
+                                 nullptr, &again));
+    EXPECT_NEAR(area_of(Face(again).get(), 1e-6) / area_of(face.get(), 1e-6), 1, 1e-3);
+}
+
+// In one curve by more than half of it, or several times.
+TEST(WorstFaces, edges_are_followed_around_closed_surfaces) {
+    for (const Ground &ground : {cylinder(1, 2), torus(3, 1)}) {
+        for (const double radius : {0.1, 0.24, 0.26, 0.35, 0.45}) {
+            for (const double middle : {0.02, 0.5, 1.0}) {
+                SplineData oval{{3}, {13}, {{0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10, 10, 10}}, 2, {},
+                                {},  0};
+                for (int i = 0; i < 13; ++i) {
+                    const double angle = i % 12 * pi / 6;
+                    const Place x = ground.at(middle + radius * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+                    oval.points.insert(oval.points.end(), x.begin(), x.end());
+                }
+                std::vector<Handle> loop;
+                loop.push_back(create(oval));
+                SCOPED_TRACE(radius);
+                expect_again(ground, loop);
+            }
+        }
+        for (const double turns : {0.9, 1.4, 2.0, 5.0}) {
+            const Place a = ground.at(0.2, 0.1), b = ground.at(0.2 + turns, 0.7),
+                        c = ground.at(0.2 + turns, 0.7 + 0.2 / turns), d = ground.at(0.2, 0.1 + 0.2 / turns);
+            std::vector<Handle> loop;
+            loop.push_back(segment(a, b));
+            loop.push_back(segment(b, c));
+            loop.push_back(segment(c, d));
+            loop.push_back(segment(d, a));
+            SCOPED_TRACE(turns);
+            expect_again(ground, loop);
+        }
+    }
+}
+
 // Also where axis 1 is the one that closes.
 TEST(WorstFaces, whole_surfaces_of_either_axis) {
     for (const bool exchanged : {false, true}) {

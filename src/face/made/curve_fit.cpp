@@ -15,6 +15,8 @@ namespace nrb::face {
 namespace {
 
 constexpr size_t most_places = 4096;
+// Of a step after which a copy may be meant: at a pole it never ends.
+constexpr int most_halvings = 8;
 // How often errors are looked at between two places: beside the middle at both sides, and twice for each piece that is passed.
 constexpr int64_t least_looks = 3, most_looks = 4096;
 
@@ -50,16 +52,46 @@ public:
 private:
     // The middle first, because ends may be poles or lie on a seam.
     void begin(Interval range, const std::vector<double> &start) {
-        places_.clear();
         const double middle = range.lower / 2 + range.upper / 2;
-        std::vector<double> x(dim_);
-        model_.place(middle, start.empty() ? nullptr : start.data(), x.data());
-        places_ = {{range.lower, start}, {middle, x}, {range.upper, std::vector<double>(dim_)}};
         if (start.empty()) {
-            places_.front().x.resize(dim_);
-            model_.place(range.lower, x.data(), places_.front().x.data());
+            places_ = {{middle, std::vector<double>(dim_)}};
+            model_.place(middle, nullptr, places_.front().x.data());
+            walk_to(range.lower);
+            std::ranges::reverse(places_);
+        } else {
+            places_ = {{range.lower, start}};
+            walk_to(middle);
         }
-        model_.place(range.upper, x.data(), places_.back().x.data());
+        walk_to(range.upper);
+    }
+    // From the last place, in steps that tell copies of places apart. They are kept if the curve goes far enough around.
+    void walk_to(double t) {
+        const auto first = std::ssize(places_);
+        const Place from = places_.back();
+        const int64_t steps = model_.steps_between(from.t, t);
+        for (int64_t i = 1; i <= steps; ++i) {
+            step_to(i == steps
+                        ? t
+                        : from.t + (t - from.t) * (static_cast<double>(i) / static_cast<double>(steps)),
+                    most_halvings);
+        }
+        const auto passed = places_.begin() + first;
+        if (std::none_of(passed, places_.end(), [&](const Place &place) {
+                return model_.may_be_copy(from.x.data(), place.x.data());
+            })) {
+            places_.erase(passed, places_.end() - 1);
+        }
+    }
+    void step_to(double t, int halvings) {
+        const Place from = places_.back();
+        std::vector<double> x(dim_);
+        model_.place(t, from.x.data(), x.data());
+        if (halvings > 0 && model_.may_be_copy(from.x.data(), x.data())) {
+            step_to(from.t / 2 + t / 2, halvings - 1);
+            step_to(t, halvings - 1);
+        } else {
+            places_.push_back({t, std::move(x)});
+        }
     }
     void add(double t) {
         const auto after = std::upper_bound(places_.begin(), places_.end(), t,
@@ -121,6 +153,14 @@ private:
         const int64_t pieces = model_.pieces_between(a.t, a.x.data(), b.t, b.x.data());
         return std::clamp(2 * pieces + 1, least_looks, most_looks);
     }
+    // Between places that no double lies between, nothing is looked at, and a jump all around leaves no error in space.
+    void check_step(const Place &a, const Place &b) const {
+        const double middle = a.t / 2 + b.t / 2;
+        if ((middle == a.t || middle == b.t) && model_.may_be_copy(a.x.data(), b.x.data())) {
+            fail(Status::not_converged, "the places beside the parameter %s are on different sides",
+                 Number(a.t).text);
+        }
+    }
     // Middles of the intervals between places in which the error is too large.
     [[nodiscard]] std::vector<double> too_far(FittedCurve &candidate) const {
         std::vector<double> params, more;
@@ -140,6 +180,7 @@ private:
         for (size_t i = 0; i < counts.size(); ++i) {
             const double largest = *std::max_element(first, first + counts[i]);
             first += counts[i];
+            check_step(places_[i], places_[i + 1]);
             if (!(largest <= tolerance_) || (places_.size() == 3 && candidate.error > tolerance_)) {
                 more.push_back(places_[i].t / 2 + places_[i + 1].t / 2);
             }

@@ -22,6 +22,11 @@ public:
     [[nodiscard]] virtual int64_t pieces_between(double, const double *, double, const double *) const {
         return 1;
     }
+    // In how many steps to go from one parameter to another so that each place is about where the one before is: 1 where places
+    // have no copies.
+    [[nodiscard]] virtual int64_t steps_between(double, double) const { return 1; }
+    // Whether two places are so far apart that a copy of one of them may be meant.
+    [[nodiscard]] virtual bool may_be_copy(const double *, const double *) const { return false; }
     // Whether a place leaves its coordinate `free` open, which then follows its neighbours.
     [[nodiscard]] virtual int open_coordinate(const double *) const { return -1; }
 };

@@ -104,6 +104,22 @@ public:
     [[nodiscard]] int64_t pieces_between(double, const double *a, double, const double *b) const override {
         return spans_between(surface_, covering_, a, b);
     }
+    // Around a closed surface; a polynomial piece of an edge goes around a part of it only.
+    [[nodiscard]] int64_t steps_between(double t, double u) const override {
+        if (edge_.axis(0).degree() < 2 || !(covering_.closed(0) || covering_.closed(1))) {
+            return 1;
+        }
+        constexpr int64_t least_steps = 3;
+        const std::span<const double> breaks = edge_.axis(0).spans().breaks();
+        return least_steps + (std::lower_bound(breaks.begin(), breaks.end(), std::max(t, u)) -
+                              std::upper_bound(breaks.begin(), breaks.end(), std::min(t, u)));
+    }
+    [[nodiscard]] bool may_be_copy(const double *a, const double *b) const override {
+        constexpr double share = 0.25; // of a period
+        return std::ranges::any_of(std::array{0, 1}, [&](int k) {
+            return covering_.closed(k) && std::abs(a[k] - b[k]) > share * covering_.period(k);
+        });
+    }
     [[nodiscard]] int open_coordinate(const double *x) const override {
         return open_at(point_at(surface_, covering_.in_domain({x[0], x[1]})).data());
     }
