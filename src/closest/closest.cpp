@@ -4,7 +4,6 @@
 #include "base/watch.h"
 #include "closest/curve/curve_locator.h"
 #include "closest/patch/patch_locator.h"
-#include "closest/patch/patch_query.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 
@@ -25,7 +24,7 @@ std::shared_ptr<const Locator> make_locator(const Spline &spline) {
     if (spline.axes() == 1) {
         return std::make_shared<CurveLocator>(spline);
     }
-    return std::make_shared<PatchLocator>(pieces::piece_tree_of(spline));
+    return std::make_shared<PatchLocator>(spline);
 }
 
 // Copies a record; returns whether it is finite.
@@ -147,14 +146,6 @@ const Locator &locator_of(const Spline &spline) {
     return spline.kept<Locator>(Spline::Cache::locator, [&] { return make_locator(spline); });
 }
 
-Foot local_foot(const Spline &spline, const double *point, const double *guess) {
-    if (spline.axes() == 1) {
-        return locator_of(spline).local(point, guess);
-    }
-    const Query query{point, nullptr, 0, 0};
-    return PatchQuery(pieces::piece_grid_of(spline), query).local(guess);
-}
-
 int64_t usual_budget(const Spline &spline) {
     constexpr int64_t looks = 16, most = 2000000;
     int64_t pieces = 1;
@@ -184,6 +175,7 @@ void closest_points(const Spline &spline, const ConstRecords &points, const Quer
 
 void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,
                    const FeetOutputs &out) {
+    const Locator &locator = locator_of(spline);
     std::vector<double> point(static_cast<size_t>(spline.dim())), guess(static_cast<size_t>(spline.axes()));
     Feet feet(spline, points, nullptr, out);
     const LimitedSearch search;
@@ -193,7 +185,7 @@ void closest_local(const Spline &spline, const ConstRecords &points, const Const
         if (work_ended()) {
             feet.set(i, where_it_began(guess));
         } else if (copy(points, i, point)) {
-            feet.set(i, local_foot(spline, point.data(), guess.data()));
+            feet.set(i, locator.local(point.data(), guess.data()));
         } else {
             feet.set_invalid(i);
         }

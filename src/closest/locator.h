@@ -45,7 +45,4 @@ public:
 // Built at the first use.
 const Locator &locator_of(const Spline &spline);
 
-// Its local(), without what only searches of surfaces and volumes need.
-Foot local_foot(const Spline &spline, const double *point, const double *guess);
-
 } // namespace nrb::closest

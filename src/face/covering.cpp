@@ -118,6 +118,14 @@ void Covering::add_pole(const Spline &surface, int k, int end) {
     poles_.push_back({{k, end}, point_at(surface, x)});
 }
 
+std::vector<std::vector<double>> Covering::pole_points() const {
+    std::vector<std::vector<double>> points;
+    for (const PolePoint &pole : poles_) {
+        points.push_back(pole.point);
+    }
+    return points;
+}
+
 Covering::Pole Covering::pole_near(const double *point, double distance) const noexcept {
     for (const PolePoint &pole : poles_) {
         if (nrb::distance(point, pole.point.data(), static_cast<int>(pole.point.size())) <= distance) {

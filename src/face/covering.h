@@ -32,6 +32,7 @@ public:
     // The copy of a place nearest to another one.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
     [[nodiscard]] bool has_poles() const noexcept { return !poles_.empty(); }
+    [[nodiscard]] std::vector<std::vector<double>> pole_points() const; // of space [dim]
     // The pole within a distance of a point of space [dim], as axis and end; axis -1: none.
     struct Pole {
         int axis = -1;

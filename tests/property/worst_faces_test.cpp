@@ -129,6 +129,14 @@ TEST(WorstFaces, bands_of_a_torus_are_halves) {
     EXPECT_NEAR(band({0, 0}, {1, 1}, {1.5, 1}, {0.5, 0}), 0.5, 1e-9);
 }
 
+Face face_of_edges(const Ground &ground, const std::vector<const nurbs *> &edges, double tolerance) {
+    const auto size = std::ssize(edges);
+    nurbs_face *face = nullptr;
+    require_ok(nurbs_face_create(ground.surface.get(), 1, &size, nullptr, edges.data(), nullptr, tolerance, 0,
+                                 nullptr, &face));
+    return Face(face);
+}
+
 // The face of the edges alone has the area of the face that they are of.
 void expect_again(const Ground &ground, const std::vector<Handle> &loop) {
     std::vector<const nurbs *> curves;
@@ -136,17 +144,14 @@ void expect_again(const Ground &ground, const std::vector<Handle> &loop) {
         curves.push_back(curve.get());
     }
     const Face face = face_of(ground.surface.get(), {curves}, 1e-5);
-    const auto size = std::ssize(loop);
     std::vector<Handle> held;
     std::vector<const nurbs *> edges;
-    for (int64_t i = 0; i < size; ++i) {
+    for (int64_t i = 0; i < std::ssize(loop); ++i) {
         held.push_back(made([&](nurbs **out) { return nurbs_face_edge(face.get(), 0, i, nullptr, out); }));
         edges.push_back(held.back().get());
     }
-    nurbs_face *again = nullptr;
-    require_ok(nurbs_face_create(ground.surface.get(), 1, &size, nullptr, edges.data(), nullptr, 1e-4, 0,
-                                 nullptr, &again));
-    EXPECT_NEAR(area_of(Face(again).get(), 1e-6) / area_of(face.get(), 1e-6), 1, 1e-3);
+    const Face again = face_of_edges(ground, edges, 1e-4);
+    EXPECT_NEAR(area_of(again.get(), 1e-6) / area_of(face.get(), 1e-6), 1, 1e-3);
 }
 
 // In one curve by more than half of it, or several times.
@@ -177,6 +182,25 @@ TEST(WorstFaces, edges_are_followed_around_closed_surfaces) {
             loop.push_back(segment(d, a));
             SCOPED_TRACE(turns);
             expect_again(ground, loop);
+        }
+    }
+}
+
+// A great circle, wherever it begins and however its pieces lie, bounds a half.
+TEST(WorstFaces, edges_may_pass_poles) {
+    const Ground globe = sphere(2);
+    const double centre[] = {0, 0, 0};
+    for (const int32_t form : {NURBS_ARC_QUARTERS, NURBS_ARC_SMOOTH}) {
+        for (const double begin : {0.0, 0.3, pi / 4}) {
+            for (const double meridian : {0.0, 0.7}) {
+                const double c = std::cos(meridian), s = std::sin(meridian), axis[] = {s, -c, 0},
+                             x[] = {std::cos(begin) * c, std::cos(begin) * s, std::sin(begin)};
+                const Handle circle =
+                    made([&](nurbs **out) { return nurbs_curve_circle(3, centre, axis, x, 2, form, out); });
+                const nurbs *edge = circle.get();
+                EXPECT_NEAR(area_of(face_of_edges(globe, {edge}, 1e-6).get()), 8 * pi, 1e-6)
+                    << begin << ' ' << meridian;
+            }
         }
     }
 }

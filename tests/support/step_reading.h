@@ -7,10 +7,18 @@
 #include "support/step_builder.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
 namespace step_test {
+
+constexpr double pi = std::numbers::pi;
+
+// In the frame of StepBuilder::some_placement(), whose Z is (1, 0, 0).
+inline nrb::Vector3 placed(double x, double y, double z = 0) {
+    return {1 + z, 2 + x, 3 + y};
+}
 
 inline nrb::model::Model read(const std::string &text, const nrb::io::ReadSettings &settings = {}) {
     return nrb::io::read(text, settings);

@@ -11,7 +11,7 @@
 namespace nrb::closest {
 
 Foot PatchLocator::nearest(const Query &query) const {
-    Foot foot = PatchSearch(pieces_, tree_, query).nearest();
+    Foot foot = PatchSearch(pieces_, tree(), query).nearest();
     foot.noise = PatchSearch::noise(pieces_, query.point);
     return foot;
 }
@@ -19,7 +19,7 @@ Foot PatchLocator::nearest(const Query &query) const {
 CriticalSet PatchLocator::minima(const Query &query) const {
     const LimitedSearch search;
     CriticalSet set;
-    for (const Foot &foot : PatchSearch(pieces_, tree_, query).all()) {
+    for (const Foot &foot : PatchSearch(pieces_, tree(), query).all()) {
         set.points.push_back({foot, critical_minimum});
         set.status |= foot.status;
     }

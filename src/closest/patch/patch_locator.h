@@ -9,16 +9,16 @@
 // proofs.
 #pragma once
 
+#include "base/lazy.h"
 #include "closest/locator.h"
 #include "closest/patch/tree/patch_tree.h"
-
-#include <vector>
 
 namespace nrb::closest {
 
 class PatchLocator final : public Locator {
 public:
-    explicit PatchLocator(const pieces::PieceTree &tree) : pieces_(tree.grid()), tree_(tree) {}
+    // Kept with the spline.
+    explicit PatchLocator(const Spline &spline) : spline_(spline), pieces_(pieces::piece_grid_of(spline)) {}
 
     [[nodiscard]] Foot nearest(const Query &query) const override;
     [[nodiscard]] Foot local(const double *point, const double *guess) const override;
@@ -26,8 +26,14 @@ public:
     [[nodiscard]] CriticalSet minima(const Query &query) const override;
 
 private:
+    // Descents need none.
+    [[nodiscard]] const PatchTree &tree() const {
+        return tree_.get([this] { return PatchTree(pieces::piece_tree_of(spline_)); });
+    }
+
+    const Spline &spline_;
     const PieceGrid &pieces_;
-    PatchTree tree_;
+    Lazy<PatchTree> tree_;
 };
 
 } // namespace nrb::closest

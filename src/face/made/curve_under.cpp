@@ -117,7 +117,8 @@ public:
     [[nodiscard]] bool may_be_copy(const double *a, const double *b) const override {
         constexpr double share = 0.25; // of a period
         return std::ranges::any_of(std::array{0, 1}, [&](int k) {
-            return covering_.closed(k) && std::abs(a[k] - b[k]) > share * covering_.period(k);
+            return covering_.closed(k) && std::abs(a[k] - b[k]) > share * covering_.period(k) &&
+                   open_coordinate(a) != k && open_coordinate(b) != k;
         });
     }
     [[nodiscard]] int open_coordinate(const double *x) const override {
@@ -145,11 +146,12 @@ private:
     // Near the neighbour first: the surface may come near itself. A search of the whole surface is seldom needed.
     [[nodiscard]] closest::Foot searched_foot(const double *point, const double *near) const {
         const Point2 guess = near != nullptr ? covering_.in_domain({near[0], near[1]}) : place_near(point);
-        const closest::Foot local = closest::local_foot(surface_, point, guess.data());
+        const closest::Locator &locator = closest::locator_of(surface_);
+        const closest::Foot local = locator.local(point, guess.data());
         if (local.distance <= std::max(rule_.precision / 4, 2 * least_off_)) {
             return local;
         }
-        const closest::Foot foot = closest::locator_of(surface_).nearest(
+        const closest::Foot foot = locator.nearest(
             {point, nullptr, rule_.precision / 16, closest::usual_budget(surface_), false, true});
         least_off_ = std::max(least_off_, foot.distance);
         return foot;
@@ -223,6 +225,26 @@ std::vector<double> breaks_of(const Spline &curve) {
     return refine::rough_knots(curve.axis(0), 2);
 }
 
+// Also where an edge passes a pole, on the other side of which its places jump.
+std::vector<double> breaks_over(const Covering &covering, const Spline &edge, const UnderRule &rule) {
+    std::vector<double> breaks = breaks_of(edge);
+    for (const std::vector<double> &pole : covering.pole_points()) {
+        const auto passes = [&](double t) {
+            return distance(points_at(edge, {&t, 1}).data(), pole.data(), edge.dim()) <= rule.tolerance;
+        };
+        if (std::ranges::none_of(breaks, passes)) {
+            const double t = closest::locator_of(edge)
+                                 .nearest({pole.data(), nullptr, rule.precision / 16,
+                                           closest::usual_budget(edge), false, true})
+                                 .params[0];
+            if (passes(t)) {
+                breaks.insert(std::ranges::upper_bound(breaks, t), t);
+            }
+        }
+    }
+    return breaks;
+}
+
 // Steps along each axis that move points by less than a share of the tolerance, in the mean over the domain.
 std::array<double, 2> same_places(const Spline &surface, const Covering &covering, double tolerance) {
     const double size = bounds::extent(surface);
@@ -251,8 +273,8 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
         return chart->curve_under(*edge, rule.tolerance);
     }
     const Projection model(*surface, covering, *edge, rule);
-    const FittedCurve fitted =
-        fit_curve(model, breaks_of(*edge), same_places(*surface, covering, rule.precision), rule.precision);
+    const FittedCurve fitted = fit_curve(model, breaks_over(covering, *edge, rule),
+                                         same_places(*surface, covering, rule.precision), rule.precision);
     const double found = rule.prove ? composed_distance(surface, covering, fitted.spline, *edge) : infinity;
     return std::isfinite(found) ? MadeCurve{fitted.spline, found, true}
                                 : MadeCurve{fitted.spline, fitted.error, false};

@@ -17,9 +17,9 @@ struct CurveOffset {
 struct OffsetCurve {
     SplinePtr spline;
     double bound; // of the distance from the offset at equal parameters, proven
-    bool
-        turns_back; // somewhere, looked for at the ends and middles of the pieces: it runs against the curve behind a cusp, where the
-                    // radius of curvature is the distance
+    // Somewhere it runs against the curve, behind a cusp where the radius of curvature is the distance. Looked for at the ends and
+    // middles of the pieces.
+    bool turns_back;
 };
 
 // A cubic polynomial spline within the tolerance, with the parameters of the curve: Hermite pieces, cut where offset_bounds() does not

@@ -4,21 +4,13 @@
 
 #include "build/placement.h"
 #include "io/step/entities.h"
-#include "numeric/vector3.h"
+#include "model/shapes/moved_shape.h"
 
 #include <array>
 
 namespace nrb::io::step {
 
-// x -> M x + t.
-struct Motion {
-    std::array<Vector3, 3> columns{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
-    Vector3 shift{};
-
-    [[nodiscard]] Vector3 turned(const Vector3 &x) const noexcept {
-        return x.x * columns[0] + x.y * columns[1] + x.z * columns[2];
-    }
-};
+using Motion = model::Similarity;
 
 // From the coordinates of a frame to those around it.
 Motion motion_of(const build::Placement &frame) noexcept;

@@ -9,13 +9,13 @@ namespace nrb::model {
 
 struct MadeCurve {
     CurveShapePtr curve;
-    double distance =
-        0; // from what is stated, at equal parameters of the splines, at most; 0: but for rounding
+    // From what is stated, at equal parameters of the splines, at most; 0: but for rounding.
+    double distance = 0;
     bool turns_back = false; // fit::OffsetCurve
 };
 
-// Whether the offset is a known curve again, exact but for rounding and over the same parameters: of lines, also as splines, of circles around the
-// reference direction, and of parts of these. A circle whose radius would become negative starts at its other side.
+// Whether the offset is a known curve again, exact but for rounding and over the same parameters: of lines, also as splines, of
+// circles around the reference direction, and of parts of these. A circle whose radius would become negative starts at its other side.
 bool has_known_offset(const CurveShape &basis, const fit::CurveOffset &offset);
 
 // The known offset, or a spline over the parameters of that of the basis; composite curves are made of both. `gap`: between the pieces

@@ -134,9 +134,8 @@ private:
     std::map<int64_t, std::vector<int64_t>> parts_; // of those that have some
     std::set<int64_t> is_part_;
     std::vector<Remark> remarks_;
-    std::set<int64_t>
-        approximated_;       // entities that are not exactly what is stated, or have parts that are not
-    std::set<int64_t> told_; // those with a remark on that
+    // Entities that are not exactly what is stated, or have parts that are not; and those with a remark on that.
+    std::set<int64_t> approximated_, told_;
 };
 
 // What read(reading) returns; its name and its parts count once it has been read to its end.

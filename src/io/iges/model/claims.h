@@ -11,9 +11,10 @@ namespace nrb::io::iges {
 
 // All by pointers.
 struct Claims {
-    std::vector<int64_t> shared; // groups that several subfigures have, each behind those that list it
-    std::map<int64_t, std::vector<int64_t>>
-        owners; // rising: the subfigures and shared groups that have an entity or a shared group
+    // Groups that several subfigures have, each behind those that list it.
+    std::vector<int64_t> shared;
+    // The subfigures and shared groups that have an entity or a shared group, rising.
+    std::map<int64_t, std::vector<int64_t>> owners;
 };
 
 // A group hands what it lists on to the subfigure that has it; one that several have keeps it, so that this takes no longer than to

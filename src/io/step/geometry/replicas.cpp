@@ -2,23 +2,20 @@
 #include "base/error.h"
 #include "io/step/geometry/geometry.h"
 #include "io/step/motion.h"
-#include "model/shapes/moved_shape.h"
 
 namespace nrb::io::step {
 namespace {
 
 using model::CurveShapePtr;
-using model::Similarity;
 using model::SurfaceShapePtr;
 
-Similarity read_transformation(Entities &entities, Attributes &attributes, double length) {
+Motion read_transformation(Entities &entities, Attributes &attributes, double length) {
     const Instance &instance =
         entities.at(attributes.reference("transformation"), attributes, "transformation");
     if (!is_operator(entities.instances(), instance)) {
         entities.fail_kind(instance, attributes, "transformation", "a CARTESIAN_TRANSFORMATION_OPERATOR_3D");
     }
-    const Motion motion = read_operator(entities, instance, length);
-    return {motion.columns, motion.shift};
+    return read_operator(entities, instance, length);
 }
 
 } // namespace
@@ -40,7 +37,7 @@ CurveShapePtr Geometry::curve_replica(const Instance &instance, Attributes &attr
             Status::unsupported, "parent_curve",
             "a curve of the plane, whose replica does not become a spline in this version");
     }
-    const Similarity motion = read_transformation(entities_, attributes, units_.length);
+    const Motion motion = read_transformation(entities_, attributes, units_.length);
     entities_.spend(parent->spline == nullptr ? 0 : parent->spline->point_count() * parent->spline->width());
     tell_scale(instance, motion.scale(), before);
     return model::moved(parent, motion);
@@ -51,7 +48,7 @@ SurfaceShapePtr Geometry::surface_replica(const Instance &instance, Attributes &
     const int64_t before = entities_.approximations();
     const SurfaceShapePtr parent =
         surface(attributes.reference("parent_surface"), attributes, "parent_surface");
-    const Similarity motion = read_transformation(entities_, attributes, units_.length);
+    const Motion motion = read_transformation(entities_, attributes, units_.length);
     entities_.spend(parent->spline == nullptr ? 0 : parent->spline->point_count() * parent->spline->width());
     tell_scale(instance, motion.scale(), before);
     return model::moved(parent, motion);

@@ -143,6 +143,31 @@ TEST(OffsetCurve, bounds_of_lines_are_sharp) {
     }
 }
 
+// The same curve, whatever its knots: clamped, unclamped, around and with a knot that splits it.
+TEST(OffsetCurve, of_any_form_of_knots) {
+    const fit::CurveOffset offset{0.1, {0, 0, 1}};
+    const std::vector<double> even = {-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7};
+    std::vector<double> ring;
+    for (int i = 0; i < 7; ++i) {
+        ring.insert(ring.end(), {std::cos(i % 4 * std::acos(0)), std::sin(i % 4 * std::acos(0))});
+    }
+    const SplinePtr around = make_result({std::make_shared<const KnotVector>(3, even, true)}, 2,
+                                         Form::polynomial, ring),
+                    open = make_result({make_knot_vector(3, even)}, 2, Form::polynomial, ring),
+                    split = make_result({make_knot_vector(1, {0, 0, 0.5, 0.5, 1, 1})}, 2, Form::polynomial,
+                                        {0, 0, 1, 0, 1, 0, 2, 0});
+    const fit::OffsetCurve a = fit::offset_curve(around, offset, usual),
+                           b = fit::offset_curve(open, offset, usual),
+                           c = fit::offset_curve(split, offset, usual);
+    for (const double t : {0.0, 0.5, 1.75, 3.0, 3.999}) {
+        EXPECT_LE(length(at(*a.spline, t, 0) - defined(*around, offset, t)), a.bound);
+        EXPECT_LE(length(at(*b.spline, t, 0) - defined(*open, offset, t)), b.bound);
+    }
+    for (const double t : {0.0, 0.25, 0.5, 1.0}) {
+        EXPECT_LE(length(at(*c.spline, t, 0) - Vector3{2 * t, 0.1, 0}), c.bound + 1e-15);
+    }
+}
+
 TEST(OffsetCurve, says_why_there_is_none) {
     std::string text;
     const KnotVectorPtr straight = make_knot_vector(1, {0, 0, 0.5, 1, 1}),
@@ -159,6 +184,12 @@ TEST(OffsetCurve, says_why_there_is_none) {
     EXPECT_EQ(status_of(along, {0.5, z}, usual, &text), Status::unsupported);
     std::mt19937_64 random(3);
     EXPECT_EQ(status_of(wave(random, true, 3), {0.5, z}, {1e-9, 8}, &text), Status::not_converged);
+    const SplinePtr steps =
+                        make_result({make_knot_vector(0, {0, 0.5, 1})}, 2, Form::polynomial, {0, 0, 1, 0}),
+                    weightless = make_result({bent}, 2, Form::rational, {0, 0, 1, 0, 1, 1}, {1, 0, 1});
+    EXPECT_EQ(status_of(steps, {0.5, z}, usual, &text), Status::unsupported);
+    EXPECT_EQ(status_of(weightless, {0.5, z}, usual, &text),
+              Status::unsupported); // which has no tangent at its ends
     int64_t left = 10;
     EXPECT_EQ(status_of(wave(random, true, 3), {0.5, z}, {1e-9, 4096, &left}, &text), Status::not_converged);
     EXPECT_EQ(left, 0);

@@ -2,7 +2,6 @@
 #include "support/step_reading.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace step_curves_test {
 
@@ -12,13 +11,6 @@ using namespace step_test;
 using nrb::SplinePtr;
 using nrb::Status;
 using nrb::Vector3;
-
-constexpr double pi = std::numbers::pi;
-
-// In the frame of StepBuilder::some_placement().
-Vector3 placed(double x, double y, double z = 0) {
-    return {1 + z, 2 + x, 3 + y};
-}
 
 SplinePtr trimmed(StepBuilder &builder, const std::string &basis, const std::string &ends) {
     builder.add("TRIMMED_CURVE(''," + basis + "," + ends + ")");

@@ -2,7 +2,6 @@
 #include "support/step_reading.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace step_replicas_test {
 
@@ -11,8 +10,6 @@ namespace {
 using namespace step_test;
 using nrb::SplinePtr;
 using nrb::Status;
-
-constexpr double pi = std::numbers::pi;
 
 // x -> (10, 20, 30) + scale (-y, x, +- z).
 std::string quarter_turn(StepBuilder &builder, const std::string &scale, bool mirrored = false) {

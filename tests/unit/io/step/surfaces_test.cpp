@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace step_surfaces_test {
 
@@ -15,8 +14,6 @@ using nrb::Spline;
 using nrb::SplinePtr;
 using nrb::Status;
 using nrb::Vector3;
-
-constexpr double pi = std::numbers::pi;
 
 // In the frame of StepBuilder::some_placement().
 Vector3 placed(double x, double y, double z) {

@@ -1,15 +1,13 @@
 // What kinds of entities a model becomes, what cannot be written, and parts in parts.
 #include "base/error.h"
-#include "build/placement.h"
 #include "io/writers.h"
-#include "model/from_faces.h"
 #include "support/iges_solids.h"
 #include "support/same_model.h"
 #include "support/step_solids.h"
+#include "support/written_models.h"
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace iges_write_model_test {
@@ -17,6 +15,9 @@ namespace {
 
 using namespace nrb;
 using namespace iges_test;
+using write_test::list_of;
+using write_test::random_motion;
+using write_test::spline_of;
 
 std::string written(const model::Model &model, const io::WriteSettings &settings = {}) {
     return io::write(model, 2, settings);
@@ -45,29 +46,10 @@ void expect_again(const model::Model &model) {
     EXPECT_TRUE(written(again) == text);
 }
 
-// As it comes out of an IGES file: from then on nothing changes.
-model::Model settled(const model::Model &model) {
-    return read_model(written(model));
-}
-
 model::Model cube() {
     CubeBuilder file;
     file.cube();
     return read_model(file);
-}
-
-SplinePtr spline_of(int dim, Form form, std::vector<double> knots, int degree, std::vector<double> points,
-                    std::vector<double> weights = {}) {
-    return make_spline({make_knot_vector(degree, std::move(knots))}, dim, form, std::move(points),
-                       std::move(weights));
-}
-
-model::Model list_of(std::vector<SplinePtr> splines) {
-    model::Model model;
-    for (SplinePtr &spline : splines) {
-        model.splines.push_back({"s" + std::to_string(model.splines.size()), std::move(spline)});
-    }
-    return model;
 }
 
 TEST(IgesWriteModel, ClosedFacesAreASolidAndOthersAShell) {
@@ -153,23 +135,12 @@ TEST(IgesWriteModel, RandomMotionsReadBackBitForBit) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> some(-1, 1);
     for (int i = 0; i < 300; ++i) {
-        const double axis[] = {some(random), some(random), some(random)},
-                     x[] = {some(random), some(random), some(random)},
-                     at[] = {100 * some(random), some(random), some(random)};
-        const build::Placement frame = build::make_placement(3, at, axis, x, "origin");
-        const Vector3 y = cross(frame.z, frame.x);
         const double scale = i % 3 == 0 ? 2.5 : (i % 3 == 1 ? 1 : 2 + some(random)),
                      side = i % 2 == 0 ? 1 : -1;
         model::Model model;
         model.metres_per_unit = 0.001;
         model.parts = {{"parent"}, {"child"}};
-        model.uses = {{0,
-                       1,
-                       {scale * frame.x.x, side * scale * y.x, scale * frame.z.x, at[0], scale * frame.x.y,
-                        side * scale * y.y, scale * frame.z.y, at[1], scale * frame.x.z, side * scale * y.z,
-                        scale * frame.z.z, at[2]},
-                       ""},
-                      {-1, 0, model::Use().placement, ""}};
+        model.uses = {{0, 1, random_motion(random, scale, side), ""}, {-1, 0, model::Use().placement, ""}};
         const model::Model once = read_model(written(model));
         EXPECT_TRUE(written(once) == written(model));
         for (size_t k = 0; k < 12; ++k) {
@@ -279,103 +250,6 @@ TEST(IgesWriteModel, EdgesWithoutFacesStay) {
     EXPECT_TRUE(again.edges[12].uses.empty());
     EXPECT_TRUE(again.splines.empty());
     expect_again(again);
-}
-
-void expect_refused(const model::Model &model, Status status, const std::string &text) {
-    try {
-        written(model);
-        ADD_FAILURE() << "is written";
-    } catch (const Error &error) {
-        EXPECT_EQ(error.status(), status);
-        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-    }
-}
-
-TEST(IgesWriteModel, WhatIgesCannotHoldIsNamed) {
-    const SplinePtr good = spline_of(3, Form::polynomial, {0, 0, 1, 1}, 1, {0, 0, 0, 1, 0, 0});
-    expect_refused(list_of({good, spline_of(2, Form::polynomial, {0, 0, 1, 1}, 1, {0, 0, 1, 0})}),
-                   Status::dimension, "splines[1]: has dimension 2, expected 3");
-    const KnotVectorPtr axis = make_knot_vector(1, {0, 0, 1, 1});
-    std::vector<double> corners;
-    for (int i = 0; i < 8; ++i) {
-        corners.insert(corners.end(), {double(i / 4), double(i / 2 % 2), double(i % 2)});
-    }
-    expect_refused(list_of({make_spline({axis, axis, axis}, 3, Form::polynomial, corners)}), Status::axes,
-                   "splines[0]: a volume, which IGES");
-    expect_refused(list_of({spline_of(3, Form::polynomial, {0, 1, 2}, 0, {0, 0, 0, 1, 0, 0})}),
-                   Status::degree, "splines[0]: has degree 0");
-    expect_refused(list_of({good, good,
-                            spline_of(3, Form::homogeneous, {0, 0, 0, 1, 1, 1}, 2,
-                                      {0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1})}),
-                   Status::weight_sign, "splines[2]: control point 1");
-    model::Model sheared = cube();
-    sheared.parts = {{}, {}};
-    sheared.uses = {{-1, 0, model::Use().placement, ""}, {0, 1, {1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, ""}};
-    expect_refused(sheared, Status::matrix, "uses[1]: its placement is no similarity, which IGES needs");
-}
-
-TEST(IgesWriteModel, SettingsAreChecked) {
-    const model::Model model;
-    for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_THROW(written(model, {wrong, 0}), Error);
-        EXPECT_THROW(written(model, {0, wrong}), Error);
-    }
-    EXPECT_THROW(written(model, {5e-324, 0}), Error);
-    EXPECT_THROW(io::write(model, 3, {}), Error);
-}
-
-// A model in another unit is the same in metres, whether the unit has a number or not.
-TEST(IgesWriteModel, UnitsAreConverted) {
-    const model::Model model = step_model(step_test::step_cube());
-    for (const double unit : {1.0, 0.0254, 0.3048, 1e-6, 0.123, 0.9144, 1e-10}) {
-        const model::Model again = read_model(written(model, {unit, 0}));
-        EXPECT_EQ(again.metres_per_unit, unit);
-        ASSERT_EQ(again.vertices.size(), model.vertices.size());
-        const double factor = model.metres_per_unit / unit;
-        for (size_t i = 0; i < model.vertices.size(); ++i) {
-            EXPECT_EQ(again.vertices[i].x, factor * model.vertices[i].x);
-            EXPECT_EQ(again.vertices[i].z, factor * model.vertices[i].z);
-        }
-        ASSERT_EQ(again.faces.size(), 6U);
-        EXPECT_EQ(again.faces[0].shape->kind, model::SurfaceKind::plane);
-        EXPECT_NEAR(again.faces[0].face->tolerance(), factor * model.faces[0].face->tolerance(),
-                    1e-12 * factor);
-        expect_again(settled(again));
-    }
-}
-
-TEST(IgesWriteModel, TolerancesAreStated) {
-    const model::Model again = read_model(written(cube(), {0, 0.0123}));
-    EXPECT_EQ(again.faces[0].face->tolerance(), 0.0123);
-    expect_again(again);
-}
-
-// A square at a height, on the plane z = 0.
-face::FacePtr square_at(double height, double tolerance) {
-    face::FaceParts parts;
-    const auto axis = [] { return make_knot_vector(1, {0, 0, 1, 1}); };
-    parts.surface =
-        make_spline({axis(), axis()}, 3, Form::polynomial, {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, {});
-    const double corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-    face::Loop &loop = parts.loops.emplace_back();
-    for (size_t i = 0; i < 4; ++i) {
-        const auto &a = corners[i], &b = corners[i + 1];
-        loop.push_back({nullptr, spline_of(3, Form::polynomial, {0, 0, 1, 1}, 1,
-                                           {a[0], a[1], height, b[0], b[1], height})});
-    }
-    parts.tolerance = tolerance;
-    return std::make_shared<const face::Face>(std::move(parts), nullptr);
-}
-
-// The least tolerance is stated, unless readers could not find the largest one from it.
-TEST(IgesWriteModel, FacesMayHaveAnyTolerances) {
-    const model::Model model = model::model_of_faces({square_at(0, 1e-7), square_at(0.05, 0.1)}, 0.001);
-    const model::Model again = read_model(written(model));
-    ASSERT_EQ(again.faces.size(), 2U);
-    EXPECT_EQ(again.faces[0].face->tolerance(), 1e-5);
-    EXPECT_GE(again.faces[1].face->tolerance(), 0.05);
-    const model::Model near = model::model_of_faces({square_at(0, 1e-7), square_at(5e-5, 1e-4)}, 0.001);
-    EXPECT_EQ(read_model(written(near)).faces.at(0).face->tolerance(), 1e-7);
 }
 
 // However the file ends, it is none.

@@ -1,16 +1,14 @@
 // What kinds of entities a model becomes, what cannot be written, and parts in parts.
 #include "base/error.h"
-#include "build/placement.h"
 #include "io/writers.h"
-#include "model/from_faces.h"
 #include "model/shapes/surface_spline.h"
 #include "support/same_model.h"
 #include "support/step_reading.h"
 #include "support/step_solids.h"
+#include "support/written_models.h"
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace step_write_model_test {
@@ -18,6 +16,9 @@ namespace {
 
 using namespace nrb;
 using namespace step_test;
+using write_test::list_of;
+using write_test::random_motion;
+using write_test::spline_of;
 
 std::string written(const model::Model &model, const io::WriteSettings &settings = {}) {
     return io::write(model, 1, settings);
@@ -36,20 +37,6 @@ void expect_again(const model::Model &model) {
     const model::Model again = io::read_model(text, {});
     EXPECT_EQ(ModelDifferences(model, again).found(), std::vector<std::string>());
     EXPECT_TRUE(written(again) == text);
-}
-
-SplinePtr spline_of(int dim, Form form, std::vector<double> knots, int degree, std::vector<double> points,
-                    std::vector<double> weights = {}) {
-    return make_spline({make_knot_vector(degree, std::move(knots))}, dim, form, std::move(points),
-                       std::move(weights));
-}
-
-model::Model list_of(std::vector<SplinePtr> splines) {
-    model::Model model;
-    for (SplinePtr &spline : splines) {
-        model.splines.push_back({"s" + std::to_string(model.splines.size()), std::move(spline)});
-    }
-    return model;
 }
 
 TEST(StepWriteModel, ClosedFacesAreASolidAndOthersAShell) {
@@ -110,24 +97,12 @@ TEST(StepWriteModel, PartsThatAreMovedInTheWhole) {
 
 TEST(StepWriteModel, RandomMotionsReadBackBitForBit) {
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> some(-1, 1);
     for (int i = 0; i < 200; ++i) {
-        const double axis[] = {some(random), some(random), some(random)},
-                     x[] = {some(random), some(random), some(random)},
-                     at[] = {100 * some(random), some(random), some(random)};
-        const build::Placement frame = build::make_placement(3, at, axis, x, "origin");
-        const Vector3 y = cross(frame.z, frame.x);
         const double scale = i % 3 == 0 ? 2.5 : 1, side = i % 2 == 0 ? 1 : -1;
         model::Model model;
         model.metres_per_unit = 0.001;
         model.parts = {{"child"}, {"parent"}};
-        model.uses = {{1,
-                       0,
-                       {scale * frame.x.x, side * scale * y.x, scale * frame.z.x, at[0], scale * frame.x.y,
-                        side * scale * y.y, scale * frame.z.y, at[1], scale * frame.x.z, side * scale * y.z,
-                        scale * frame.z.z, at[2]},
-                       ""},
-                      {-1, 1, model::Use().placement, ""}};
+        model.uses = {{1, 0, random_motion(random, scale, side), ""}, {-1, 1, model::Use().placement, ""}};
         const model::Model once = io::read_model(written(model), {});
         for (size_t k = 0; k < 12; ++k) {
             EXPECT_NEAR(once.uses[0].placement[k], model.uses[0].placement[k], 4 * 0x1p-52 * scale);
@@ -176,104 +151,7 @@ TEST(StepWriteModel, SplinesReadBack) {
     }());
 }
 
-void expect_refused(const model::Model &model, Status status, const std::string &text) {
-    try {
-        written(model);
-        ADD_FAILURE() << "is written";
-    } catch (const Error &error) {
-        EXPECT_EQ(error.status(), status);
-        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-    }
-}
-
-TEST(StepWriteModel, WhatStepCannotHoldIsNamed) {
-    const std::vector<double> knots = {0, 0, 1, 1};
-    const SplinePtr good = spline_of(3, Form::polynomial, knots, 1, {0, 0, 0, 1, 0, 0});
-    expect_refused(list_of({good, spline_of(2, Form::polynomial, knots, 1, {0, 0, 1, 0})}), Status::dimension,
-                   "splines[1]: has dimension 2, expected 3");
-    const KnotVectorPtr axis = make_knot_vector(1, {0, 0, 1, 1});
-    std::vector<double> cube;
-    for (int i = 0; i < 8; ++i) {
-        cube.insert(cube.end(), {double(i / 4), double(i / 2 % 2), double(i % 2)});
-    }
-    expect_refused(list_of({make_spline({axis, axis, axis}, 3, Form::polynomial, cube)}), Status::axes,
-                   "splines[0]: a volume");
-    expect_refused(list_of({good, good,
-                            spline_of(3, Form::homogeneous, {0, 0, 0, 1, 1, 1}, 2,
-                                      {0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1})}),
-                   Status::weight_sign, "splines[2]: control point 1");
-    model::Model sheared = io::read_model(step_cube(), {});
-    sheared.parts.emplace_back();
-    sheared.uses = {{-1, 1, model::Use().placement, ""}, {1, 0, {1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, ""}};
-    expect_refused(sheared, Status::matrix, "uses[1]");
-}
-
-TEST(StepWriteModel, SettingsAreChecked) {
-    const model::Model model;
-    for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_THROW(written(model, {wrong, 0}), Error);
-        EXPECT_THROW(written(model, {0, wrong}), Error);
-    }
-    EXPECT_THROW(written(model, {5e-324, 0}), Error);
-    EXPECT_THROW(io::write(model, 0, {}), Error);
-    EXPECT_THROW(io::write(model, 3, {}), Error);
-}
-
-// A model in another unit is the same in metres.
-TEST(StepWriteModel, UnitsAreConverted) {
-    const model::Model cube = io::read_model(step_cube(), {});
-    for (const double unit : {1.0, 0.0254, 0.3048, 1e-6, 0.123}) {
-        const model::Model again = io::read_model(written(cube, {unit, 0}), {});
-        EXPECT_EQ(again.metres_per_unit, unit);
-        ASSERT_EQ(again.vertices.size(), cube.vertices.size());
-        const double factor = cube.metres_per_unit / unit;
-        for (size_t i = 0; i < cube.vertices.size(); ++i) {
-            EXPECT_EQ(again.vertices[i].x, factor * cube.vertices[i].x);
-            EXPECT_EQ(again.vertices[i].z, factor * cube.vertices[i].z);
-        }
-        EXPECT_EQ(again.faces[0].shape->kind, model::SurfaceKind::plane);
-        EXPECT_NEAR(again.faces[0].face->tolerance(), factor * cube.faces[0].face->tolerance(),
-                    1e-12 * factor);
-        expect_again(again);
-    }
-}
-
-TEST(StepWriteModel, TolerancesAreStated) {
-    const model::Model cube = io::read_model(step_cube(), {});
-    const model::Model again = io::read_model(written(cube, {0, 0.0123}), {});
-    EXPECT_EQ(again.faces[0].face->tolerance(), 0.0123);
-    expect_again(again);
-}
-
 // But for the rounding of readers, which convert them to metres and back; what has been read is read again.
-// A square at a height, on the plane z = 0.
-face::FacePtr square_at(double height, double tolerance) {
-    face::FaceParts parts;
-    const auto axis = [] { return make_knot_vector(1, {0, 0, 1, 1}); };
-    parts.surface =
-        make_spline({axis(), axis()}, 3, Form::polynomial, {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, {});
-    const double corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-    face::Loop &loop = parts.loops.emplace_back();
-    for (size_t i = 0; i < 4; ++i) {
-        const auto &a = corners[i], &b = corners[i + 1];
-        loop.push_back({nullptr, spline_of(3, Form::polynomial, {0, 0, 1, 1}, 1,
-                                           {a[0], a[1], height, b[0], b[1], height})});
-    }
-    parts.tolerance = tolerance;
-    return std::make_shared<const face::Face>(std::move(parts), nullptr);
-}
-
-// The least tolerance is stated, unless readers could not find the largest one from it.
-TEST(StepWriteModel, FacesOfOnePartMayHaveAnyTolerances) {
-    const model::Model model = model::model_of_faces({square_at(0, 1e-7), square_at(0.05, 0.1)}, 0.001);
-    const model::Model again = io::read_model(written(model), {});
-    ASSERT_EQ(again.faces.size(), 2U);
-    EXPECT_EQ(again.faces[0].face->tolerance(), 1e-5);
-    EXPECT_GE(again.faces[1].face->tolerance(), 0.05);
-    const model::Model near = model::model_of_faces({square_at(0, 1e-7), square_at(5e-5, 1e-4)}, 0.001);
-    EXPECT_EQ(io::read_model(written(near), {}).faces.at(0).face->tolerance(), 1e-7);
-}
-
 TEST(StepWriteModel, StatedTolerancesAreRead) {
     const model::Model cube = io::read_model(step_cube(), {});
     std::mt19937 random(4);
