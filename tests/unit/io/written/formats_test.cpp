@@ -16,8 +16,7 @@ using namespace write_test;
 
 class WrittenFormats : public testing::TestWithParam<int> {
 protected:
-    [[nodiscard]] static std::string written(const model::Model &model,
-                                             const io::WriteSettings &settings = {}) {
+    static std::string written(const model::Model &model, const io::WriteSettings &settings = {}) {
         return io::write(model, GetParam(), settings);
     }
     [[nodiscard]] static model::Model through(const model::Model &model,
