@@ -237,17 +237,22 @@ private:
     }
 
     void make_cell() {
-        const int q = f_.axis(0).degree();
+        const auto q = static_cast<size_t>(f_.axis(0).degree());
+        const double start = window_knots_[0], end = window_knots_[1];
+        const CurvePiece &piece = pieces_[cell_->piece];
+        Coefficients weights;
+        weights.fill(1);
+        if (weighted_) {
+            weights = piece.weights_between(start, end);
+        }
         CellArguments arguments;
         for (int k = 0; k < g_.axes(); ++k) {
             const auto at = static_cast<size_t>(k);
-            arguments.weights[at].fill(1);
-            for (int j = 0; j <= q; ++j) {
-                const int chosen[2] = {q - j, j};
-                arguments.values[at][static_cast<size_t>(j)] = argument_of(k, j, 2, chosen);
-                if (weighted_) {
-                    arguments.weights[at][static_cast<size_t>(j)] = weights_[at][static_cast<size_t>(j)];
-                }
+            arguments.weights[at] = weights;
+            arguments.values[at] = piece.coefficients_between(k, start, end);
+            for (const auto &[j, t] : {std::pair(size_t{0}, start), std::pair(q, end)}) {
+                double &value = arguments.values[at][j];
+                value = snapped(*axes_[at], value, uncertainty_at(k, t));
             }
         }
         load_block(0, 0, block_.data());

@@ -5,6 +5,7 @@
 #include "numeric/binomial.h"
 #include "refine/algebra/derivative.h"
 #include "refine/knots/blossom.h"
+#include "refine/knots/blossom_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,47 +26,79 @@ CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span
 
 namespace {
 
-// Values of a polar form: at `to` 0, ..., degree times, at `from` the other times.
-template <class Polar>
-Coefficients bernstein(int degree, double from, double to, Polar polar) noexcept {
-    Coefficients arguments{}, values{};
-    arguments.fill(from);
-    const auto q = static_cast<size_t>(degree);
-    for (size_t j = 0; j <= q; ++j) {
-        if (j > 0) {
-            arguments[q - j] = to;
+// The rows of a polar form at `to` 0, ..., degree times, at `from` the other times, with the bits of blossom_row().
+class BernsteinRows {
+public:
+    BernsteinRows(const KnotVector &axis, int64_t span, double from, double to) noexcept
+        : axis_(axis), span_(span) {
+        const auto q = static_cast<size_t>(axis.degree());
+        std::fill_n(arguments_.begin(), q, from);
+        std::fill_n(arguments_.begin() + axis.degree(), q, to);
+        together_ =
+            q > 1 && axis[span] < from && to < axis[span + 1]; // none is a knot, which ends a row early
+        if (together_) {
+            const double *right = axis.knots().data() + span + 1;
+            sliding_blossom_rows(axis.degree(), right, right, arguments_.data(), axis.degree() + 1,
+                                 values_.data());
         }
-        values[j] = polar(std::span<const double>(arguments).first(q));
     }
-    return values;
-}
+    // The row at which `to` counts j times.
+    [[nodiscard]] BlossomRow row(int j) const noexcept {
+        const int q = axis_.degree();
+        if (!together_) {
+            return blossom_row(axis_, span_,
+                               std::span(arguments_).subspan(static_cast<size_t>(j), static_cast<size_t>(q)));
+        }
+        BlossomRow row;
+        row.first = span_ - q;
+        row.size = q + 1;
+        std::copy_n(values_.begin() + int64_t{j} * (q + 1), q + 1, row.coefficients);
+        return row;
+    }
+
+private:
+    const KnotVector &axis_;
+    int64_t span_;
+    bool together_ = false;
+    std::array<double, 2 * max_basis> arguments_{};
+    std::array<double, (max_basis + row_lanes) * max_basis>
+        values_; // of all rows, where they are made together
+};
 
 } // namespace
 
 Coefficients CurvePiece::coefficients_between(int k, double from, double to) const noexcept {
-    return bernstein(degree(), from, to,
-                     [&](std::span<const double> arguments) { return polar_value(k, arguments); });
+    Coefficients values{};
+    const BernsteinRows rows(curve_->axis(0), span_, from, to);
+    for (int j = 0; j <= degree(); ++j) {
+        values[static_cast<size_t>(j)] = value_of(rows.row(j), k);
+    }
+    return values;
 }
 
 Coefficients CurvePiece::weights_between(double from, double to) const noexcept {
-    return bernstein(degree(), from, to,
-                     [&](std::span<const double> arguments) { return polar_weight(arguments); });
+    Coefficients values{};
+    const BernsteinRows rows(curve_->axis(0), span_, from, to);
+    for (int j = 0; j <= degree(); ++j) {
+        values[static_cast<size_t>(j)] = weight_of(rows.row(j));
+    }
+    return values;
 }
 
 double CurvePiece::weight(int64_t i) const noexcept {
     return std::ldexp(curve_->weight(i), -std::ilogb(curve_->all_weights().largest));
 }
 
-double CurvePiece::polar_weight(std::span<const double> arguments) const noexcept {
-    if (!curve_->rational()) {
-        return 1;
-    }
-    const BlossomRow row = blossom_row(curve_->axis(0), span_, arguments);
+double CurvePiece::weight_of(const BlossomRow &row) const noexcept {
     double sum = 0;
     for (int i = 0; i < row.size; ++i) {
         sum += row.coefficients[i] * weight(row.first + i);
     }
     return sum;
+}
+
+double CurvePiece::polar_weight(std::span<const double> arguments) const noexcept {
+    return curve_->rational() ? weight_of(blossom_row(curve_->axis(0), span_, arguments)) : 1;
 }
 
 double CurvePiece::quotient(const BlossomRow &row, int k) const noexcept {
@@ -81,8 +114,7 @@ double CurvePiece::quotient(const BlossomRow &row, int k) const noexcept {
     return sum / weights;
 }
 
-double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
-    const BlossomRow row = blossom_row(curve_->axis(0), span_, arguments);
+double CurvePiece::value_of(const BlossomRow &row, int k) const noexcept {
     if (curve_->rational()) {
         return quotient(row, k);
     }
@@ -92,6 +124,10 @@ double CurvePiece::polar_value(int k, std::span<const double> arguments) const n
         value += row.coefficients[i] * points[int64_t{i} * curve_->dim()];
     }
     return value;
+}
+
+double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
+    return value_of(blossom_row(curve_->axis(0), span_, arguments), k);
 }
 
 double CurvePiece::value(int k, double t) const noexcept {

@@ -61,8 +61,10 @@ private:
     [[nodiscard]] Interval eps_times_range(int k) const noexcept;
     [[nodiscard]] double eps_times_slope(int k, double even) const noexcept;
     [[nodiscard]] double weight(int64_t i) const noexcept;
-    // Coordinate k of the sum of control points times coefficients and weights, divided by that of the
-    // weights.
+    // Coordinate k, or the weight, of the sum of control points times coefficients; with weights the coordinate is
+    // divided by its own.
+    [[nodiscard]] double value_of(const BlossomRow &row, int k) const noexcept;
+    [[nodiscard]] double weight_of(const BlossomRow &row) const noexcept;
     [[nodiscard]] double quotient(const BlossomRow &row, int k) const noexcept;
 
     const Spline *curve_;
@@ -74,9 +76,8 @@ private:
 
 // What is known of the sign of a coordinate minus a value c inside a piece. Halves until coefficients change
 // their sign at most once on each part (Lane & Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)), then
-// bisects to neighbouring doubles. Where the coordinate touches c without crossing it, only the side is
-// reported. Cost: q^2 for each halving, at most some 50 q of them, and an evaluation for each bit of a
-// crossing.
+// goes to neighbouring doubles by secants. Where the coordinate touches c without crossing it, only the side
+// is reported. Cost: q^2 for each halving, at most some 50 q of them, and some 10 evaluations for a crossing.
 SignProfile sign_profile(const CurvePiece &piece, int k, double c);
 
 // Whether the coordinate is above c on a part of the piece between crossings. Where its values differ from c

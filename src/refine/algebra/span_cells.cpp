@@ -48,6 +48,9 @@ std::vector<Crossing> crossings(const Spline::Axes &axes, const CurvePiece &piec
 // Whether f is at the knot all the way from a place to the crossing, as far as its values are known.
 bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept {
     const double uncertainty = piece.uncertainty(crossing.axis);
+    if (std::fabs(piece.value(crossing.axis, t) - crossing.knot) > uncertainty) {
+        return false; // one value in place of all coefficients, most often
+    }
     const Coefficients values = piece.coefficients_between(crossing.axis, t, crossing.t);
     return std::all_of(values.begin(), values.begin() + piece.degree() + 1,
                        [&](double value) { return std::fabs(value - crossing.knot) <= uncertainty; });
