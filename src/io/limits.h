@@ -42,8 +42,8 @@ private:
     static constexpr int deepest = 24;
     static constexpr int64_t most_for_a_byte = 6; // doubles
     static constexpr int64_t most_at_least = 1 << 16;
-    static constexpr int64_t bytes_of_a_patch = 256; // each takes some tenths of a millisecond
-    static constexpr int64_t patches_at_least = 1 << 13;
+    static constexpr int64_t bytes_of_a_patch = 16; // each takes some hundredths of a millisecond
+    static constexpr int64_t patches_at_least = 1 << 15;
 
     const char *label_;
     int64_t limit_;

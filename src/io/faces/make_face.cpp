@@ -56,12 +56,27 @@ model::MadeSurface surface_around(Limits &limits, const model::SurfaceShape &sur
                                   const std::vector<Vector3> &points, double stated) {
     constexpr double margin = 1.0 / 64; // of the size of the boundary
     constexpr double share = 0.25;      // of the tolerance, most of which is left to others
-    constexpr int64_t doubles_of_a_patch = 128;
+    constexpr int64_t doubles_of_a_patch =
+        80; // 27 that stay, as many of the one before, and the rest meanwhile
     const model::Rectangle range = model::bounded(surface) ? model::natural_range(surface)
                                                            : model::range_around(surface, points, margin);
     return model::made_surface(surface, range,
                                {share * (stated > 0 ? stated : usual_tolerance),
                                 limits.left() / doubles_of_a_patch, &limits.patches()});
+}
+
+std::string note_on_distance(const char *what, double distance, double stated) {
+    const double wanted = stated > 0 ? stated : usual_tolerance;
+    std::string text = std::string("its ") + what + " is approximated within " + Number(distance).text;
+    if (distance > wanted) {
+        text += std::string(", which is more than the ") +
+                (stated > 0 ? "tolerance of the file, " : "usual tolerance, ") + Number(wanted).text;
+    }
+    return text;
+}
+
+std::string note_on_surface(double distance, double stated) {
+    return note_on_distance("offset surface", distance, stated);
 }
 
 void append_points(const Spline &curve, std::vector<Vector3> &points) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/source.h"
 
+#include "io/faces/make_face.h"
 #include "io/unit_factor.h"
 
 #include <algorithm>
@@ -37,8 +38,7 @@ void Source::tell(const Entry &entry, Status reason, const std::string &text) {
 
 void Source::tell_approximation(const Entry &entry, double distance) {
     if (distance > 0) {
-        tell(entry, Status::tolerance,
-             std::string("its offset surface is approximated within ") + Number(distance).text);
+        tell(entry, Status::tolerance, note_on_surface(distance, geometry_.units().resolution));
     }
 }
 

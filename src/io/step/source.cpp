@@ -82,10 +82,9 @@ std::vector<model::NamedSpline> Source::free_splines() {
     return splines;
 }
 
-void Source::note_approximation(const Instance &instance, double distance) {
+void Source::note_approximation(const Instance &instance, double distance, double stated) {
     if (distance > 0) {
-        const std::string text = label_of(instances_, instance) +
-                                 ": its offset surface is approximated within " + Number(distance).text;
+        const std::string text = label_of(instances_, instance) + ": " + note_on_surface(distance, stated);
         add_note(instance.number(), Status::tolerance, text.c_str());
     }
 }

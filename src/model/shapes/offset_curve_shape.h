@@ -12,6 +12,7 @@ struct MadeCurve {
     // From what is stated, at equal parameters of the splines, at most; 0: but for rounding.
     double distance = 0;
     bool turns_back = false; // fit::OffsetCurve
+    double missed = 0;       // the tolerance above which the distance is, if it is
 };
 
 // Whether the offset is a known curve again, exact but for rounding and over the same parameters: of lines, also as splines, of
