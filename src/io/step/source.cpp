@@ -42,6 +42,7 @@ Source::Source(const Exchange &file, const ReadSettings &settings)
     : instances_(file.instances), entities_(file.instances), contexts_(entities_),
       part_(find_parts(file.instances)), tolerance_(settings.tolerance) {
     check_schemas(file.schemas);
+    entities_.share_among(std::ranges::count(instances_.all(), Kind::offset_surface, &Instance::kind));
     const double stated = contexts_.all().front().metres;
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
     (void)unit_factor(stated, settings); // whether it can be reached
