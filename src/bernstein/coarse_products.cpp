@@ -12,7 +12,7 @@ namespace nrb::inline bernstein {
 
 namespace {
 
-constexpr int64_t work_of_a_product = 100; // its memory
+constexpr int64_t work_of_a_coarse_product = 100; // its memory
 
 struct Largest {
     double value = 0, error = 0;
@@ -59,7 +59,7 @@ RoundedPolynomial coarse_times(const RoundedPolynomial &a, const RoundedPolynomi
     const auto count = static_cast<size_t>(a.shape.values()), wide = static_cast<size_t>(a.shape.width);
     const auto factors = static_cast<size_t>(factor.shape.values()),
                made = static_cast<size_t>(product.values());
-    count_work(work_of_a_product + static_cast<int64_t>(count + factors + made));
+    count_work(work_of_a_coarse_product + static_cast<int64_t>(count + factors + made));
     Scratch scratch(count + 2 * factors + made);
     double *left = scratch.take(count), *binomials = scratch.take(factors), *right = scratch.take(factors),
            *over = scratch.take(made);
@@ -88,7 +88,8 @@ RoundedPolynomial coarse_dot(const RoundedPolynomial &a, const RoundedPolynomial
     const auto count = static_cast<size_t>(of_a.values()), others = static_cast<size_t>(of_b.values()),
                made = static_cast<size_t>(product.values());
     const int width = a.shape.width;
-    count_work(work_of_a_product + width * static_cast<int64_t>(count + others) + static_cast<int64_t>(made));
+    count_work(work_of_a_coarse_product + width * static_cast<int64_t>(count + others) +
+               static_cast<int64_t>(made));
     Scratch scratch(2 * count + 2 * others + made);
     double *left_binomials = scratch.take(count), *right_binomials = scratch.take(others),
            *left = scratch.take(count), *right = scratch.take(others), *over = scratch.take(made);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fit/offset/offset_side.h"
 
-#include "base/numbers.h"
 #include "bernstein/rounded_polynomial.h"
+#include "fit/offset/bounds_box.h"
 #include "fit/offset/homogeneous_piece.h"
 #include "fit/offset/patch_axis.h"
-#include "numeric/vector3.h"
 
 #include <algorithm>
 #include <array>
@@ -15,73 +14,8 @@ namespace nrb::fit {
 
 namespace {
 
-// All numbers between two, after the rounding of what was done to them.
-struct Bounds {
-    double lower, upper;
-
-    [[nodiscard]] int sign() const noexcept { return lower > 0 ? 1 : upper < 0 ? -1 : 0; }
-};
-
-Bounds widened(double lower, double upper) noexcept {
-    const double by = 2 * eps * std::max(std::abs(lower), std::abs(upper));
-    return by < infinity ? Bounds{lower - by, upper + by} : Bounds{-infinity, infinity};
-}
-Bounds operator+(Bounds a, Bounds b) noexcept {
-    return widened(a.lower + b.lower, a.upper + b.upper);
-}
-Bounds operator-(Bounds a, Bounds b) noexcept {
-    return widened(a.lower - b.upper, a.upper - b.lower);
-}
-Bounds operator*(Bounds a, Bounds b) noexcept {
-    const auto [least, most] =
-        std::minmax({a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper});
-    return widened(least, most);
-}
-// By numbers above 0.
-Bounds operator/(Bounds a, Bounds b) noexcept {
-    return a * widened(1 / b.upper, 1 / b.lower);
-}
-Bounds operator*(double s, Bounds a) noexcept {
-    return Bounds{s, s} * a;
-}
-
-using Box = std::array<Bounds, 3>;
-
-template <class Of>
-Box each(Of &&of) {
-    return {of(0), of(1), of(2)};
-}
-Bounds dot(const Box &a, const Box &b) noexcept {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Box cross(const Box &a, const Box &b) {
-    return each([&](size_t c) {
-        const size_t d = (c + 1) % 3, e = (c + 2) % 3;
-        return a[d] * b[e] - a[e] * b[d];
-    });
-}
-Box operator/(const Box &a, Bounds b) {
-    return each([&](size_t c) { return a[c] / b; });
-}
-Vector3 middle_of(const Box &a) noexcept {
-    return {a[0].lower / 2 + a[0].upper / 2, a[1].lower / 2 + a[1].upper / 2,
-            a[2].lower / 2 + a[2].upper / 2};
-}
-// Of the lengths; nothing is known if the box is not on one side of a plane.
-Bounds length_of(const Box &a) {
-    const Vector3 middle = middle_of(a);
-    const double l = length(middle);
-    if (!(l > 0)) {
-        return {0, infinity};
-    }
-    const Vector3 m = (1 / l) * middle;
-    const Box way{Bounds{m.x, m.x}, Bounds{m.y, m.y}, Bounds{m.z, m.z}};
-    double most = 0;
-    for (const Bounds &x : a) {
-        most = std::hypot(most, std::max(-x.lower, x.upper));
-    }
-    return {dot(a, way).lower * (1 - 8 * eps), most * (1 + 8 * eps)};
-}
+using boxes::Bounds;
+using boxes::Box;
 
 Bounds bounds_of(const RoundedPolynomial &a, size_t c) noexcept {
     Bounds found{infinity, -infinity};
@@ -89,11 +23,11 @@ Bounds bounds_of(const RoundedPolynomial &a, size_t c) noexcept {
         found = {std::min(found.lower, a.values[i] - a.error(i)),
                  std::max(found.upper, a.values[i] + a.error(i))};
     }
-    return widened(found.lower, found.upper);
+    return boxes::widened(found.lower, found.upper);
 }
 
 Box box_of(const RoundedPolynomial &a) {
-    return each([&](size_t c) { return bounds_of(a, c); });
+    return boxes::each([&](size_t c) { return bounds_of(a, c); });
 }
 
 // The points w (x - c) about their middle, and where that x - c lies.
@@ -115,10 +49,13 @@ Box move_to_middle(HomogeneousPiece &s) {
             x -= centre * w;
             error = std::max(error, 2 * known / w + 2 * eps * std::abs(x / w));
         }
-        all[c] = widened(box.lower - centre - error, box.upper - centre + error);
+        all[c] = boxes::widened(box.lower - centre - error, box.upper - centre + error);
     }
     return all;
 }
+
+constexpr int64_t most_pieces = 1 << 12;
+constexpr int64_t patches_of_a_piece = 4; // that take as much time
 
 constexpr Bounds nothing_known{-infinity, infinity};
 
@@ -136,7 +73,7 @@ Bounds determinant(HomogeneousPiece s, double distance) {
         const int axis = static_cast<int>(k) + 1;
         slopes[k] = bounds_of(derivative(s.weight, axis), 0);
         const Box along = box_of(derivative(s.points, axis));
-        first[k] = each([&](size_t c) { return (along[c] - x[c] * slopes[k]) / w; });
+        first[k] = boxes::each([&](size_t c) { return (along[c] - x[c] * slopes[k]) / w; });
     }
     const Box across = cross(first[0], first[1]);
     const Bounds area = length_of(across);
@@ -148,7 +85,7 @@ Bounds determinant(HomogeneousPiece s, double distance) {
         const int a = static_cast<int>(k) + 1, b = static_cast<int>(l) + 1;
         const Box along = box_of(derivative(derivative(s.points, a), b));
         const Bounds bend = bounds_of(derivative(derivative(s.weight, a), b), 0);
-        const Box second = each([&](size_t c) {
+        const Box second = boxes::each([&](size_t c) {
             return (along[c] - first[k][c] * slopes[l] - first[l][c] * slopes[k] - x[c] * bend) / w;
         });
         return dot(first[k], first[l]) - distance * dot(second, normal);
@@ -166,27 +103,27 @@ double extent(const HomogeneousPiece &s, int axis) {
     return largest;
 }
 
-struct Part {
+struct SidePart {
     HomogeneousPiece piece;
     Bounds determinant;
 };
 
 // On the axis along which less remains unknown.
-std::array<Part, 2> halves(const HomogeneousPiece &piece, double distance) {
+std::array<SidePart, 2> halves(const HomogeneousPiece &piece, double distance) {
     const auto cut_along = [&](int axis) {
         HomogeneousPiece upper = piece;
         HomogeneousPiece lower{split(upper.points, axis), split(upper.weight, axis)};
         const Bounds below = determinant(lower, distance), above = determinant(upper, distance);
-        return std::array<Part, 2>{Part{std::move(lower), below}, Part{std::move(upper), above}};
+        return std::array<SidePart, 2>{SidePart{std::move(lower), below}, SidePart{std::move(upper), above}};
     };
-    const auto unknown = [](const std::array<Part, 2> &parts) {
+    const auto unknown = [](const std::array<SidePart, 2> &parts) {
         double width = 0;
         for (const auto &[piece_of_it, d] : parts) {
             width += d.sign() == 0 ? d.upper - d.lower : 0;
         }
         return width;
     };
-    std::array<Part, 2> u = cut_along(1), v = cut_along(2);
+    std::array<SidePart, 2> u = cut_along(1), v = cut_along(2);
     const double of_u = unknown(u), of_v = unknown(v);
     return of_u < of_v || (of_u == of_v && extent(piece, 1) >= extent(piece, 2)) ? std::move(u)
                                                                                  : std::move(v);
@@ -195,10 +132,10 @@ std::array<Part, 2> halves(const HomogeneousPiece &piece, double distance) {
 // The sign on all of a piece, where others have `all`.
 int side_on(HomogeneousPiece whole, double distance, int all, int64_t &pieces) {
     const Bounds first = determinant(whole, distance);
-    std::vector<Part> rest;
+    std::vector<SidePart> rest;
     rest.push_back({std::move(whole), first});
     while (!rest.empty()) {
-        const Part part = std::move(rest.back());
+        const SidePart part = std::move(rest.back());
         rest.pop_back();
         const int sign = part.determinant.sign();
         if (--pieces < 0 || sign * all < 0) {
@@ -206,7 +143,7 @@ int side_on(HomogeneousPiece whole, double distance, int all, int64_t &pieces) {
             return 0;
         }
         if (sign == 0) {
-            for (Part &half : halves(part.piece, distance)) {
+            for (SidePart &half : halves(part.piece, distance)) {
                 rest.push_back(std::move(half));
             }
         }
@@ -225,6 +162,46 @@ int offset_side(const SplinePtr &surface, double distance, int64_t &pieces) {
         side = side_on(all.piece(i), distance, side, pieces);
     }
     return side;
+}
+
+int offset_side(const SplinePtr &surface, double distance, const OffsetRule &rule) {
+    if (distance == 0) {
+        return 1;
+    }
+    const int64_t most =
+        rule.left == nullptr ? most_pieces : std::min(most_pieces, *rule.left / patches_of_a_piece);
+    int64_t rest = most;
+    const int side = offset_side(surface, distance, rest);
+    if (rule.left != nullptr) {
+        *rule.left -= patches_of_a_piece * (most - rest);
+    }
+    return side;
+}
+
+// The curve moved along V is a surface with the normal C' x V, against V x C'; one of its curvatures is 0, and the other one belongs to
+// the curve as it is seen along V, as the offset does.
+int offset_side(const SplinePtr &curve, const CurveOffset &offset, const OffsetRule &rule) {
+    const Vector3 &v = offset.reference;
+    const int64_t count = curve->point_count();
+    const int dim = curve->dim(), width = curve->stored_width();
+    const bool homogeneous = curve->form() == Form::homogeneous;
+    std::vector<double> points, weights;
+    for (int64_t i = 0; i < count; ++i) {
+        const double *x = curve->points().data() + i * width, w = homogeneous ? x[dim] : 1;
+        const Vector3 from{x[0], x[1], dim == space_dim ? x[2] : 0}, to = from + w * v;
+        for (const Vector3 &end : {from, to}) {
+            points.insert(points.end(), {end.x, end.y, end.z});
+            if (homogeneous) {
+                points.push_back(w);
+            }
+            if (curve->form() == Form::rational) {
+                weights.push_back(curve->weight(i));
+            }
+        }
+    }
+    const SplinePtr moved = make_result({curve->knot_vectors().front(), make_knot_vector(1, {0, 0, 1, 1})},
+                                        space_dim, curve->form(), std::move(points), std::move(weights));
+    return offset_side(moved, -offset.distance, rule);
 }
 
 } // namespace nrb::fit

@@ -25,10 +25,15 @@ double tolerance_for(const model::CurveShape &basis, double stated) {
 
 model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
                                const fit::CurveOffset &offset, double stated) {
-    const bool known = model::has_known_offset(*basis, offset);
+    return stated_offset(limits, basis, std::span(&offset.distance, 1), offset.reference, stated);
+}
+
+model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
+                               std::span<const double> distances, const Vector3 &reference, double stated) {
+    const bool known = model::has_known_offset(*basis, {distances.front(), reference});
     const fit::OffsetRule rule{known ? usual_tolerance : tolerance_for(*basis, stated),
                                limits.left() / doubles_of_a_piece, &limits.patches()};
-    model::MadeCurve made = model::offset_curve_shape(basis, offset, rule, stated);
+    model::MadeCurve made = model::offset_curve_shape(basis, distances, reference, rule, stated);
     made.missed = made.distance > rule.tolerance / share ? rule.tolerance / share : 0;
     return made;
 }

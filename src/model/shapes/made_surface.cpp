@@ -4,15 +4,11 @@
 #include "fit/offset/offset_surface.h"
 #include "model/shapes/surface_spline.h"
 
-#include <algorithm>
 #include <ranges>
 
 namespace nrb::model {
 
 namespace {
-
-constexpr int64_t most_pieces_of_a_side = 1 << 12;
-constexpr int64_t patches_of_a_piece = 4; // that take as much time
 
 // Offsets and parts of each other, the innermost last, and the surface under them.
 struct Chain {
@@ -34,18 +30,8 @@ Chain chain_of(const SurfaceShape &surface, const Rectangle &range) {
 }
 
 // 1 or -1: whether the normal of an offset is that of the spline.
-int side_of(const SplinePtr &spline, double distance, const SurfaceRule &rule) {
-    if (distance == 0) {
-        return 1;
-    }
-    const int64_t most = rule.left == nullptr
-                             ? most_pieces_of_a_side
-                             : std::min(most_pieces_of_a_side, *rule.left / patches_of_a_piece);
-    int64_t rest = most;
-    const int side = fit::offset_side(spline, distance, rest);
-    if (rule.left != nullptr) {
-        *rule.left -= patches_of_a_piece * (most - rest);
-    }
+int side_of(const SplinePtr &spline, double distance, const fit::OffsetRule &rule) {
+    const int side = fit::offset_side(spline, distance, rule);
     if (side == 0) {
         fail(Status::unsupported,
              "the normal of the surface at the distance %s, from which it is offset, is not known to be on "
@@ -56,7 +42,7 @@ int side_of(const SplinePtr &spline, double distance, const SurfaceRule &rule) {
 }
 
 // The sum of all distances along the normal of the base.
-double distance_of(const Chain &chain, const SplinePtr &spline, const SurfaceRule &rule) {
+double distance_of(const Chain &chain, const SplinePtr &spline, const fit::OffsetRule &rule) {
     double sum = 0;
     bool mirrored = false, known = true; // the side
     int side = 1;
@@ -76,10 +62,10 @@ double distance_of(const Chain &chain, const SplinePtr &spline, const SurfaceRul
 
 MadeSurface made_surface(const SurfaceShape &surface, const Rectangle &range, const SurfaceRule &rule) {
     const Chain chain = chain_of(surface, range);
+    const fit::OffsetRule patches{rule.tolerance, rule.most_patches, rule.left};
     MadeSurface made{surface_spline(*chain.base, chain.range)};
-    if (const double distance = distance_of(chain, made.spline, rule); distance != 0) {
-        fit::OffsetSurface offset =
-            fit::offset_surface(made.spline, distance, {rule.tolerance, rule.most_patches, rule.left});
+    if (const double distance = distance_of(chain, made.spline, patches); distance != 0) {
+        fit::OffsetSurface offset = fit::offset_surface(made.spline, distance, patches);
         made = {std::move(offset.spline), offset.bound};
     }
     for (const SurfaceShape *step : chain.steps | std::views::reverse) {

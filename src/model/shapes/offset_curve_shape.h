@@ -5,6 +5,8 @@
 #include "fit/offset/offset_curve.h"
 #include "model/shapes/curve_shape.h"
 
+#include <span>
+
 namespace nrb::model {
 
 struct MadeCurve {
@@ -24,5 +26,10 @@ bool has_known_offset(const CurveShape &basis, const fit::CurveOffset &offset);
 // radius 0; gap where pieces of a composite curve meet in a corner; what fit::offset_curve() throws.
 MadeCurve offset_curve_shape(const CurveShapePtr &basis, const fit::CurveOffset &offset,
                              const fit::OffsetRule &rule, double gap);
+
+// An offset of an offset and so on, from the innermost distance on, all about one reference direction: the sum of the distances, each
+// along the normal of the curve before it. Throws Status::unsupported where that is not known to be on one side.
+MadeCurve offset_curve_shape(const CurveShapePtr &basis, std::span<const double> distances,
+                             const Vector3 &reference, const fit::OffsetRule &rule, double gap);
 
 } // namespace nrb::model
