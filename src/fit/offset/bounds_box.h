@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace nrb::fit::boxes {
 
@@ -56,27 +57,40 @@ inline Box cross(const Box &a, const Box &b) {
         return a[d] * b[e] - a[e] * b[d];
     });
 }
-inline Box operator/(const Box &a, Bounds b) {
-    return each([&](size_t c) { return a[c] / b; });
-}
 inline Vector3 middle_of(const Box &a) noexcept {
     return {a[0].lower / 2 + a[0].upper / 2, a[1].lower / 2 + a[1].upper / 2,
             a[2].lower / 2 + a[2].upper / 2};
 }
-// Of the lengths; nothing is known if the box is not on one side of a plane.
-inline Bounds length_of(const Box &a) {
-    const Vector3 middle = middle_of(a);
-    const double l = length(middle);
-    if (!(l > 0)) {
-        return {0, infinity};
-    }
-    const Vector3 m = (1 / l) * middle;
-    const Box way{Bounds{m.x, m.x}, Bounds{m.y, m.y}, Bounds{m.z, m.z}};
+// At most the largest length.
+inline double most_length(const Box &a) noexcept {
     double most = 0;
     for (const Bounds &x : a) {
         most = std::hypot(most, std::max(-x.lower, x.upper));
     }
-    return {dot(a, way).lower * (1 - 8 * eps), most * (1 + 8 * eps)};
+    return most * (1 + 8 * eps);
+}
+
+// a / |a|, where all of the box is on one side of a plane; nothing otherwise. With the direction m of its middle and the largest angle t
+// from that, |a / |a| - m| <= tan t = |a x m| / (a m): however long they are, the directions may be nearly the same.
+inline std::optional<Box> unit_of(const Box &a) {
+    const Vector3 middle = middle_of(a);
+    const double l = length(middle);
+    if (!(l > 0)) {
+        return std::nullopt;
+    }
+    const Vector3 m = (1 / l) * middle;
+    const Box way{Bounds{m.x, m.x}, Bounds{m.y, m.y}, Bounds{m.z, m.z}};
+    const double along = dot(a, way).lower * (1 - 8 * eps);
+    if (!(along > 0)) {
+        return std::nullopt;
+    }
+    const Bounds size{along, most_length(a)};
+    const double off = (most_length(cross(a, way)) / along + eps) * (1 + 8 * eps);
+    return each([&](size_t c) {
+        const Bounds quotient = a[c] / size;
+        return Bounds{std::max(quotient.lower, way[c].lower - off),
+                      std::min(quotient.upper, way[c].upper + off)};
+    });
 }
 
 } // namespace nrb::fit::boxes

@@ -75,12 +75,10 @@ Bounds determinant(HomogeneousPiece s, double distance) {
         const Box along = box_of(derivative(s.points, axis));
         first[k] = boxes::each([&](size_t c) { return (along[c] - x[c] * slopes[k]) / w; });
     }
-    const Box across = cross(first[0], first[1]);
-    const Bounds area = length_of(across);
-    if (!(area.lower > 0)) {
+    const std::optional<Box> normal = boxes::unit_of(cross(first[0], first[1]));
+    if (!normal) {
         return nothing_known;
     }
-    const Box normal = across / area;
     const auto form = [&](size_t k, size_t l) {
         const int a = static_cast<int>(k) + 1, b = static_cast<int>(l) + 1;
         const Box along = box_of(derivative(derivative(s.points, a), b));
@@ -88,7 +86,7 @@ Bounds determinant(HomogeneousPiece s, double distance) {
         const Box second = boxes::each([&](size_t c) {
             return (along[c] - first[k][c] * slopes[l] - first[l][c] * slopes[k] - x[c] * bend) / w;
         });
-        return dot(first[k], first[l]) - distance * dot(second, normal);
+        return dot(first[k], first[l]) - distance * dot(second, *normal);
     };
     const Bounds mixed = form(0, 1);
     return form(0, 0) * form(1, 1) - mixed * mixed;
