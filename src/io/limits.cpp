@@ -19,7 +19,8 @@ void Limits::spend(int64_t doubles) {
 
 int64_t Limits::patches_of_next() noexcept {
     const int64_t sharing = std::max<int64_t>(1, offsets_--);
-    return std::min(left_ / doubles_of_a_patch_meanwhile, left_ / sharing / doubles_of_a_patch);
+    return std::min(left_ / doubles_of_a_patch_meanwhile,
+                    std::max(left_ / sharing / doubles_of_a_patch, least_patches));
 }
 
 Limits::Visit::Visit(Limits &limits, int64_t number) : limits_(limits) {

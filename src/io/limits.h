@@ -49,6 +49,7 @@ private:
     static constexpr int64_t most_at_least = 1 << 16;
     static constexpr int64_t bytes_of_a_patch = 16; // each takes some hundredths of a millisecond
     static constexpr int64_t patches_at_least = 1 << 15;
+    static constexpr int64_t least_patches = 64;      // rather than fewer for each of many
     static constexpr int64_t doubles_of_a_patch = 27; // nine control points
     static constexpr int64_t doubles_of_a_patch_meanwhile =
         80; // with the patches before it was cut, and the proof

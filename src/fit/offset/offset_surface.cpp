@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "eval/evaluate.h"
+#include "fit/offset/band.h"
 #include "fit/offset/offset_jet.h"
 #include "fit/offset/offset_net.h"
 #include "fit/offset/offset_proof.h"
@@ -92,9 +93,10 @@ private:
         const int64_t rows = std::max<int64_t>(1, patches_at_once / axes_[1].count());
         for (int64_t first = 0; first < axes_[0].count(); first += rows) {
             const int64_t end = std::min(first + rows, axes_[0].count());
+            const std::vector<double> between(u.begin() + first, u.begin() + end + 1);
             const std::vector<double> found =
-                offset_bounds(surface_, distance_, *candidate_.spline,
-                              {std::vector<double>(u.begin() + first, u.begin() + end + 1), axes_[1].breaks});
+                offset_bounds(*band_of(surface_, between), distance_, *band_of(*candidate_.spline, between),
+                              {between, axes_[1].breaks});
             bounds_.insert(bounds_.end(), found.begin(), found.end());
         }
     }

@@ -115,7 +115,9 @@ TEST(StepOffsetSurfaces, that_are_many_are_all_read_or_told) {
     EXPECT_EQ(document.notes.size(), 40U);
     EXPECT_GE(document.splines.size(), 20U);
     for (const nrb::model::Note &note : document.notes) {
-        EXPECT_TRUE(note.reason == Status::tolerance || note.reason == Status::not_converged) << note.text;
+        EXPECT_TRUE(note.reason == Status::tolerance || note.reason == Status::not_converged ||
+                    note.reason == Status::too_large)
+            << note.text;
         EXPECT_NE(note.text.find(" OFFSET_SURFACE: "), std::string::npos) << note.text;
     }
 }
