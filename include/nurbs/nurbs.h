@@ -6291,13 +6291,16 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * curves and surfaces in all their forms become splines exactly, but for rounding; the ends of their domains
  * are the parameters of ISO 10303-42, with angles in radians. Surfaces without ends are cut to the boundary
  * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from
- * which they are offset; others are approximated, proven to be within a quarter of the uncertainty, and a
- * note with the reason NURBS_ERROR_TOLERANCE tells within what; without a normal at some place they are not
- * read. So are offset curves, C + d V x T / |V x T| with the unit tangent T and the reference direction V, to
- * the left of curves of the plane: those of lines, and of circles around V, are such again; others need a
- * tangent across V, and a note tells those that run against their basis behind a cusp, where its radius of
- * curvature is the distance. What is offset from an approximation is not read. Replicas
- * are images of what they repeat, at equal parameters. Lengths are in the unit of the first context that states units; what stands in other contexts is
+ * which they are offset; others are approximated, within a quarter of the uncertainty or as near as the size
+ * of the file allows, and a note with the reason NURBS_ERROR_TOLERANCE tells within what, which is proven, and
+ * the uncertainty where that is more; without a normal at some place they are not read. An offset of an offset
+ * goes along the normal S_u x S_v of that, which lies on the other side of the surface beyond one of two
+ * centres of curvature; where that changes on the surface it is not read. So are offset curves, C + d V x T /
+ * |V x T| with the unit tangent T and the reference direction V, to the left of curves of the plane: those of
+ * lines, and of circles around V, are such again; others need a tangent across V, and a note tells those that
+ * run against their basis behind a cusp, where its radius of curvature is the distance. What is offset from
+ * another approximation is not read. Replicas are images of what they repeat, at equal parameters. Lengths
+ * are in the unit of the first context that states units; what stands in other contexts is
  * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
  * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes.
  *

@@ -76,6 +76,14 @@ double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept 
     return eps / 2 * (static_cast<double>(std::min(a.coefficients(), b.coefficients())) + 18);
 }
 
+double binomial_steps(const BernsteinShape &shape) noexcept {
+    double steps = 1;
+    for (const int n : shape.degrees) {
+        steps += n <= max_product_degree ? 0.5 : n;
+    }
+    return steps;
+}
+
 void fill_binomial_factors(const BernsteinShape &shape, double *out) {
     const BinomialRow first(shape.degrees[0]), second(shape.degrees[1]), third(shape.degrees[2]);
     for (int i = 0; i <= shape.degrees[0]; ++i) {

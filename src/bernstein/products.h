@@ -47,6 +47,9 @@ double elevation_coefficient(int low, int high, int i, int j) noexcept;
 BernsteinShape product_shape(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 
+// Roundings of binomial_factors(), of eps each: of the rows and of their products.
+double binomial_steps(const BernsteinShape &shape) noexcept;
+
 // For each value the binomials that belong to its coefficient: times these, factors are multiplied by
 // add_convolution(), and divided by those of its shape the sum is the product.
 std::vector<double> binomial_factors(const BernsteinShape &shape);

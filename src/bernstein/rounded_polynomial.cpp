@@ -15,15 +15,6 @@ namespace {
 
 constexpr int64_t work_of_a_product = 400; // its memory
 
-// Roundings of binomial_factors(): of the rows and of their products.
-double binomial_steps(const BernsteinShape &shape) noexcept {
-    double steps = 1;
-    for (const int n : shape.degrees) {
-        steps += n <= max_product_degree ? 0.5 : n;
-    }
-    return steps;
-}
-
 // Products of pairs of polynomials of two shapes.
 class Convolution {
 public:

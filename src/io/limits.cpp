@@ -17,6 +17,12 @@ void Limits::spend(int64_t doubles) {
     left_ -= doubles;
 }
 
+int64_t Limits::patches_of_next() noexcept {
+    const int64_t sharing = std::max<int64_t>(1, offsets_--);
+    return std::min(left_ / doubles_of_a_patch_meanwhile,
+                    std::max(left_ / sharing / doubles_of_a_patch, least_patches));
+}
+
 Limits::Visit::Visit(Limits &limits, int64_t number) : limits_(limits) {
     const auto *const begin = limits.path_.begin(), *const end = begin + limits.depth_;
     const auto shown = static_cast<long long>(number);

@@ -26,6 +26,11 @@ public:
     // Patches of offset surfaces that may still be looked at, for the same reason.
     [[nodiscard]] int64_t &patches() noexcept { return patches_; }
 
+    // So many offset surfaces are in the file.
+    void share_among(int64_t offsets) noexcept { offsets_ = offsets; }
+    // How many patches the next one may have, so that something is left for the others.
+    [[nodiscard]] int64_t patches_of_next() noexcept;
+
     // While one exists, its entity is being read. Throws Status::syntax if it is being read already, or lies too deep.
     class Visit {
     public:
@@ -42,13 +47,18 @@ private:
     static constexpr int deepest = 24;
     static constexpr int64_t most_for_a_byte = 6; // doubles
     static constexpr int64_t most_at_least = 1 << 16;
-    static constexpr int64_t bytes_of_a_patch = 256; // each takes some tenths of a millisecond
-    static constexpr int64_t patches_at_least = 1 << 13;
+    static constexpr int64_t bytes_of_a_patch = 16; // each takes some hundredths of a millisecond
+    static constexpr int64_t patches_at_least = 1 << 15;
+    static constexpr int64_t least_patches = 64;      // rather than fewer for each of many
+    static constexpr int64_t doubles_of_a_patch = 27; // nine control points
+    static constexpr int64_t doubles_of_a_patch_meanwhile =
+        80; // with the patches before it was cut, and the proof
 
     const char *label_;
     int64_t limit_;
     int64_t left_;
     int64_t patches_;
+    int64_t offsets_ = 1; // that are to come
     int depth_ = 0;
     std::array<int64_t, deepest> path_{};
 };

@@ -2,6 +2,7 @@
 #include "fit/offset/offset_curve.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "eval/evaluate.h"
 #include "fit/offset/offset_jet.h"
 #include "fit/offset/offset_proof.h"
@@ -15,32 +16,39 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int curve_order = 2;
+constexpr int curve_order = taylor_order + 1;
 constexpr int64_t curve_slots = curve_order + 1;
 
-// A point of the offset, with its derivative.
+// The offset at a parameter, along the first axis of its Taylor polynomial.
 struct CurveJet {
-    Vector3 point, tangent;
+    TaylorVector offset;
     bool turns_back; // against the curve
 };
 
-// With n = V x C' and l = |n|, N' = (n' - (N n') N) / l.
+// Of the derivative of an order.
+TaylorVector taylor_of(const double *records, int order) noexcept {
+    constexpr double factorials[Taylor::count] = {1, 1, 2};
+    TaylorVector made;
+    for (size_t i = 0; i < Taylor::count; ++i) {
+        const double *x = records + (static_cast<ptrdiff_t>(i) + order) * space_dim;
+        made.set(i, 0, 1 / factorials[i] * Vector3{x[0], x[1], x[2]});
+    }
+    return made;
+}
+
+// Along n = V x C'.
 CurveJet jet_of(const double *records, const CurveOffset &offset, double param) {
-    const auto slot = [&](int k) {
-        const double *x = records + static_cast<ptrdiff_t>(k) * space_dim;
-        return Vector3{x[0], x[1], x[2]};
-    };
-    const Vector3 tangent = slot(1), n = cross(offset.reference, tangent),
-                  change = cross(offset.reference, slot(2));
-    const double l = length(n);
-    if (!(l > least_sine * length(tangent))) {
+    TaylorVector reference;
+    reference.set(0, 0, offset.reference);
+    const TaylorVector tangent = taylor_of(records, 1), n = cross(reference, tangent);
+    const Vector3 way = tangent.at(0, 0);
+    if (!(length(n.at(0, 0)) > least_sine * length(way))) {
         fail(Status::unsupported,
              "the curve has no tangent across the reference direction at %s, where its offset is not known",
              Number(param).text);
     }
-    const Vector3 unit = (1 / l) * n, turning = (1 / l) * (change - dot(unit, change) * unit);
-    const Vector3 along = tangent + offset.distance * turning;
-    return {slot(0) + offset.distance * unit, along, !(dot(along, tangent) > 0)};
+    const TaylorVector made = moved(taylor_of(records, 0), offset.distance, unit(n));
+    return {made, !(dot(made.at(1, 0), way) > 0)};
 }
 
 // left: the limits from below.
@@ -81,78 +89,118 @@ struct PieceEnds {
     [[nodiscard]] double jump() const noexcept {
         double largest = 0;
         for (size_t i = 1; i + 1 < from_below.size(); ++i) {
-            largest = std::max(largest, length(from_below[i].point - from_above[i].point));
+            largest =
+                std::max(largest, length(from_below[i].offset.at(0, 0) - from_above[i].offset.at(0, 0)));
         }
         return largest;
     }
     [[nodiscard]] SplinePtr spline(const PatchAxis &axis) const {
+        const std::vector<Site> sites = sites_of(axis);
         std::vector<double> points;
-        const auto add = [&](const Vector3 &x) { points.insert(points.end(), {x.x, x.y, x.z}); };
-        add(from_above.front().point);
-        for (size_t i = 0; i + 1 < axis.breaks.size(); ++i) {
-            const double third = (axis.breaks[i + 1] - axis.breaks[i]) / 3;
-            const CurveJet &start = from_above[i], &end = from_below[i + 1];
-            add(start.point + third * start.tangent);
-            add(end.point - third * end.tangent);
-            if (!axis.smooth[i + 1]) {
-                add(end.point);
+        for (const Layer &layer : layers_of(axis)) {
+            const auto [at, left] = sites[layer.site];
+            const TaylorVector &jet = (left ? from_below : from_above)[at].offset;
+            Vector3 sum;
+            for (size_t i = 0; i < Taylor::count; ++i) {
+                sum = sum + layer.factors[i] * jet.at(i, 0);
             }
+            points.insert(points.end(), {sum.x, sum.y, sum.z});
         }
         return make_result({knots_of(axis)}, space_dim, Form::polynomial, std::move(points));
     }
 };
 
-void spend(const OffsetRule &rule, int64_t pieces) {
-    if (rule.left != nullptr && (*rule.left -= pieces) < 0) {
-        *rule.left = 0;
-        fail(Status::not_converged, "no pieces are left for the offset curve, which takes %lld",
-             static_cast<long long>(pieces));
-    }
-}
+class CurveFit {
+public:
+    CurveFit(const Spline &curve, const CurveOffset &offset, const OffsetRule &rule)
+        : curve_(curve), offset_(offset), rule_(rule), cost_(cost_of(curve)),
+          axis_(patch_axis(curve.axis(0))) {}
 
-PatchAxis finer(const PatchAxis &axis, const std::vector<double> &bounds, const OffsetRule &rule) {
-    std::vector<int> parts;
-    for (const double bound : bounds) {
-        parts.push_back(bound <= rule.tolerance ? 1 : parts_for(bound, rule.tolerance));
-    }
-    PatchAxis next = cut(axis, parts);
-    if (next.count() > rule.most_patches || !rising(next)) {
-        fail(Status::not_converged, "the offset curve is known within %s only, expected %s",
-             Number(*std::max_element(bounds.begin(), bounds.end())).text, Number(rule.tolerance).text);
-    }
-    return next;
-}
-
-OffsetCurve offset_in_space(const Spline &curve, const CurveOffset &offset, const OffsetRule &rule) {
-    for (PatchAxis axis = patch_axis(curve.axis(0));;) {
-        spend(rule, axis.count());
-        const PieceEnds ends{jets_at(curve, offset, axis.breaks, true),
-                             jets_at(curve, offset, axis.breaks, false)};
-        SplinePtr candidate = ends.spline(axis);
-        const std::vector<double> bounds = offset_bounds(curve, offset, *candidate, axis.breaks);
-        const double worst = *std::max_element(bounds.begin(), bounds.end());
-        if (worst <= rule.tolerance) {
-            return {std::move(candidate), worst,
-                    any_turns_back(ends.from_below) || any_turns_back(ends.from_above) ||
-                        any_turns_back(jets_at(curve, offset, middles(axis.breaks), false))};
+    OffsetCurve run() {
+        if (!affordable(axis_)) {
+            fail(Status::not_converged, "no pieces are left for the offset curve, which takes %lld",
+                 static_cast<long long>(axis_.count()));
         }
-        if (ends.jump() > rule.tolerance) {
+        do {
+            look();
+        } while (best_.bound > rule_.tolerance && refine());
+        if (best_.spline == nullptr) {
+            fail(Status::not_converged,
+                 "how near the offset curve is could not be told with the %lld pieces that there may be",
+                 static_cast<long long>(axis_.count()));
+        }
+        return std::move(best_);
+    }
+
+private:
+    // As a multiple of that of a cubic polynomial piece.
+    static int64_t cost_of(const Spline &curve) noexcept {
+        const double cost = (curve.axis(0).degree() + 1) / 4.0;
+        return std::max<int64_t>(1, std::llround((curve.rational() ? 2 : 1) * cost * cost));
+    }
+    [[nodiscard]] bool affordable(const PatchAxis &axis) const noexcept {
+        return axis.count() <= rule_.most_patches &&
+               (rule_.left == nullptr || axis.count() <= *rule_.left / cost_);
+    }
+    void look() {
+        if (rule_.left != nullptr) {
+            *rule_.left -= axis_.count() * cost_;
+        }
+        const PieceEnds ends{jets_at(curve_, offset_, axis_.breaks, true),
+                             jets_at(curve_, offset_, axis_.breaks, false)};
+        SplinePtr candidate = ends.spline(axis_);
+        bounds_ = offset_bounds(curve_, offset_, *candidate, axis_.breaks);
+        const double worst = *std::max_element(bounds_.begin(), bounds_.end());
+        if (worst > rule_.tolerance &&
+            ends.jump() > std::max(rule_.tolerance, least_sine * std::abs(offset_.distance))) {
             fail(Status::unsupported, "the curve has a kink at a knot, where its offset has a gap of %s",
                  Number(ends.jump()).text);
         }
-        axis = finer(axis, bounds, rule);
+        if (worst < best_.bound) {
+            best_ = {std::move(candidate), worst,
+                     any_turns_back(ends.from_below) || any_turns_back(ends.from_above) ||
+                         any_turns_back(jets_at(curve_, offset_, middles(axis_.breaks), false))};
+        }
     }
-}
+    // As much as is needed, or as is left: towards a larger tolerance where there are too few pieces. Whether any came in.
+    bool refine() {
+        for (double wanted = rule_.tolerance;; wanted *= 2) {
+            std::vector<int> parts;
+            for (const double bound : bounds_) {
+                parts.push_back(parts_for(bound, wanted));
+            }
+            PatchAxis next = cut(axis_, parts);
+            if (next.count() == axis_.count() || !rising(next)) {
+                return false;
+            }
+            if (affordable(next)) {
+                axis_ = std::move(next);
+                return true;
+            }
+        }
+    }
+
+    const Spline &curve_;
+    const CurveOffset &offset_;
+    OffsetRule rule_;
+    int64_t cost_;
+    PatchAxis axis_;
+    std::vector<double> bounds_; // of its pieces
+    OffsetCurve best_{nullptr, infinity, false};
+};
 
 } // namespace
 
 OffsetCurve offset_curve(const SplinePtr &curve, const CurveOffset &offset, const OffsetRule &rule) {
+    if (std::abs(offset.distance) <= rule.tolerance) {
+        return {curve, std::abs(offset.distance), false};
+    }
     if (curve->dim() == space_dim) {
-        return offset_in_space(*curve, offset, rule);
+        return CurveFit(*curve, offset, rule).run();
     }
     constexpr double raise[6] = {1, 0, 0, 1, 0, 0}, flatten[6] = {1, 0, 0, 0, 1, 0};
     const SplinePtr raised = refine::transform(*curve, {3, 2, raise}, nullptr);
-    OffsetCurve made = offset_in_space(*raised, {offset.distance, {0, 0, 1}}, rule);
+    OffsetCurve made = CurveFit(*raised, {offset.distance, {0, 0, 1}}, rule).run();
     made.spline = refine::transform(*made.spline, {2, 3, flatten}, nullptr);
     return made;
 }

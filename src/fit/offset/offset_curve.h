@@ -22,10 +22,12 @@ struct OffsetCurve {
     bool turns_back;
 };
 
-// A cubic polynomial spline within the tolerance, with the parameters of the curve: Hermite pieces, cut where offset_bounds() does not
-// prove it. They join with equal derivatives except at knots where those of the curve, up to the second ones, may jump. Throws
-// Status::unsupported where the curve has no tangent, one along V, or two at a knot; not_converged with the bound that was met.
-// Precondition: a curve of dimension 2 or 3, d != 0, tolerance > 0.
+// A quintic polynomial spline within the tolerance, with the parameters of the curve: Hermite pieces with the first two derivatives,
+// cut where offset_bounds() does not prove it. They join with two equal derivatives except at knots where those of the curve, up to
+// the third ones, may jump. Where no more pieces are allowed, the nearest one that was met, with a bound above the tolerance; a curve
+// that is as near itself, since the distance is not above the tolerance, is its own offset. Throws Status::unsupported where the curve
+// has no tangent, one along V, or two at a knot; not_converged if no bound was met. Precondition: a curve of dimension 2 or 3,
+// tolerance > 0.
 OffsetCurve offset_curve(const SplinePtr &curve, const CurveOffset &offset, const OffsetRule &rule);
 
 } // namespace nrb::fit

@@ -8,41 +8,34 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int order = 3;
-constexpr int64_t slots = 10; // of two axes
-enum Slot { point, u, v, uu, uv, vv, uuu, uuv, uvv };
+// S_u and S_v are wanted up to their second derivatives along both axes.
+constexpr int order = 2 * taylor_order + 1;
+constexpr int64_t slots = (order + 1) * (order + 2) / 2;
 
-class Derivatives {
-public:
-    explicit Derivatives(const double *records) noexcept : records_(records) {}
-    Vector3 operator()(Slot slot) const noexcept {
-        const double *x = records_ + slot * space_dim;
-        return {x[0], x[1], x[2]};
+// d^(i + j) S / du^i dv^j stands at (i + j)(i + j + 1) / 2 + j.
+Vector3 derivative(const double *records, size_t i, size_t j) noexcept {
+    const size_t total = i + j;
+    const double *x = records + (total * (total + 1) / 2 + j) * space_dim;
+    return {x[0], x[1], x[2]};
+}
+
+// Of the derivative of S of order `first` along u and `second` along v.
+TaylorVector taylor_of(const double *records, size_t first, size_t second) noexcept {
+    constexpr double factorials[Taylor::count] = {1, 1, 2};
+    TaylorVector made;
+    for (size_t i = 0; i < Taylor::count; ++i) {
+        for (size_t j = 0; j < Taylor::count; ++j) {
+            made.set(i, j, 1 / (factorials[i] * factorials[j]) * derivative(records, i + first, j + second));
+        }
     }
-
-private:
-    const double *records_;
-};
-
-OffsetJet jet_of(const Derivatives &s, double distance) noexcept {
-    const Vector3 n = cross(s(u), s(v)), n_u = cross(s(uu), s(v)) + cross(s(u), s(uv)),
-                  n_v = cross(s(uv), s(v)) + cross(s(u), s(vv));
-    const Vector3 n_uv = cross(s(uuv), s(v)) + cross(s(uu), s(vv)) + cross(s(u), s(uvv));
-    const double l = length(n);
-    const Vector3 unit = (1 / l) * n;
-    const double l_u = dot(unit, n_u), l_v = dot(unit, n_v);
-    const Vector3 unit_u = (1 / l) * (n_u - l_u * unit), unit_v = (1 / l) * (n_v - l_v * unit);
-    const double l_uv = (dot(n_u, n_v) + dot(n, n_uv) - l_u * l_v) / l;
-    const Vector3 unit_uv = (1 / l) * (n_uv - l_u * unit_v - l_v * unit_u - l_uv * unit);
-    return {s(point) + distance * unit, s(u) + distance * unit_u, s(v) + distance * unit_v,
-            s(uv) + distance * unit_uv};
+    return made;
 }
 
 } // namespace
 
-std::vector<OffsetJet> offset_jets(const Spline &surface, double distance,
-                                   const std::array<std::vector<double>, 2> &params,
-                                   const std::array<bool, 2> &left) {
+std::vector<TaylorVector> offset_jets(const Spline &surface, double distance,
+                                      const std::array<std::vector<double>, 2> &params,
+                                      const std::array<bool, 2> &left) {
     eval::AxisRules rules{};
     std::array<ConstRecords, max_axes> axes{};
     for (size_t k = 0; k < 2; ++k) {
@@ -53,16 +46,18 @@ std::vector<OffsetJet> offset_jets(const Spline &surface, double distance,
     std::vector<double> records(static_cast<size_t>(count * slots * space_dim));
     eval::evaluate_grid(surface, rules, order, axes,
                         {records.data(), count, slots * space_dim, slots * space_dim, 1});
-    std::vector<OffsetJet> jets;
+    std::vector<TaylorVector> jets;
     jets.reserve(static_cast<size_t>(count));
     for (int64_t i = 0; i < count; ++i) {
-        const Derivatives s(records.data() + i * slots * space_dim);
-        if (!(length(cross(s(u), s(v))) > least_sine * length(s(u)) * length(s(v)))) {
+        const double *at = records.data() + i * slots * space_dim;
+        const TaylorVector s_u = taylor_of(at, 1, 0), s_v = taylor_of(at, 0, 1);
+        const Vector3 u = s_u.at(0, 0), v = s_v.at(0, 0);
+        if (!(length(cross(u, v)) > least_sine * length(u) * length(v))) {
             fail(Status::unsupported, "the surface has no normal at (%s, %s), where its offset is not known",
                  Number(params[0][static_cast<size_t>(i / axes[1].count)]).text,
                  Number(params[1][static_cast<size_t>(i % axes[1].count)]).text);
         }
-        jets.push_back(jet_of(s, distance));
+        jets.push_back(moved(taylor_of(at, 0, 0), distance, unit(cross(s_u, s_v))));
     }
     return jets;
 }

@@ -2,7 +2,8 @@
 #include "fit/offset/offset_proof.h"
 
 #include "base/numbers.h"
-#include "bernstein/rounded_polynomial.h"
+#include "bernstein/coarse_products.h"
+#include "fit/offset/homogeneous_piece.h"
 #include "numeric/vector3.h"
 
 #include <algorithm>
@@ -21,40 +22,24 @@ struct Range {
     [[nodiscard]] double magnitude() const noexcept { return std::max(-lower, upper); }
 };
 
+// Where something overflows nothing is known.
 Range range_of(const RoundedPolynomial &a) noexcept {
     Range range;
     for (size_t i = 0; i < a.values.size(); ++i) {
+        if (!std::isfinite(a.values[i]) || !std::isfinite(a.errors[i])) {
+            return {-infinity, infinity};
+        }
         range.lower = std::min(range.lower, a.values[i] - a.error(i));
         range.upper = std::max(range.upper, a.values[i] + a.error(i));
     }
     return range;
 }
 
-// A curve or a surface on one piece: w (x - c), and w.
-struct HomogeneousPiece {
-    RoundedPolynomial points, weight;
-};
-
-HomogeneousPiece piece_of(const pieces::BernsteinNet &net, int64_t piece) {
-    BernsteinShape shape = net.shape();
-    shape.width = 1;
-    const auto count = static_cast<size_t>(shape.coefficients());
-    std::vector<double> weights(count, 1.0);
-    HomogeneousPiece made{{shape, std::vector<double>(space_dim * count), {}}, {shape, {}, {}}};
-    made.points.shape.width = space_dim;
-    net.copy(piece, made.points.values.data(), weights.data());
-    for (const double w : weights) {
-        made.weight.errors.push_back(net.weighted() ? net.error() * w : 0);
-        made.points.errors.insert(made.points.errors.end(), space_dim, net.error() * net.size(piece) * w);
-    }
-    made.weight.values = std::move(weights);
-    return made;
-}
-
 // w^2 times the derivative by the place on an axis.
 RoundedPolynomial tangent(const HomogeneousPiece &s, int axis, bool weighted) {
     const RoundedPolynomial along = derivative(s.points, axis);
-    return weighted ? along * s.weight - s.points * derivative(s.weight, axis) : along;
+    return weighted ? coarse_times(along, s.weight) - coarse_times(s.points, derivative(s.weight, axis))
+                    : along;
 }
 
 RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b) {
@@ -66,14 +51,53 @@ RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b) 
     return side_by_side(result);
 }
 
-// The direction of the sum of all coefficients.
-Vector3 mean_direction(const RoundedPolynomial &a) noexcept {
+Vector3 coefficient(const RoundedPolynomial &a, size_t i) noexcept {
+    return {a.values[3 * i], a.values[3 * i + 1], a.values[3 * i + 2]};
+}
+
+Vector3 sum_of(const RoundedPolynomial &a) noexcept {
     Vector3 sum;
-    for (size_t i = 0; i + 2 < a.values.size(); i += 3) {
-        sum = sum + Vector3{a.values[i], a.values[i + 1], a.values[i + 2]};
+    for (size_t i = 0; 3 * i < a.values.size(); ++i) {
+        sum = sum + coefficient(a, i);
     }
-    const double l = length(sum);
-    return l > 0 ? (1 / l) * sum : sum;
+    return sum;
+}
+
+// Of length 1, or 0.
+Vector3 direction_of(const Vector3 &a) noexcept {
+    const double l = length(a);
+    return l > 0 ? (1 / l) * a : a;
+}
+
+// At most the largest length of a vector polynomial, which is a mean of its coefficients.
+double most_length(const RoundedPolynomial &a) noexcept {
+    double most = 0, error = 0;
+    for (size_t i = 0; 3 * i < a.values.size(); ++i) {
+        most = std::max(most, length(coefficient(a, i)));
+        error = std::max({error, a.error(3 * i), a.error(3 * i + 1), a.error(3 * i + 2)});
+    }
+    return rounded_up * (most + 2 * error);
+}
+
+// A vector times a polynomial: two products and a sum for each value.
+RoundedPolynomial cross(const Vector3 &a, RoundedPolynomial b) {
+    const double size = largest(a);
+    for (size_t i = 0; 3 * i < b.values.size(); ++i) {
+        const Vector3 of = coefficient(b, i), made = cross(a, of);
+        const double error = std::max({b.error(3 * i), b.error(3 * i + 1), b.error(3 * i + 2)});
+        std::fill_n(b.errors.begin() + static_cast<ptrdiff_t>(3 * i), 3,
+                    2 * size * (error + 2 * eps * largest(of)));
+        b.values[3 * i] = made.x;
+        b.values[3 * i + 1] = made.y;
+        b.values[3 * i + 2] = made.z;
+    }
+    return b;
+}
+
+// At most the smallest |p x q|: its part along a direction m near all of them, which is (m x p) q.
+double least_area(const RoundedPolynomial &p, const RoundedPolynomial &q) {
+    const Vector3 m = direction_of(cross(sum_of(p), sum_of(q)));
+    return range_of(coarse_dot(cross(m, p), q)).lower / rounded_up;
 }
 
 // At most the smallest length of a vector polynomial: its part along one direction, a unit vector to rounding.
@@ -85,10 +109,9 @@ double least_length(const RoundedPolynomial &a, const Vector3 &direction) {
 }
 
 // The piece of the candidate is on the side of the surface that the sign of the distance says.
-bool right_side(const RoundedPolynomial &v, const RoundedPolynomial &normal, double distance) noexcept {
-    const Vector3 a{v.values[0], v.values[1], v.values[2]},
-        n{normal.values[0], normal.values[1], normal.values[2]};
-    return (distance < 0 ? -1 : 1) * dot(a, n) > length(a) * length(n) / 2;
+bool right_side(const RoundedPolynomial &v, const Vector3 &normal, double distance) noexcept {
+    const Vector3 a = coefficient(v, 0);
+    return (distance < 0 ? -1 : 1) * dot(a, normal) > length(a) * length(normal) / 2;
 }
 
 double squared(double x) noexcept {
@@ -105,10 +128,10 @@ struct Tangents {
 double squared_tangential_part(const RoundedPolynomial &v, const Tangents &tangents, double area) {
     const auto &[p, q, weights] = tangents;
     const double w3 = weights.lower * squared(weights.lower), w4 = w3 * weights.lower;
-    const double along_u = range_of(dot(v, p)).magnitude() / w3,
-                 along_v = range_of(dot(v, q)).magnitude() / w3;
-    const double e = range_of(dot(p, p)).upper / w4, f = range_of(dot(p, q)).magnitude() / w4,
-                 g = range_of(dot(q, q)).upper / w4;
+    const double along_u = range_of(coarse_dot(v, p)).magnitude() / w3,
+                 along_v = range_of(coarse_dot(v, q)).magnitude() / w3;
+    const double e = squared(most_length(p)) / w4, f = range_of(coarse_dot(p, q)).magnitude() / w4,
+                 g = squared(most_length(q)) / w4;
     return rounded_up * (g * squared(along_u) + 2 * f * along_u * along_v + e * squared(along_v)) /
            squared(area);
 }
@@ -125,9 +148,18 @@ double normal_part(Range off, Range weights, double b2, double distance) {
     return std::max({along(more), -along(-less), 0.0});
 }
 
+// v and d w side by side, so that v^2 - (d w)^2 is one product.
+RoundedPolynomial with_distance(const RoundedPolynomial &v, const HomogeneousPiece &s, double distance) {
+    BernsteinShape shape = v.shape;
+    shape.width = 1;
+    return side_by_side({component(v, 0), component(v, 1), component(v, 2),
+                         scaled(coarse_raised(s.weight, shape), distance)});
+}
+
 // At most |(|a| - |d|, |b|)|, from |b|^2.
 double whole_bound(const RoundedPolynomial &v, const HomogeneousPiece &s, double b2, double distance) {
-    const Range off = range_of(dot(v, v) - scaled(s.weight * s.weight, squared(distance)));
+    const RoundedPolynomial both = with_distance(v, s, distance);
+    const Range off = range_of(coarse_dot(both, both, -1));
     return rounded_up * std::hypot(normal_part(off, range_of(s.weight), b2, distance), std::sqrt(b2)) +
            4 * eps * std::abs(distance);
 }
@@ -135,8 +167,8 @@ double whole_bound(const RoundedPolynomial &v, const HomogeneousPiece &s, double
 double surface_bound(const HomogeneousPiece &s, const RoundedPolynomial &v, bool weighted, double distance) {
     const Tangents tangents{tangent(s, axis_u, weighted), tangent(s, axis_v, weighted), range_of(s.weight)};
     const Range weights = tangents.weights;
-    const RoundedPolynomial normal = cross(tangents.p, tangents.q);
-    const double area = least_length(normal, mean_direction(normal)) / squared(squared(weights.upper));
+    const double area = least_area(tangents.p, tangents.q) / squared(squared(weights.upper));
+    const Vector3 normal = cross(coefficient(tangents.p, 0), coefficient(tangents.q, 0));
     if (!(weights.lower > 0) || !(area > 0) || !right_side(v, normal, distance)) {
         return infinity;
     }
@@ -146,18 +178,22 @@ double surface_bound(const HomogeneousPiece &s, const RoundedPolynomial &v, bool
 // |b| = |v x n| / |n| with n = V x C'.
 double curve_bound(const HomogeneousPiece &c, const RoundedPolynomial &v, bool weighted,
                    const CurveOffset &offset) {
-    const auto &[x, y, z] = offset.reference;
-    const RoundedPolynomial normal =
-        cross(side_by_side({constant(x), constant(y), constant(z)}), tangent(c, last_axis, weighted));
+    const RoundedPolynomial normal = cross(offset.reference, tangent(c, last_axis, weighted));
     const Range weights = range_of(c.weight);
-    const double size = least_length(normal, mean_direction(normal)) / squared(weights.upper);
-    if (!(weights.lower > 0) || !(size > 0) || !right_side(v, normal, offset.distance)) {
+    const double size = least_length(normal, direction_of(sum_of(normal))) / squared(weights.upper);
+    if (!(weights.lower > 0) || !(size > 0) || !right_side(v, coefficient(normal, 0), offset.distance)) {
         return infinity;
     }
-    const RoundedPolynomial across = cross(v, normal);
-    const double w6 = squared(weights.lower * squared(weights.lower));
-    return whole_bound(v, c, rounded_up * range_of(dot(across, across)).upper / (w6 * squared(size)),
+    const double w3 = weights.lower * squared(weights.lower);
+    return whole_bound(v, c, rounded_up * squared(most_length(cross(v, normal)) / (w3 * size)),
                        offset.distance);
+}
+
+BernsteinShape highest(BernsteinShape a, const BernsteinShape &b) noexcept {
+    for (size_t k = 0; k < a.degrees.size(); ++k) {
+        a.degrees[k] = std::max(a.degrees[k], b.degrees[k]);
+    }
+    return a;
 }
 
 // What bound_of() makes of the pieces of a spline and the differences v of a candidate from them.
@@ -165,18 +201,16 @@ template <class BoundOf>
 std::vector<double> bounds_of(const Spline &spline, const Spline &candidate,
                               const pieces::BernsteinNet::Breaks &breaks, BoundOf &&bound_of) {
     const std::vector<double> centre = pieces::centre_of(spline);
-    const auto net_of = [&](const Spline &given) {
-        return pieces::BernsteinNet(
-            given, pieces::centred_records(given, centre, given.rational(), pieces::weight_exponent(given)),
-            breaks, pieces::degrees_of(given));
-    };
-    const pieces::BernsteinNet s = net_of(spline), r = net_of(candidate);
+    const HomogeneousPieces given(spline, breaks, centre), found(candidate, breaks, centre);
     std::vector<double> bounds;
-    for (int64_t i = 0; i < s.pieces(); ++i) {
-        const HomogeneousPiece piece = piece_of(s, i);
-        const RoundedPolynomial points = piece_of(r, i).points;
-        const RoundedPolynomial v = (s.weighted() ? points * piece.weight : points) - piece.points;
-        bounds.push_back(s.positive() ? bound_of(piece, v, s.weighted()) : infinity);
+    for (int64_t i = 0; i < given.count(); ++i) {
+        const HomogeneousPiece s = given.piece(i);
+        const RoundedPolynomial points = found.piece(i).points;
+        const RoundedPolynomial moved = given.weighted() ? coarse_times(points, s.weight) : points;
+        const BernsteinShape shape = highest(moved.shape, s.points.shape);
+        const RoundedPolynomial v = coarse_raised(moved, shape) - coarse_raised(s.points, shape);
+        const double bound = given.positive() ? bound_of(s, v, given.weighted()) : infinity;
+        bounds.push_back(bound >= 0 ? bound : infinity); // rather than no number
     }
     return bounds;
 }

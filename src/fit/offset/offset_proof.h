@@ -3,7 +3,6 @@
 #pragma once
 
 #include "fit/offset/offset_curve.h"
-#include "pieces/bernstein_net.h"
 #include "spline/spline.h"
 
 #include <array>

@@ -50,18 +50,36 @@ face::FacePtr face_if_oriented(const face::FaceParts &parts, bool as_oriented) {
     }
 }
 
+bool is_offset(const model::SurfaceShape &surface) noexcept {
+    return surface.kind == model::SurfaceKind::offset ||
+           (surface.kind == model::SurfaceKind::trimmed && is_offset(*surface.basis));
+}
+
 } // namespace
 
 model::MadeSurface surface_around(Limits &limits, const model::SurfaceShape &surface,
                                   const std::vector<Vector3> &points, double stated) {
     constexpr double margin = 1.0 / 64; // of the size of the boundary
     constexpr double share = 0.25;      // of the tolerance, most of which is left to others
-    constexpr int64_t doubles_of_a_patch = 128;
     const model::Rectangle range = model::bounded(surface) ? model::natural_range(surface)
                                                            : model::range_around(surface, points, margin);
     return model::made_surface(surface, range,
                                {share * (stated > 0 ? stated : usual_tolerance),
-                                limits.left() / doubles_of_a_patch, &limits.patches()});
+                                is_offset(surface) ? limits.patches_of_next() : 0, &limits.patches()});
+}
+
+std::string note_on_distance(const char *what, double distance, double stated) {
+    const double wanted = stated > 0 ? stated : usual_tolerance;
+    std::string text = std::string("its ") + what + " is approximated within " + Number(distance).text;
+    if (distance > wanted) {
+        text += std::string(", which is more than the ") +
+                (stated > 0 ? "tolerance of the file, " : "usual tolerance, ") + Number(wanted).text;
+    }
+    return text;
+}
+
+std::string note_on_surface(double distance, double stated) {
+    return note_on_distance("offset surface", distance, stated);
 }
 
 void append_points(const Spline &curve, std::vector<Vector3> &points) {

@@ -7,6 +7,7 @@
 #include "io/limits.h"
 #include "model/shapes/surface_spline.h"
 
+#include <string>
 #include <vector>
 
 namespace nrb::io {
@@ -18,6 +19,10 @@ inline constexpr double usual_tolerance = 1e-7;
 // approximated within a quarter of the tolerance that the file states, 0 if it states none.
 model::MadeSurface surface_around(Limits &limits, const model::SurfaceShape &surface,
                                   const std::vector<Vector3> &points, double stated);
+// What a note says on an offset surface that is so far from the one of the file: also whether that is more than what the file states.
+std::string note_on_surface(double distance, double stated);
+// How near an approximation of `what` is, and which tolerance it misses, if it does.
+std::string note_on_distance(const char *what, double distance, double stated);
 void append_points(const Spline &curve, std::vector<Vector3> &points);
 
 // Whether a curve in the domain has the ends of an edge, and its middle too unless the edge is rational: the two have equal

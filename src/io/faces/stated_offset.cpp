@@ -10,9 +10,9 @@ namespace nrb::io {
 
 namespace {
 
-constexpr double share = 0.25;             // of the tolerance, most of which is left to others
-constexpr double share_of_size = 0x1p-30;  // in the plane
-constexpr int64_t doubles_of_a_piece = 64; // while it is looked for
+constexpr double share = 0.25;              // of the tolerance, most of which is left to others
+constexpr double share_of_size = 0x1p-30;   // in the plane
+constexpr int64_t doubles_of_a_piece = 128; // while it is looked for
 
 double tolerance_for(const model::CurveShape &basis, double stated) {
     if (basis.place.dim == 2 && model::bounded(basis)) {
@@ -25,16 +25,27 @@ double tolerance_for(const model::CurveShape &basis, double stated) {
 
 model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
                                const fit::CurveOffset &offset, double stated) {
-    const bool known = model::has_known_offset(*basis, offset);
+    return stated_offset(limits, basis, std::span(&offset.distance, 1), offset.reference, stated);
+}
+
+model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
+                               std::span<const double> distances, const Vector3 &reference, double stated) {
+    const bool known = model::has_known_offset(*basis, {distances.front(), reference});
     const fit::OffsetRule rule{known ? usual_tolerance : tolerance_for(*basis, stated),
                                limits.left() / doubles_of_a_piece, &limits.patches()};
-    return model::offset_curve_shape(basis, offset, rule, stated);
+    model::MadeCurve made = model::offset_curve_shape(basis, distances, reference, rule, stated);
+    made.missed = made.distance > rule.tolerance / share ? rule.tolerance / share : 0;
+    return made;
 }
 
 std::string note_on(const model::MadeCurve &made) {
     std::string text;
     if (made.distance > 0) {
         text = std::string("its offset curve is approximated within ") + Number(made.distance).text;
+        if (made.missed > 0) {
+            text +=
+                std::string(", which is more than the ") + Number(made.missed).text + " that it should be";
+        }
     }
     if (made.turns_back) {
         text += text.empty() ? "its offset curve" : ", and";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/iges/source.h"
 
+#include "io/faces/make_face.h"
 #include "io/unit_factor.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ Source::Source(std::span<const char> bytes, const Sections &sections, const Glob
       transforms_(directory_, data_), names_(directory_, data_),
       entities_(bytes.size(), directory_, data_, transforms_, names_),
       geometry_(entities_, units_of(global, settings)) {
+    entities_.share_among(std::ranges::count(directory_.entries(), int{offset_surface_type}, &Entry::type));
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
 }
 
@@ -37,8 +39,7 @@ void Source::tell(const Entry &entry, Status reason, const std::string &text) {
 
 void Source::tell_approximation(const Entry &entry, double distance) {
     if (distance > 0) {
-        tell(entry, Status::tolerance,
-             std::string("its offset surface is approximated within ") + Number(distance).text);
+        tell(entry, Status::tolerance, note_on_surface(distance, geometry_.units().resolution));
     }
 }
 

@@ -95,7 +95,7 @@ private:
         const double tolerance = least_tolerance(stated, most_of_stated * stated, [&](double wide) {
             approximated = add_face(place, units, wide);
         });
-        note_approximation(instance, approximated);
+        note_approximation(instance, approximated, units.tolerance);
         if (tolerance > stated) {
             const std::string text = step::label_of(instances_, instance) +
                                      ": its edges need the tolerance " + Number(tolerance).text;

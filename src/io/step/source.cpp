@@ -42,6 +42,7 @@ Source::Source(const Exchange &file, const ReadSettings &settings)
     : instances_(file.instances), entities_(file.instances), contexts_(entities_),
       part_(find_parts(file.instances)), tolerance_(settings.tolerance) {
     check_schemas(file.schemas);
+    entities_.share_among(std::ranges::count(instances_.all(), Kind::offset_surface, &Instance::kind));
     const double stated = contexts_.all().front().metres;
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
     (void)unit_factor(stated, settings); // whether it can be reached
@@ -82,10 +83,9 @@ std::vector<model::NamedSpline> Source::free_splines() {
     return splines;
 }
 
-void Source::note_approximation(const Instance &instance, double distance) {
+void Source::note_approximation(const Instance &instance, double distance, double stated) {
     if (distance > 0) {
-        const std::string text = label_of(instances_, instance) +
-                                 ": its offset surface is approximated within " + Number(distance).text;
+        const std::string text = label_of(instances_, instance) + ": " + note_on_surface(distance, stated);
         add_note(instance.number(), Status::tolerance, text.c_str());
     }
 }

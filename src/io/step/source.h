@@ -62,7 +62,7 @@ protected:
             distance = surface.distance;
             return surface.spline;
         });
-        note_approximation(instance, distance);
+        note_approximation(instance, distance, units_of(instances_.find(instance.number())).tolerance);
         return spline;
     }
 
@@ -74,8 +74,8 @@ protected:
     void note_unread(const Instance &instance, const char *what);
     // With the label of the instance, unless the message begins with it.
     void note_error(const Instance &instance, const Error &error);
-    // Of a surface that is so far from the one of the file, unless that is 0.
-    void note_approximation(const Instance &instance, double distance);
+    // Of a surface that is so far from the one of the file, unless that is 0; `stated`: the tolerance of that.
+    void note_approximation(const Instance &instance, double distance, double stated);
     void add_note(int64_t number, Status reason, const char *text);
     // The model with its notes in the order of their instances.
     model::Model finished();

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "fit/offset/offset_jet.h"
+#include "fit/offset/offset_side.h"
 #include "model/shapes/curve_spline.h"
 
 #include <algorithm>
@@ -145,6 +146,33 @@ MadeCurve offset_curve_shape(const CurveShapePtr &basis, const CurveOffset &offs
     default:
         return offset_circle(*basis, offset);
     }
+}
+
+MadeCurve offset_curve_shape(const CurveShapePtr &basis, std::span<const double> distances,
+                             const Vector3 &reference, const fit::OffsetRule &rule, double gap) {
+    if (distances.size() < 2) {
+        return distances.empty() ? MadeCurve{basis}
+                                 : offset_curve_shape(basis, {distances.front(), reference}, rule, gap);
+    }
+    if (has_known_offset(*basis, {distances.front(), reference})) { // and so has that
+        const MadeCurve first = offset_curve_shape(basis, {distances.front(), reference}, rule, gap);
+        MadeCurve all = offset_curve_shape(first.curve, distances.subspan(1), reference, rule, gap);
+        all.turns_back = all.turns_back != first.turns_back;
+        return all;
+    }
+    const SplinePtr spline = curve_spline(*basis);
+    double sum = distances.front();
+    for (const double distance : distances.subspan(1)) {
+        const int side = fit::offset_side(spline, {sum, reference}, rule);
+        if (side == 0) {
+            fail(Status::unsupported,
+                 "the direction of the curve at the distance %s, from which it is offset, is not known to be "
+                 "that of its basis, or against it",
+                 Number(sum).text);
+        }
+        sum += side * distance;
+    }
+    return offset_curve_shape(basis, {sum, reference}, rule, gap);
 }
 
 } // namespace nrb::model

@@ -5,6 +5,8 @@
 #include "fit/offset/offset_curve.h"
 #include "model/shapes/curve_shape.h"
 
+#include <span>
+
 namespace nrb::model {
 
 struct MadeCurve {
@@ -12,6 +14,7 @@ struct MadeCurve {
     // From what is stated, at equal parameters of the splines, at most; 0: but for rounding.
     double distance = 0;
     bool turns_back = false; // fit::OffsetCurve
+    double missed = 0;       // the tolerance above which the distance is, if it is
 };
 
 // Whether the offset is a known curve again, exact but for rounding and over the same parameters: of lines, also as splines, of
@@ -23,5 +26,10 @@ bool has_known_offset(const CurveShape &basis, const fit::CurveOffset &offset);
 // radius 0; gap where pieces of a composite curve meet in a corner; what fit::offset_curve() throws.
 MadeCurve offset_curve_shape(const CurveShapePtr &basis, const fit::CurveOffset &offset,
                              const fit::OffsetRule &rule, double gap);
+
+// An offset of an offset and so on, from the innermost distance on, all about one reference direction: the sum of the distances, each
+// along the normal of the curve before it. Throws Status::unsupported where that is not known to be on one side.
+MadeCurve offset_curve_shape(const CurveShapePtr &basis, std::span<const double> distances,
+                             const Vector3 &reference, const fit::OffsetRule &rule, double gap);
 
 } // namespace nrb::model

@@ -19,6 +19,39 @@ Result grown(SurfaceShape shape, int size, double by) {
     return shape.sizes[size] > 0 ? Result(std::move(shape)) : std::nullopt;
 }
 
+// Half a turn about Z.
+void turn_around(build::Placement &place) noexcept {
+    for (Vector3 *v : {&place.x, &place.y, &place.x_rest, &place.y_rest, &place.given_x}) {
+        *v = -1.0 * *v;
+    }
+}
+
+// Beyond the axis the radius is negative: that is the cylinder from its other side on.
+Result cylinder_at(SurfaceShape cylinder, double distance) {
+    const double radius = cylinder.sizes[0] + distance;
+    if (radius < 0) {
+        turn_around(cylinder.place);
+    }
+    cylinder.sizes[0] = std::abs(radius);
+    return radius != 0 ? Result(std::move(cylinder)) : std::nullopt;
+}
+
+// Beyond the centre too, where v runs the other way, and the normal is inwards.
+Result sphere_at(SurfaceShape sphere, double distance) {
+    const double radius = sphere.sizes[0] + distance;
+    sphere.sizes[0] = std::abs(radius);
+    if (radius >= 0) {
+        return radius > 0 ? Result(std::move(sphere)) : std::nullopt;
+    }
+    turn_around(sphere.place);
+    SurfaceShape turned = sphere;
+    turned.kind = SurfaceKind::trimmed;
+    turned.range = natural_range(sphere);
+    turned.v_forward = false;
+    turned.basis = std::make_shared<const SurfaceShape>(std::move(sphere));
+    return turned;
+}
+
 // With half of the angle a at the apex the normal is cos a outwards and -sin a along the axis.
 Result cone_at(SurfaceShape cone, double distance) {
     const double half = cone.sizes[1];
@@ -44,10 +77,14 @@ Result extrusion_at(SurfaceShape extrusion, double distance) {
         }
         move(curve.place, distance / length(normal) * normal);
     } else if (curve.kind == CurveKind::circle && length(cross(curve.place.z, way)) <= 1e-15 * length(way)) {
-        curve.sizes[0] += dot(curve.place.z, way) > 0 ? distance : -distance;
-        if (!(curve.sizes[0] > 0)) {
+        const double radius = curve.sizes[0] + (dot(curve.place.z, way) > 0 ? distance : -distance);
+        if (radius == 0) {
             return std::nullopt;
         }
+        if (radius < 0) {
+            turn_around(curve.place);
+        }
+        curve.sizes[0] = std::abs(radius);
     } else {
         return std::nullopt;
     }
@@ -69,8 +106,9 @@ Result offset_of(const SurfaceShape &basis, double distance) {
         return plane;
     }
     case SurfaceKind::cylinder:
+        return cylinder_at(basis, distance);
     case SurfaceKind::sphere:
-        return grown(basis, 0, distance);
+        return sphere_at(basis, distance);
     case SurfaceKind::cone:
         return cone_at(basis, distance);
     case SurfaceKind::torus:
@@ -84,6 +122,37 @@ Result offset_of(const SurfaceShape &basis, double distance) {
     }
 }
 
+int sign_of(double x) noexcept {
+    return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+// Around the tube, and around the axis unless the larger tube reaches it.
+int side_of_torus(const SurfaceShape &torus, double distance) noexcept {
+    const double minor = torus.sizes[1] + distance;
+    return torus.sizes[1] < torus.sizes[0] && std::abs(minor) < torus.sizes[0] ? sign_of(minor) : 0;
+}
+
+// Whether the normal of the offset is that of the basis, 1, or turned around, -1; 0 where it is not the same everywhere, or not known:
+// the sign of (1 - k1 d)(1 - k2 d) with the principal curvatures. A radius r becomes r + d, and -1 / r is a curvature.
+int side_of(const SurfaceShape &basis, double distance) noexcept {
+    switch (basis.kind) {
+    case SurfaceKind::plane:
+        return 1;
+    case SurfaceKind::cylinder:
+        return sign_of(basis.sizes[0] + distance);
+    case SurfaceKind::sphere: // both curvatures change
+        return basis.sizes[0] + distance != 0 ? 1 : 0;
+    case SurfaceKind::cone: // inwards the apex moves into what was beyond it
+        return distance >= 0 ? 1 : 0;
+    case SurfaceKind::torus:
+        return side_of_torus(basis, distance);
+    case SurfaceKind::trimmed:
+        return side_of(*basis.basis, basis.u_forward == basis.v_forward ? distance : -distance);
+    default:
+        return 0;
+    }
+}
+
 } // namespace
 
 SurfaceShapePtr known_offset(const SurfaceShapePtr &basis, double distance) {
@@ -91,7 +160,8 @@ SurfaceShapePtr known_offset(const SurfaceShapePtr &basis, double distance) {
         return basis;
     }
     if (basis->kind == SurfaceKind::offset) {
-        return known_offset(basis->basis, basis->distance + distance);
+        const int side = side_of(*basis->basis, basis->distance);
+        return side != 0 ? known_offset(basis->basis, basis->distance + side * distance) : nullptr;
     }
     Result found = offset_of(*basis, distance);
     return found ? std::make_shared<const SurfaceShape>(*std::move(found)) : nullptr;

@@ -6,7 +6,6 @@
 #include "build/surfaces/profile.h"
 #include "build/surfaces/revolve.h"
 #include "build/surfaces/ruled_extruded.h"
-#include "fit/offset/offset_surface.h"
 #include "model/shapes/curve_spline.h"
 #include "refine/forms/parametrization.h"
 #include "refine/forms/transform.h"
@@ -134,15 +133,6 @@ Interval negated(Interval range) noexcept {
     return {-range.upper, -range.lower};
 }
 
-Rectangle range_in_basis(const SurfaceShape &trimmed, const Rectangle &range) noexcept {
-    return {trimmed.u_forward ? range.u : negated(range.u), trimmed.v_forward ? range.v : negated(range.v)};
-}
-
-SplinePtr directed(const SurfaceShape &trimmed, SplinePtr spline) {
-    spline = trimmed.u_forward ? spline : refine::reverse(*spline, 0, false);
-    return trimmed.v_forward ? spline : refine::reverse(*spline, 1, false);
-}
-
 SplinePtr trimmed_spline(const SurfaceShape &surface, const Rectangle &range) {
     return directed(surface, surface_spline(*surface.basis, range_in_basis(surface, range)));
 }
@@ -158,6 +148,15 @@ ParameterLaw law_of(const CurveShape &curve) noexcept {
 }
 
 } // namespace
+
+Rectangle range_in_basis(const SurfaceShape &trimmed, const Rectangle &range) noexcept {
+    return {trimmed.u_forward ? range.u : negated(range.u), trimmed.v_forward ? range.v : negated(range.v)};
+}
+
+SplinePtr directed(const SurfaceShape &trimmed, SplinePtr spline) {
+    spline = trimmed.u_forward ? spline : refine::reverse(*spline, 0, false);
+    return trimmed.v_forward ? spline : refine::reverse(*spline, 1, false);
+}
 
 SplinePtr surface_spline(const SurfaceShape &surface, const Rectangle &range) {
     check_range(range.u, "u");
@@ -182,21 +181,6 @@ SplinePtr surface_spline(const SurfaceShape &surface, const Rectangle &range) {
     default:
         return spline_part(surface.spline, range);
     }
-}
-
-MadeSurface made_surface(const SurfaceShape &surface, const Rectangle &range, const SurfaceRule &rule) {
-    if (surface.kind == SurfaceKind::trimmed) {
-        MadeSurface made = made_surface(*surface.basis, range_in_basis(surface, range), rule);
-        made.spline = directed(surface, std::move(made.spline));
-        return made;
-    }
-    if (surface.kind != SurfaceKind::offset) {
-        return {surface_spline(surface, range)};
-    }
-    const fit::OffsetSurface made =
-        fit::offset_surface(surface_spline(*surface.basis, range), surface.distance,
-                            {rule.tolerance, rule.most_patches, rule.left});
-    return {made.spline, made.bound};
 }
 
 ParameterLaw law_of(const SurfaceShape &surface, int axis) noexcept {

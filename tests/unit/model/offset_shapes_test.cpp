@@ -60,21 +60,20 @@ Vector3 offset_point(const Spline &spline, const double *at, double distance) {
     return Vector3{x[0], x[1], x[2]} + distance / length(normal) * normal;
 }
 
+constexpr Rectangle usual_range{{0.25, 1.25}, {-0.5, 1}};
+
+// Parameters of circles are those of their splines in quarters only, but the same of both.
 void expect_offset(const SurfaceShapePtr &basis, double distance, SurfaceKind kind) {
     const SurfaceShapePtr known = known_offset(basis, distance);
     ASSERT_NE(known, nullptr);
     EXPECT_EQ(known->kind, kind);
-    const Rectangle range{{0.25, 1.25}, {-0.5, 1}};
-    const SurfaceShapePtr &under = basis->kind == SurfaceKind::offset ? basis->basis : basis;
-    const double whole = basis->kind == SurfaceKind::offset ? basis->distance + distance : distance;
-    const SplinePtr spline = surface_spline(*under, range), found = surface_spline(*known, range);
+    const SplinePtr spline = surface_spline(*basis, usual_range), found = surface_spline(*known, usual_range);
     for (int i = 0; i <= 10; ++i) {
         for (int j = 0; j <= 10; ++j) {
             const double at[2] = {std::lerp(0.25, 1.25, i / 10.0), std::lerp(-0.5, 1.0, j / 10.0)};
             double x[3];
             eval::evaluate_points(*found, {}, 0, {at, 1, 2, 2, 1}, {x, 1, 3, 3, 1});
-            const Vector3 wanted = offset_point(*spline, at, whole);
-            EXPECT_LE(length(Vector3{x[0], x[1], x[2]} - wanted), 4e-14);
+            EXPECT_LE(length(Vector3{x[0], x[1], x[2]} - offset_point(*spline, at, distance)), 4e-14);
         }
     }
 }
@@ -100,17 +99,76 @@ TEST(OffsetShapes, of_parts_and_of_offsets) {
             expect_offset(part_of(ball, u, v), 0.25, SurfaceKind::trimmed);
         }
     }
-    expect_offset(moved(ball, 0.5), 0.25, SurfaceKind::sphere);
-    expect_offset(moved(ball, 0.5), -2.25, SurfaceKind::sphere);
     EXPECT_EQ(known_offset(ball, 0), ball);
+    EXPECT_EQ(known_offset(ball, -0.0), ball);
+}
+
+// A radius beyond 0 is that of the same points from their other side on.
+TEST(OffsetShapes, beyond_the_centre_of_curvature) {
+    expect_offset(shared(shape(SurfaceKind::cylinder, 2)), -3, SurfaceKind::cylinder);
+    expect_offset(shared(shape(SurfaceKind::sphere, 2)), -3, SurfaceKind::trimmed);
+    expect_offset(extruded(CurveKind::circle, 2 * frame().z), -3, SurfaceKind::extrusion);
+    expect_offset(extruded(CurveKind::circle, -2 * frame().z), 3, SurfaceKind::extrusion);
+    for (const bool u : {false, true}) {
+        for (const bool v : {false, true}) {
+            const double inwards = u == v ? -3 : 3;
+            expect_offset(part_of(shared(shape(SurfaceKind::cylinder, 2)), u, v), inwards,
+                          SurfaceKind::trimmed);
+            expect_offset(part_of(shared(shape(SurfaceKind::sphere, 2)), u, v), inwards,
+                          SurfaceKind::trimmed);
+        }
+    }
+}
+
+// Each along the normal of the one before it, whatever that has become of the first.
+TEST(OffsetShapes, of_offsets_go_along_their_normals) {
+    for (const double first : {0.5, -0.5, -2.5, -3.0}) {
+        for (const double second : {0.25, -0.25, 1.0, -1.0, 4.0, -4.0}) {
+            for (const SurfaceKind kind : {SurfaceKind::cylinder, SurfaceKind::sphere, SurfaceKind::plane}) {
+                const SurfaceShapePtr once = known_offset(shared(shape(kind, 2)), first);
+                const SurfaceShapePtr twice = known_offset(once, second);
+                if (twice != nullptr) { // a radius of 0
+                    expect_offset(once, second, twice->kind);
+                }
+            }
+        }
+    }
+}
+
+double radius_of(const SurfaceShapePtr &surface) {
+    return surface == nullptr                      ? 0
+           : surface->kind == SurfaceKind::trimmed ? radius_of(surface->basis)
+                                                   : surface->sizes[0];
+}
+
+// As shapes whose basis is an offset still, too.
+TEST(OffsetShapes, of_cylinders_turned_inside_out) {
+    const SurfaceShapePtr rod = shared(shape(SurfaceKind::cylinder, 1)),
+                          ball = shared(shape(SurfaceKind::sphere, 1));
+    EXPECT_EQ(radius_of(known_offset(known_offset(rod, -1.5), 1)), 1.5);
+    EXPECT_EQ(radius_of(known_offset(moved(rod, -1.5), 1)), 1.5);
+    EXPECT_EQ(radius_of(known_offset(moved(rod, -1.5), -0.5)), 0); // the axis
+    EXPECT_EQ(radius_of(known_offset(moved(rod, 0.5), 1)), 2.5);
+    EXPECT_EQ(radius_of(known_offset(known_offset(ball, -1.5), 1)),
+              0.5); // its normal is still outwards from where it was
+    EXPECT_EQ(radius_of(known_offset(moved(ball, -1.5), 1)), 0.5);
+    const SurfaceShapePtr tube = shared(shape(SurfaceKind::torus, 3, 0.5));
+    EXPECT_EQ(known_offset(moved(tube, -0.75), -0.5)->sizes[1],
+              0.25); // -0.25 from the circle, and its normal to the other side
+    EXPECT_EQ(known_offset(moved(tube, -0.75), 0.5), nullptr);
+    EXPECT_EQ(known_offset(moved(tube, -4), 1), nullptr);
+    EXPECT_EQ(known_offset(moved(shared(shape(SurfaceKind::cone, 2, 0.5)), -3), 1), nullptr);
+    EXPECT_EQ(known_offset(moved(shared(shape(SurfaceKind::cone, 2, 0.5)), 3), 1)->sizes[0],
+              2 + 4 * std::cos(0.5));
 }
 
 TEST(OffsetShapes, are_none_where_a_radius_would_not_be_one) {
     EXPECT_EQ(known_offset(shared(shape(SurfaceKind::sphere, 2)), -2), nullptr);
-    EXPECT_EQ(known_offset(shared(shape(SurfaceKind::cylinder, 2)), -3), nullptr);
+    EXPECT_EQ(known_offset(shared(shape(SurfaceKind::cylinder, 2)), -2), nullptr);
     EXPECT_EQ(known_offset(shared(shape(SurfaceKind::cone, 2, 0.5)), -3), nullptr);
     EXPECT_EQ(known_offset(shared(shape(SurfaceKind::torus, 3, 0.5)), -0.5), nullptr);
     EXPECT_EQ(known_offset(shared(shape(SurfaceKind::torus, 3, 0.5)), 2.5), nullptr);
+    EXPECT_EQ(known_offset(extruded(CurveKind::circle, 2 * frame().z), -2), nullptr);
     EXPECT_EQ(known_offset(extruded(CurveKind::circle, frame().x), 0.25), nullptr);
     EXPECT_EQ(known_offset(extruded(CurveKind::line, frame().x), 0.25), nullptr);
     EXPECT_EQ(known_offset(extruded(CurveKind::parabola, frame().z), 0.25), nullptr);

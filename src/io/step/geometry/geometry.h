@@ -43,6 +43,13 @@ private:
     model::CurvePiece segment(int64_t number, const Attributes &owner);
     using BasisPart = std::function<model::CurveShapePtr(const model::CurveShapePtr &basis)>;
     model::CurveShapePtr offset_curve(const Instance &instance, const BasisPart &part = {});
+    // Offsets of each other, from the innermost one on, and the curve under them.
+    struct OffsetChain {
+        model::CurveShapePtr basis;
+        std::vector<double> distances;
+        Vector3 reference;
+    };
+    OffsetChain offset_chain(const Instance &instance, const BasisPart &part);
     using PartBetween = std::function<model::CurvePiece(const model::CurveShapePtr &basis)>;
     model::CurveShapePtr trimmed_offset(const Instance &offset, const PartBetween &between);
 

@@ -14,6 +14,9 @@ using model::CurvePiece;
 using model::CurveShape;
 using model::CurveShapePtr;
 
+// Of directions that are parallel, after their rounding.
+constexpr double parallel_sine = 1e-14;
+
 // Of a curve of the plane the normal is to the left, which is Z x T.
 Vector3 read_reference(Entities &entities, Attributes &attributes) {
     const Point direction =
@@ -27,29 +30,51 @@ Vector3 read_reference(Entities &entities, Attributes &attributes) {
 
 } // namespace
 
-// C + d V x T / |V x T| with the unit tangent T of the basis and the reference direction V; the parameters are those of the basis.
-CurveShapePtr Geometry::offset_curve(const Instance &instance, const BasisPart &part) {
+// The parameters of all of them are those of the basis.
+Geometry::OffsetChain Geometry::offset_chain(const Instance &instance, const BasisPart &part) {
     const bool plane = instance.kind() == Kind::offset_curve_2d;
     Attributes attributes(entities_.instances(), instance);
     attributes.part("REPRESENTATION_ITEM");
     attributes.skip("name");
     attributes.part(plane ? "OFFSET_CURVE_2D" : "OFFSET_CURVE_3D");
-    const int64_t before = entities_.approximations();
-    const CurveShapePtr all = curve(attributes.reference("basis_curve"), attributes, "basis_curve");
-    const CurveShapePtr basis = part ? part(all) : all;
-    if ((basis->place.dim == 2) != plane) {
+    const int64_t before = entities_.approximations(), number = attributes.reference("basis_curve");
+    OffsetChain chain;
+    if (const Instance &under = entities_.at(number, attributes, "basis_curve");
+        is_offset_curve(under.kind())) {
+        const Entities::Visit visit(entities_, number);
+        entities_.spend(Entities::size_of_a_shape);
+        chain = naming(entities_.instances(), under, [&] { return offset_chain(under, part); });
+    } else {
+        const CurveShapePtr all = curve(number, attributes, "basis_curve");
+        chain.basis = part ? part(all) : all;
+    }
+    if ((chain.basis->place.dim == 2) != plane) {
         attributes.fail_attribute(Status::dimension, "basis_curve",
                                   plane ? "a curve of space, expected one of the plane"
                                         : "a curve of the plane, expected one of space");
     }
-    const double distance = units_.length * attributes.real("distance");
+    double distance = units_.length * attributes.real("distance");
     attributes.skip("self_intersect");
     const Vector3 reference = plane ? Vector3{0, 0, 1} : read_reference(entities_, attributes);
     if (distance != 0 && entities_.approximations() != before) {
         attributes.fail_attribute(Status::unsupported, "basis_curve",
                                   "is approximated, which leaves its normals unknown");
     }
-    model::MadeCurve made = stated_offset(entities_, basis, {distance, reference}, units_.tolerance);
+    if (!chain.distances.empty() && length(cross(reference, chain.reference)) > parallel_sine) {
+        attributes.fail_attribute(Status::unsupported, "basis_curve",
+                                  "is an offset about another reference direction");
+    }
+    const bool against = !chain.distances.empty() && dot(reference, chain.reference) < 0;
+    chain.reference = chain.distances.empty() ? reference : chain.reference;
+    chain.distances.push_back(against ? -distance : distance);
+    return chain;
+}
+
+// C + d V x T / |V x T| with the unit tangent T of the basis and the reference direction V.
+CurveShapePtr Geometry::offset_curve(const Instance &instance, const BasisPart &part) {
+    const OffsetChain chain = offset_chain(instance, part);
+    model::MadeCurve made =
+        stated_offset(entities_, chain.basis, chain.distances, chain.reference, units_.tolerance);
     entities_.remark(instance.number(), made.distance > 0, note_on(made));
     return std::move(made.curve);
 }

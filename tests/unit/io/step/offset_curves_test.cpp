@@ -241,15 +241,47 @@ TEST(StepOffsetCurves, are_in_the_unit_of_the_file) {
     expect_near(point_of(*only_spline(builder, {.unit = 1e-3}), 0), {25.4, 25.4 * 3.5, 25.4 * 3}, 1e-13);
 }
 
+// Along its own normal: where it runs against the profile, beyond the centres of curvature, on the other side.
+TEST(StepOffsetCurves, of_offsets_add_up) {
+    struct Case {
+        const char *first, *second, *reference;
+        double whole;
+    };
+    for (const Case &c : {Case{"0.125", "0.25", "0.,0.,1.", 0.375},
+                          Case{"0.125", "0.25", "0.,0.,-2.", -0.125}, Case{"-1.", "0.5", "0.,0.,1.", -0.5},
+                          Case{"8.", "0.5", "0.,0.,1.", 7.5}, Case{"8.", "-0.5", "0.,0.,1.", 8.5}}) {
+        StepBuilder builder;
+        const std::string twice = offset_of(
+            builder, offset_of(builder, sheet_profile(builder), c.first, "0.,0.,1."), c.second, c.reference);
+        const nrb::model::Model document = read(builder);
+        ASSERT_EQ(document.splines.size(), 1U);
+        EXPECT_TRUE(only_note(document).text.starts_with(
+            twice + " OFFSET_CURVE_3D: its offset curve is approximated within "))
+            << only_note(document).text;
+        expect_offset_profile(*document.splines[0].spline, c.whole, 0.25e-7);
+    }
+    StepBuilder circle;
+    const std::string ring = circle.add("CIRCLE(''," + circle.some_placement() + ",1.)");
+    offset_of(circle, offset_of(circle, ring, "1.5", "1.,0.,0."), "1.", "1.,0.,0.");
+    const nrb::model::Model document = read(circle); // -1/2, and 1 inwards of that: 1/2 again
+    ASSERT_EQ(document.splines.size(), 1U);
+    EXPECT_TRUE(document.notes.empty());
+    expect_near(point_of(*document.splines[0].spline, 0), placed(0.5, 0));
+}
+
 TEST(StepOffsetCurves, that_cannot_be_known_are_noted) {
-    StepBuilder twice;
-    const std::string first = offset_of(twice, sheet_profile(twice), "0.125", "0.,0.,1.");
+    StepBuilder twice; // behind the cusps of the first one it runs against the profile, and nowhere else
+    const std::string first = offset_of(twice, sheet_profile(twice), "2.5", "0.,0.,1.");
     const std::string second = offset_of(twice, first, "0.125", "0.,0.,1.");
-    const std::vector<nrb::model::Note> notes = read(twice).notes;
-    ASSERT_FALSE(notes.empty());
-    EXPECT_EQ(notes.back().text.rfind(second + " OFFSET_CURVE_3D: basis_curve: ", 0), 0U)
-        << notes.back().text;
-    EXPECT_EQ(notes.back().reason, Status::unsupported);
+    EXPECT_EQ(only_note(twice).text,
+              second + " OFFSET_CURVE_3D: the direction of the curve at the distance 2.5, from which it "
+                       "is offset, is not known to be that of its basis, or against it");
+    EXPECT_EQ(only_note(twice).reason, Status::unsupported);
+    StepBuilder skew;
+    const std::string about = offset_of(skew, sheet_profile(skew), "0.125", "0.,0.,1.");
+    const std::string other = offset_of(skew, about, "0.125", "0.,1.,1.");
+    EXPECT_EQ(only_note(skew).text,
+              other + " OFFSET_CURVE_3D: basis_curve: is an offset about another reference direction");
     StepBuilder cycle;
     const std::string way = cycle.direction("0.,0.,1.");
     cycle.add("OFFSET_CURVE_3D(''," + cycle.next() + ",1.,.F.," + way + ")");

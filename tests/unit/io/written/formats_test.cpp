@@ -1,5 +1,6 @@
 // What holds of the writers of all formats.
 #include "base/error.h"
+#include "io/formats.h"
 #include "io/writers.h"
 #include "model/from_faces.h"
 #include "support/same_model.h"
@@ -7,6 +8,7 @@
 #include "support/written_models.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 namespace written_formats_test {
