@@ -44,6 +44,19 @@ TEST(Formats, what_editors_put_before_the_first_line_does_not_matter) {
     }
 }
 
+TEST(Formats, blanks_and_comments_before_the_first_word_of_step_do_not_matter) {
+    const std::string whole = "ISO-10303-21;HEADER;ENDSEC;DATA;ENDSEC;END-ISO-10303-21;";
+    for (const std::string before :
+         {" ", "\t\n \t", "\xef\xbb\xbf \r\n\t", "\v\f\n", "/* ISO-10303-21 */\n", "\xef\xbb\xbf/* a; */ "}) {
+        EXPECT_EQ(recognized(before + step), std::vector<std::string>{"STEP"}) << before;
+        EXPECT_TRUE(nrb::io::read(before + whole, {}).splines.empty()) << before;
+    }
+    // as far from the start of its line as to have an S where IGES has the letter of a section
+    const std::string far = std::string(73 - whole.find('S') - 1, ' ') + whole;
+    EXPECT_TRUE(nrb::io::read(far, {}).splines.empty());
+    EXPECT_TRUE(recognized("/* ISO-10303-21;").empty());
+}
+
 TEST(Formats, a_long_line_of_step_is_step) {
     std::string line = "ISO-10303-21;HEADER;ENDSEC;DATA;ENDSEC;END-ISO-10303-21;";
     line += std::string(72 - line.size(), ' ') + "S      1\n"; // where IGES has the letter of a section

@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "io/iges/lines.h"
 #include "io/iges/text.h"
 #include "io/step/structure/text.h"
 
@@ -15,12 +14,20 @@ namespace {
 constexpr std::string_view start_mark = "ISO-10303-21";
 constexpr std::string_view end_mark = "END-ISO-10303-21";
 
+// Where the first word stands: behind a byte order mark, blanks and comments.
+size_t first_word(std::string_view text) noexcept {
+    constexpr std::string_view byte_order_mark("\xef\xbb\xbf");
+    Lexer lexer(text, text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+    lexer.peek_character();
+    return lexer.position();
+}
+
 class Structure {
 public:
     explicit Structure(std::string_view text) noexcept : lexer_(text) {}
 
     Exchange run() {
-        lexer_ = Lexer(lexer_.text(), lexer_.text().find(start_mark));
+        lexer_ = Lexer(lexer_.text(), first_word(lexer_.text()));
         lexer_.next();
         expect(';', "after ISO-10303-21");
         Token token = take_keyword("HEADER, DATA or END-ISO-10303-21");
@@ -186,7 +193,8 @@ private:
 } // namespace
 
 bool begins_step(std::span<const char> bytes) noexcept {
-    return iges::first_line(bytes).starts_with(start_mark);
+    const std::string_view text(bytes.data(), bytes.size());
+    return text.substr(first_word(text)).starts_with(start_mark);
 }
 
 Exchange read_exchange(std::span<const char> bytes) {

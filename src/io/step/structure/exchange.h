@@ -10,6 +10,7 @@
 
 namespace nrb::io::step {
 
+// Whether the first word is that of STEP. A byte order mark, blanks and comments may stand before it.
 bool begins_step(std::span<const char> bytes) noexcept;
 
 struct Exchange {
