@@ -129,7 +129,8 @@ static void refused_bytes(void) {
     CHECK_NO_FACE(face, nurbs_face_from_bytes(NULL, 64, &face), NURBS_ERROR_NULL, "bytes");
     CHECK_NO_FACE(face, nurbs_face_from_bytes(made.data, -1, &face), NURBS_ERROR_COUNT, "size = -1");
     CHECK_FAILS(nurbs_face_from_bytes(made.data, made.size, NULL), NURBS_ERROR_NULL, "out");
-    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT, "kind 4, expected 1");
+    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT,
+                    "hold a face, expected a spline");
     nurbs_face_destroy(whole);
 }
 

@@ -248,7 +248,8 @@ static void refused_bytes(void) {
     NO_LIST(list, nurbs_list_from_bytes(NULL, 64, &list), NURBS_ERROR_NULL, "bytes");
     NO_LIST(list, nurbs_list_from_bytes(made.data, -1, &list), NURBS_ERROR_COUNT, "size = -1");
     CHECK_FAILS(nurbs_list_from_bytes(made.data, made.size, NULL), NURBS_ERROR_NULL, "out");
-    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT, "kind 2, expected 1");
+    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT,
+                    "hold a list, expected a spline");
     nurbs_list_destroy(whole);
 }
 

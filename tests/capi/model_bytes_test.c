@@ -177,7 +177,7 @@ static void refused_bytes(void) {
     CHECK_NO_MODEL(model, nurbs_model_from_bytes(made.data, -1, &model), NURBS_ERROR_COUNT, "size = -1");
     CHECK_FAILS(nurbs_model_from_bytes(made.data, made.size, NULL), NURBS_ERROR_NULL, "out");
     CHECK_NO_FACE(face, nurbs_face_from_bytes(made.data, made.size, &face), NURBS_ERROR_FORMAT,
-                  "kind 5, expected 4");
+                  "hold a model, expected a face");
     nurbs_model_destroy(whole);
 }
 

@@ -153,7 +153,12 @@ static void refused_bytes(void) {
     CHECK_NO_HANDLE(g, nurbs_from_bytes("NURBS", 5, &g), NURBS_ERROR_FORMAT, "begin");
     number_into(made.data + 12, NURBS_BYTES_STATISTICS, 4);
     sign(made.data, made.size);
-    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT, "kind 3");
+    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT,
+                    "hold statistics, expected a spline");
+    number_into(made.data + 12, 99, 4); // of a later library
+    sign(made.data, made.size);
+    CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_FORMAT,
+                    "hold a handle of kind 99, expected a spline");
     number_into(made.data + 12, NURBS_BYTES_SPLINE, 4);
     made.data[8] = 2;
     CHECK_NO_HANDLE(g, nurbs_from_bytes(made.data, made.size, &g), NURBS_ERROR_VERSION, "2.0");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <string>
 
 namespace nrb::io {
 
@@ -39,6 +40,23 @@ void copy_bytes(const void *from, size_t size, void *to) noexcept {
 // Of all bytes but its own.
 uint64_t checksum_of(std::span<const unsigned char> bytes) noexcept {
     return crc64(bytes.subspan(at_numbers), crc64(bytes.first(at_checksum)));
+}
+
+// With its article; by its number where a later library wrote it.
+std::string name_of(Kind kind) {
+    switch (kind) {
+    case Kind::spline:
+        return "a spline";
+    case Kind::list:
+        return "a list";
+    case Kind::statistics:
+        return "statistics";
+    case Kind::face:
+        return "a face";
+    case Kind::model:
+        return "a model";
+    }
+    return "a handle of kind " + std::to_string(static_cast<uint32_t>(kind));
 }
 
 } // namespace
@@ -132,8 +150,8 @@ Header read_header(std::span<const unsigned char> bytes) {
 ByteReader::ByteReader(std::span<const unsigned char> bytes, Kind kind)
     : bytes_(bytes), header_(read_header(bytes)) {
     if (header_.kind != kind) {
-        fail(Status::format, "the bytes hold a handle of kind %u, expected %u",
-             static_cast<unsigned>(header_.kind), static_cast<unsigned>(kind));
+        fail(Status::format, "the bytes hold %s, expected %s", name_of(header_.kind).c_str(),
+             name_of(kind).c_str());
     }
 }
 
