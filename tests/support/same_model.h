@@ -14,6 +14,7 @@ class ModelDifferences {
 public:
     ModelDifferences(const nrb::model::Model &a, const nrb::model::Model &b) : a_(a), b_(b) {
         expect("unit", a.metres_per_unit == b.metres_per_unit);
+        expect("layers", a.layers == b.layers);
         if (sizes()) {
             splines();
             parts();
@@ -49,6 +50,7 @@ private:
         for (size_t i = 0; i < a_.splines.size(); ++i) {
             const std::string what = "spline " + std::to_string(i);
             expect(what + ": name", a_.splines[i].name == b_.splines[i].name);
+            expect(what + ": layers", a_.splines[i].layers == b_.splines[i].layers);
             expect(what, nrb::same_numbers(*a_.splines[i].spline, *b_.splines[i].spline));
         }
     }
@@ -66,6 +68,8 @@ private:
         expect(what + ": name " + a.name + " " + b.name, a.name == b.name);
         expect(what + ": part, side or colour",
                a.part == b.part && a.against == b.against && a.colour == b.colour);
+        expect(what + ": layers", a.layers == b.layers);
+        expect(what + ": solid", a.solid < 0 || (a.solid == b.solid && a.in_void == b.in_void));
         expect(what + ": kind", (a.shape == nullptr ? nrb::model::SurfaceKind::spline : a.shape->kind) ==
                                     (b.shape == nullptr ? nrb::model::SurfaceKind::spline : b.shape->kind));
         expect(what + ": tolerance", a.face->tolerance() == b.face->tolerance());
