@@ -6918,7 +6918,7 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * that no face uses stand in the list only, which other programs may not show. Splines of a model or a list are
  * entities 126 and 128, in their order, curves of dimension 2 in parameters that have no unit; surfaces of a model
  * come back as faces over their whole domains. Layers are levels: their name if that is a number above those before,
- * else the next number, which a property (406 form 3) names. Parts
+ * else the next number, which a property (406 form 3) names, if there is a name. Parts
  * become subfigures (308), and their uses instances (408) with matrices (124), of form 1 for mirror images; a
  * first part that stands in the whole once and unmoved is what no subfigure has, and its name that of the
  * product. Units without a number are one with another model space scale. What surfaces and edges were in a

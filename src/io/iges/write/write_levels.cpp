@@ -32,7 +32,7 @@ LevelWriter::LevelWriter(FileText &text, std::span<const std::string> layers) : 
 void LevelWriter::write_names() {
     for (size_t i = 0; i < layers_.size(); ++i) {
         const std::string name = printable(trim(layers_[i]));
-        if (name != std::to_string(numbers_[i])) {
+        if (!name.empty() && name != std::to_string(numbers_[i])) {
             Head head{property_type, level_name_form, lone_property};
             head.level = numbers_[i];
             text_.add(head, 2, 0, std::string_view(name));
