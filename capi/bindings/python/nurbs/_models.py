@@ -291,7 +291,7 @@ class Model:
     @property
     def layers(self) -> Sequence[str]:
         """The names of the layers that its faces and splines are in."""
-        return _Items(get(ctypes.c_int64, lib.nurbs_model_layer_count, self._handle), self.layer, "layers")
+        return _Items(self.layer_count(), self.layer, "layers")
 
     @property
     def splines(self) -> SplineList:
@@ -356,6 +356,10 @@ class Model:
     def part(self, index: int) -> str:
         """The name of a part."""
         return text(lib.nurbs_model_part, self._handle, index)
+
+    def layer_count(self) -> int:
+        """How many layers its faces and splines are in."""
+        return int(get(ctypes.c_int64, lib.nurbs_model_layer_count, self._handle))
 
     def layer(self, index: int) -> str:
         """The name of a layer."""
