@@ -13,6 +13,9 @@
 #include "io/file.h"
 #include "io/formats.h"
 #include "model/from_faces.h"
+#include "model/numbering.h"
+
+#include <algorithm>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -75,6 +78,13 @@ int32_t shape_of(const model::SurfaceShapePtr &shape) noexcept {
     default:
         return NURBS_SHAPE_NONE;
     }
+}
+
+void put_layers(const std::vector<int64_t> &own, int64_t cap, int64_t *layers, int64_t *count) {
+    const int64_t used = checked_cap(cap, std::ssize(own));
+    check_apart({memory("layers", layers, used), memory("count", count, 1)}, {});
+    std::copy_n(own.begin(), used, layers);
+    put(count, std::ssize(own));
 }
 
 void give(model::Model made, nurbs_model **out) {
@@ -188,6 +198,27 @@ nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t index, char
     });
 }
 
+nurbs_status nurbs_model_face_solid(const nurbs_model *model, int64_t index, int64_t *solid,
+                                    int32_t *in_void) {
+    return guard([&] {
+        const model::ModelFace &face = item_of(model_of(model).faces, index, "faces");
+        check_apart({memory("solid", solid, 1), memory("in_void", in_void, 1)}, {});
+        put(solid, face.solid);
+        put(in_void, face.in_void ? 1 : 0);
+    });
+}
+
+nurbs_status nurbs_model_face_layers(const nurbs_model *model, int64_t index, int64_t cap, int64_t *layers,
+                                     int64_t *count) {
+    return guard([&] {
+        const model::Model &own = model_of(model);
+        if (cap > 0) {
+            require(layers, "layers");
+        }
+        put_layers(item_of(own.faces, index, "faces").layers, cap, layers, count);
+    });
+}
+
 nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *part, int64_t *end_vertices,
                               int32_t *shape, nurbs **out) {
     return guard([&] {
@@ -263,6 +294,36 @@ nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list **out) {
         list.splines = own.splines;
         list.notes = own.notes;
         list.metres_per_unit = own.metres_per_unit;
+        list.layers = own.layers;
+        model::number_layers(list);
         *out = new nurbs_list{std::move(list)};
+    });
+}
+
+nurbs_status nurbs_model_spline_layers(const nurbs_model *model, int64_t index, int64_t cap, int64_t *layers,
+                                       int64_t *count) {
+    return guard([&] {
+        const model::Model &own = model_of(model);
+        if (cap > 0) {
+            require(layers, "layers");
+        }
+        put_layers(item_of(own.splines, index, "splines").layers, cap, layers, count);
+    });
+}
+
+nurbs_status nurbs_model_layer_count(const nurbs_model *model, int64_t *count) {
+    return guard([&] {
+        const model::Model &own = model_of(model);
+        require(count, "count");
+        *count = std::ssize(own.layers);
+    });
+}
+
+nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index, char *buf, int64_t cap,
+                               int64_t *length) {
+    return guard([&] {
+        const std::string &name = item_of(model_of(model).layers, index, "layers");
+        check_buffer(buf, cap);
+        copy_text(name, buf, cap, length);
     });
 }

@@ -32,6 +32,18 @@ double tolerance_of(const nurbs_read_options &options) {
     return tolerance;
 }
 
+uint32_t kinds_of(const nurbs_read_options &options) {
+    constexpr int64_t end = offsetof(nurbs_read_options, reserved) + sizeof(uint32_t);
+    if (options.struct_size < end) {
+        return io::all_kinds;
+    }
+    if ((options.kinds & ~io::all_kinds) != 0 || options.reserved != 0) {
+        fail(Status::options, "options: kinds = 0x%x and reserved = %u, expected bits of 0x%x and 0",
+             options.kinds, options.reserved, io::all_kinds);
+    }
+    return options.kinds == 0 ? io::all_kinds : options.kinds;
+}
+
 } // namespace
 
 io::ReadSettings settings_of(const nurbs_read_options *options) {
@@ -47,7 +59,7 @@ io::ReadSettings settings_of(const nurbs_read_options *options) {
              static_cast<long long>(options->max_bytes));
     }
     const int64_t limit = options->max_bytes == 0 ? io::ReadSettings().max_bytes : options->max_bytes;
-    return {options->unit, limit, tolerance_of(*options)};
+    return {options->unit, limit, tolerance_of(*options), kinds_of(*options)};
 }
 
 std::span<const char> checked_text(const void *bytes, int64_t size) {

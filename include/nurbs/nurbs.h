@@ -6236,6 +6236,17 @@ NURBS_API nurbs_status nurbs_face_box_with(const nurbs_face *face, double tolera
  * \endcode
  * @{ */
 
+/** \name What files are read for
+ * Bits of `kinds` in nurbs_read_options. \since 1.1
+ * @{ */
+/** \brief curves: of lists all, also those of edges; of models those that no face or edge consists of */
+#define NURBS_READ_CURVES 0x1u
+/** \brief surfaces: of lists all, also those of faces; of models those that no face consists of (STEP) */
+#define NURBS_READ_SURFACES 0x2u
+/** \brief faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too */
+#define NURBS_READ_FACES 0x4u
+/** @} */
+
 /** \brief Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever
  * appended, and struct_size is at most 4096. A file whose own unit is not known cannot be converted to
  * another: NURBS_ERROR_OPTIONS. */
@@ -6246,6 +6257,9 @@ typedef struct nurbs_read_options {
     double tolerance; /**< distances in the unit of the result that count as none, in place of the uncertainty
                               or resolution that a file states: the tolerance of faces, and how near to what the file
                               states is what has to be made; 0 takes what the file states. \since 1.1 */
+    uint32_t kinds; /**< sum of NURBS_READ_ constants, 0 for all of them: others are left out without a note.
+                            \since 1.1 */
+    uint32_t reserved; /**< 0 */
 } nurbs_read_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -6556,7 +6570,8 @@ NURBS_API nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, 
 NURBS_API nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nurbs_face **out);
 
 /** \brief A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
- * colours, kinds of curves and surfaces, and the splines, notes and unit of nurbs_model_splines(). Splines whose
+ * colours, solids, layers, kinds of curves and surfaces, and the splines, notes and unit of
+ * nurbs_model_splines(). Splines whose
  * bytes are the same are stored once, so that faces of one surface share it again.
  * \param[in] model a model.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
@@ -6630,7 +6645,9 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
  *
  * STEP (ISO 10303-21; AP203, AP214, AP242): the curve in space of an edge rules: curves in the domain of a
  * spline surface are taken from the file where they lie under their edges, all others are made
- * (nurbs_face_create()). The tolerance stated is the uncertainty of the context.
+ * (nurbs_face_create()). The tolerance stated is the uncertainty of the context. Faces of oriented shells in solids
+ * (BREP_WITH_VOIDS) are turned as those say, and keep their solid; layers are those of
+ * PRESENTATION_LAYER_ASSIGNMENTs.
  *
  * IGES 5.x (fixed-length ASCII form): faces are trimmed surfaces (entity 144), bounded surfaces (143), faces
  * (510) of shells (514) and solids (186), and surfaces that nothing else consists of: those over their whole
@@ -6643,7 +6660,8 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
  * or in groups (402); subfigures are parts, which their instances (408) place with translation, scale and
  * matrix (124). A solid with instances (430), an entity in several subfigures, and a face, shell or solid with
  * a matrix are parts of their own. The colour of a face (314 or one of the eight that have numbers) is its own,
- * or that of its shell or solid. Curves that nothing else consists of are in nurbs_model_splines().
+ * or that of its shell or solid, and so is its level, a number or a list of them (406 form 1): a layer. Curves
+ * that nothing else consists of are in nurbs_model_splines().
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -6745,6 +6763,30 @@ NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index,
 NURBS_API nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t index, char *buf, int64_t cap,
                                              int64_t *length);
 
+/** \brief The solid that a face bounds. Outer normals of its faces (nurbs_model_face()) point out of the material,
+ * those of its voids too, so that the integral of x . n / 3 over all of them is its volume.
+ * \param[in] model a model.
+ * \param[in] index 0-based, of the face.
+ * \param[out] solid or NULL: the number of the solid, from 0 on in the order of the first faces; -1 if the file
+ *   has the face in none, and for models of faces.
+ * \param[out] in_void or NULL: 1 if the face belongs to a void of the solid, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_face_solid(const nurbs_model *model, int64_t index, int64_t *solid,
+                                              int32_t *in_void);
+
+/** \brief The layers that a face is in, by itself or as part of a shell, a solid or a representation (STEP); else
+ * by its shell or solid (IGES).
+ * \param[in] model a model.
+ * \param[in] index 0-based, of the face.
+ * \param[in] cap size of layers, 0 to ask for it.
+ * \param[out] layers [cap] or NULL when cap is 0: layers as nurbs_model_layer() has them, rising.
+ * \param[out] count or NULL: the number of layers.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT, _SIZE, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_face_layers(const nurbs_model *model, int64_t index, int64_t cap,
+                                               int64_t *layers, int64_t *count);
+
 /** \brief An edge of a model.
  * \param[in] model a model.
  * \param[in] index 0-based.
@@ -6806,6 +6848,36 @@ NURBS_API nurbs_status nurbs_model_use(const nurbs_model *model, int64_t index, 
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list **out);
+
+/** \brief The layers that one of the splines of nurbs_model_splines() is in.
+ * \param[in] model a model.
+ * \param[in] index 0-based, of the spline.
+ * \param[in] cap size of layers, 0 to ask for it.
+ * \param[out] layers [cap] or NULL when cap is 0: layers as nurbs_model_layer() has them, rising.
+ * \param[out] count or NULL: the number of layers.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT, _SIZE, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_spline_layers(const nurbs_model *model, int64_t index, int64_t cap,
+                                                 int64_t *layers, int64_t *count);
+
+/** \brief How many layers faces and splines of a model are in.
+ * \param[in] model a model.
+ * \param[out] count number of layers.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_layer_count(const nurbs_model *model, int64_t *count);
+
+/** \brief The name of a layer: of a PRESENTATION_LAYER_ASSIGNMENT in STEP, where those of equal names are one;
+ * the number of a level in IGES, such as "3", or what a property (406 form 3) says that the level is for.
+ * \param[in] model a model.
+ * \param[in] index 0-based.
+ * \param[out] buf [cap] or NULL when cap is 0: receives the text.
+ * \param[in] cap size of buf in bytes.
+ * \param[out] length or NULL: length of the whole name without the terminating zero.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index, char *buf, int64_t cap,
+                                         int64_t *length);
 /** @} */
 
 /** \defgroup write Writing files
@@ -6824,12 +6896,14 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * time, no path and no user.
  *
  * **STEP** (ISO 10303-21, AP214). Faces become advanced faces with the edges and vertices that they share, in
- * solids where every edge is used once in each direction, else in shells; edges that no face uses become
- * wires, and splines of a model or a list geometric sets. Surfaces and edges that were elementary in a file
+ * solids where every edge is used once in each direction, else in shells; voids of a solid that was read stay its
+ * own; edges that no face uses become
+ * wires, and splines of a model or a list geometric sets, of which curves of dimension 2 have one of their own, in
+ * parameters that have no unit. Surfaces and edges that were elementary in a file
  * are elementary again, all others B-splines. Parts become products, and their uses assemblies; a use that is
  * a mirror image or a scaling becomes a mapped item; where parts stand in the whole other than each once and
  * unmoved, the whole becomes one more product. Numbers have all digits that they need, so that
- * nurbs_read_model() and nurbs_read() give knots, points and weights back bit for bit, and names, colours,
+ * nurbs_read_model() and nurbs_read() give knots, points and weights back bit for bit, and names, colours, layers,
  * kinds, parts, uses, edges and vertices; not so
  * - lengths in another unit than that of the model;
  * - the mark of a periodic axis, whose knots and points stay (nurbs_detect_periodic());
@@ -6842,9 +6916,12 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
  * - gaps of loops that were kept (NURBS_KEEP_GAPS): the segments that close them become edges.
  *
  * **IGES** (5.3, fixed-length form). Faces (510) with loops (508) share the edges and vertices of one list each
- * (504, 502), in solids (186) where every edge is used once in each direction, else in open shells (514). Edges
+ * (504, 502), in solids (186) with their voids where every edge is used once in each direction, else in open shells
+ * (514). Edges
  * that no face uses stand in the list only, which other programs may not show. Splines of a model or a list are
- * entities 126 and 128, in their order, surfaces of a model come back as faces over their whole domains. Parts
+ * entities 126 and 128, in their order, curves of dimension 2 in parameters that have no unit; surfaces of a model
+ * come back as faces over their whole domains. Layers are levels: their name if that is a number above those before,
+ * else the next number, which a property (406 form 3) names, if there is a name. Parts
  * become subfigures (308), and their uses instances (408) with matrices (124), of form 1 for mirror images; a
  * first part that stands in the whole once and unmoved is what no subfigure has, and its name that of the
  * product. Units without a number are one with another model space scale. What surfaces and edges were in a
@@ -6904,7 +6981,7 @@ NURBS_API nurbs_status nurbs_write_options_init(nurbs_write_options *options, in
  * \param[out] length or NULL: number of bytes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _OPTIONS, _FORMAT for any other format; _SIZE if cap is
  *   neither 0 nor enough. Of what the format cannot hold, naming the index: _DIMENSION of splines outside of
- *   space, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous points whose weights are not
+ *   space but for curves of dimension 2, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous points whose weights are not
  *   positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE; _TOO_LARGE for an IGES file of
  *   more lines than its seven digits can count.
  * \since 1.1 */

@@ -19,6 +19,7 @@ namespace nrb::model {
 struct NamedSpline {
     std::string name;
     SplinePtr spline;
+    std::vector<int64_t> layers{}; // of the model, rising
 };
 
 // An entity that did not become a spline, and why. `line` is where the file has it.
@@ -52,6 +53,10 @@ struct ModelFace {
     bool against = false;  // whether the outer normal is against that of the surface
     int64_t part = 0;
     std::optional<std::array<double, 3>> colour; // red, green, blue from 0 to 1
+    int64_t solid = -1;                          // the number of the solid that it bounds, -1: none
+    bool in_void =
+        false; // whether it is of a shell inside the solid; its outer normal points out of the material, too
+    std::vector<int64_t> layers{}; // of the model, rising
 };
 
 // Faces and edges that are placed together, in coordinates of their own.
@@ -76,6 +81,7 @@ struct Model {
     std::vector<ModelFace> faces{};
     std::vector<Edge> edges{};
     std::vector<Vector3> vertices{};
+    std::vector<std::string> layers{}; // names of layers, each of which has a face or a spline
 };
 using ModelPtr = std::shared_ptr<const Model>;
 

@@ -16,20 +16,22 @@ static void pin(const char *what, size_t actual, size_t expected) {
 
 static void pin_read_options(void) {
     nurbs_read_options options;
-    PIN(sizeof(nurbs_read_options), 32);
+    PIN(sizeof(nurbs_read_options), 40);
     PIN(offsetof(nurbs_read_options, struct_size), 0);
     PIN(offsetof(nurbs_read_options, unit), 8);
     PIN(offsetof(nurbs_read_options, max_bytes), 16);
     PIN(offsetof(nurbs_read_options, tolerance), 24);
+    PIN(offsetof(nurbs_read_options, kinds), 32);
+    PIN(offsetof(nurbs_read_options, reserved), 36);
     if (nurbs_read_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
         fprintf(stderr, "the library does not know the struct of this size\n");
         ++failures;
         return;
     }
-    PIN((size_t)options.struct_size, 32);
+    PIN((size_t)options.struct_size, 40);
     PIN((size_t)options.max_bytes, (size_t)1 << 30);
-    if (options.unit != 0 || options.tolerance != 0) {
-        fprintf(stderr, "unit and tolerance are not 0 by default\n");
+    if (options.unit != 0 || options.tolerance != 0 || options.kinds != 0 || options.reserved != 0) {
+        fprintf(stderr, "unit, tolerance and kinds are not 0 by default\n");
         ++failures;
     }
 }
@@ -373,6 +375,9 @@ static void pin_kinds(void) {
     PIN(NURBS_BYTES_MODEL, 5);
     PIN(NURBS_FORMAT_STEP, 1);
     PIN(NURBS_FORMAT_IGES, 2);
+    PIN(NURBS_READ_CURVES, 1);
+    PIN(NURBS_READ_SURFACES, 2);
+    PIN(NURBS_READ_FACES, 4);
     PIN(NURBS_ARC_QUARTERS, 0);
     PIN(NURBS_ARC_THIRDS, 1);
     PIN(NURBS_ARC_SMOOTH, 2);

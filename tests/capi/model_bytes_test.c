@@ -9,23 +9,24 @@
  * vertex, the shapes of a circle, a plane and a sphere, four texts, five splines. */
 enum {
     at_sizes = 64,
-    at_metres = 176,
-    at_uses = 192,
-    at_attributes = 320,
-    at_faces = 448,
-    at_loops = 512,
-    at_coedges = 576,
-    at_coedge_edges = 704,
-    at_edges = 768,
-    at_vertices = 832,
-    at_curves = 896,
-    at_surfaces = 1216,
-    at_ends = 1920,
-    at_texts = 1984,
-    at_places = 2048,
-    at_splines = 2112
+    at_metres = 192,
+    at_uses = 256,
+    at_attributes = 384,
+    at_layer_counts = 512,
+    at_faces = 576,
+    at_loops = 640,
+    at_coedges = 704,
+    at_coedge_edges = 832,
+    at_edges = 896,
+    at_vertices = 960,
+    at_curves = 1024,
+    at_surfaces = 1344,
+    at_ends = 2048,
+    at_texts = 2112,
+    at_places = 2176,
+    at_splines = 2240
 };
-enum { attribute_bytes = 48, surface_bytes = 336 };
+enum { attribute_bytes = 56, surface_bytes = 336 };
 
 static nurbs_model *from_file(void) {
     nurbs_model *model = NULL;
@@ -118,11 +119,11 @@ static void layout(void) {
     nurbs_model *model = from_file();
     const Bytes made = bytes_of(model);
     CHECK_BITS(made.data, "\x89NUR\r\n\x1a\n\x01\0\0\0\x05\0\0\0", 16);
-    NUMBERS(at_sizes, 14, 0, 0, 1, 1, 2, 2, 2, 1, 1, 0, 1, 2, 7, 5);
+    NUMBERS(at_sizes, 16, 0, 0, 1, 1, 2, 2, 2, 1, 1, 0, 1, 2, 7, 5, 0, 0);
     CHECK(number_from(made.data + at_metres, 8) == bits_of(0.01));
     NUMBERS(at_uses, 3, -1, 0, (int64_t)bits_of(1));
-    NUMBERS(at_attributes, 6, 0, 0, 1, 0, 0, 0);
-    NUMBERS(at_attributes + attribute_bytes, 3, 1, 0, 0);
+    NUMBERS(at_attributes, 7, 0, 0, 1, 0, 0, 0, 0);
+    NUMBERS(at_attributes + attribute_bytes, 7, 1, 0, 0, 0, 0, 0, 0);
     NUMBERS(at_faces, 3, 0, 1, 0);
     NUMBERS(at_loops, 4, 1, 0, 1, 0);
     NUMBERS(at_coedges, 10, 1, 2, 1, 2, 0, 4, 2, 1, 0, 0); /* under the plane it is proven */
@@ -210,8 +211,11 @@ static void numbers_of_no_model(void) {
     BAD_NUMBER(at_uses + 16, bits_of(NAN), SYNTAX, "a number of a placement nan");
     BAD_NUMBER(at_attributes, 2, SYNTAX, "the shape of a face 2, expected -1 to 1");
     BAD_NUMBER(at_attributes + 8, -1, SYNTAX, "the part of a face -1");
-    BAD_NUMBER(at_attributes + 16, 4, SYNTAX, "flags of a face 0x4");
+    BAD_NUMBER(at_attributes + 16, 8, SYNTAX, "flags of a face 0x8");
+    BAD_NUMBER(at_attributes + 48, 2, SYNTAX, "the solid of a face 2, expected -1 to 1");
+    BAD_NUMBER(at_attributes + 48, -2, SYNTAX, "the solid of a face -2, expected -1 to 1");
     BAD_NUMBER(at_attributes + 24, bits_of(2), SYNTAX, "a colour 2, expected 0 to 1");
+    BAD_NUMBER(at_layer_counts, 1, SYNTAX, "a number of layers 1, expected 0 to 0");
     BAD_NUMBER(at_faces, 1, AXES, "face 0: the surface of a face has 1 axes");
     BAD_NUMBER(at_coedges + 40, 7, SYNTAX, "face 1: curve 7, expected 0 to 4");
     BAD_NUMBER(at_coedge_edges, 1, SYNTAX, "the edge of a curve 1, expected -1 to 0");
@@ -260,7 +264,7 @@ static void numbers_of_no_shape(void) {
 static void same_on_every_machine(void) {
     nurbs_model *model = two_sides();
     const Bytes made = bytes_of(model);
-    CHECK(number_from(made.data + 24, 8) == UINT64_C(0x9e8209cdf6228b91));
+    CHECK(number_from(made.data + 24, 8) == UINT64_C(0x8282d23a995019fd));
     nurbs_model_destroy(model);
 }
 

@@ -23,6 +23,9 @@ static void missing_arguments(void) {
     CHECK_FAILS(nurbs_model_splines(model_, NULL), NURBS_ERROR_NULL, "out");
     CHECK_FAILS(nurbs_model_vertex(model_, 99, NULL), NURBS_ERROR_NULL, "point");
     CHECK_FAILS(nurbs_model_edge_uses(model_, 99, 1, NULL, NULL), NURBS_ERROR_NULL, "places");
+    CHECK_FAILS(nurbs_model_face_layers(model_, 99, 1, NULL, NULL), NURBS_ERROR_NULL, "layers");
+    CHECK_FAILS(nurbs_model_spline_layers(model_, 99, 1, NULL, NULL), NURBS_ERROR_NULL, "layers");
+    CHECK_FAILS(nurbs_model_layer_count(model_, NULL), NURBS_ERROR_NULL, "count");
     CHECK_NO_MODEL(out_, nurbs_read_model(NULL, 5, NULL, &out_), NURBS_ERROR_NULL, "bytes");
     CHECK_NO_MODEL(out_, nurbs_read_model_file(NULL, NULL, &out_), NURBS_ERROR_NULL, "path");
     CHECK_NO_MODEL(out_, nurbs_model_create(1, NULL, NAN, &out_), NURBS_ERROR_NULL, "faces");
@@ -44,6 +47,11 @@ static void missing_models(void) {
     CHECK_FAILS(nurbs_model_edge_uses(NULL, 99, -1, NULL, NULL), NURBS_ERROR_NULL, "model");
     CHECK_FAILS(nurbs_model_vertex(NULL, 99, values), NURBS_ERROR_NULL, "model");
     CHECK_FAILS(nurbs_model_part(NULL, 99, NULL, -1, NULL), NURBS_ERROR_NULL, "model");
+    CHECK_FAILS(nurbs_model_layer(NULL, 99, NULL, -1, NULL), NURBS_ERROR_NULL, "model");
+    CHECK_FAILS(nurbs_model_layer_count(NULL, NULL), NURBS_ERROR_NULL, "model");
+    CHECK_FAILS(nurbs_model_face_solid(NULL, 99, counts, NULL), NURBS_ERROR_NULL, "model");
+    CHECK_FAILS(nurbs_model_face_layers(NULL, 99, -1, NULL, NULL), NURBS_ERROR_NULL, "model");
+    CHECK_FAILS(nurbs_model_spline_layers(NULL, 99, -1, NULL, NULL), NURBS_ERROR_NULL, "model");
     CHECK_FAILS(nurbs_model_use(NULL, 99, counts, counts, values), NURBS_ERROR_NULL, "model");
     CHECK_FAILS(nurbs_model_splines(NULL, &list), NURBS_ERROR_NULL, "model");
     CHECK(list == NULL);
@@ -65,6 +73,13 @@ static void wrong_indices(void) {
         CHECK_FAILS(nurbs_model_edge_uses(model_, index, 2, places, NULL), NURBS_ERROR_INDEX,
                     "index = |12 edges");
         CHECK_FAILS(nurbs_model_vertex(model_, index, values), NURBS_ERROR_INDEX, "index = |8 vertices");
+        CHECK_FAILS(nurbs_model_face_solid(model_, index, places, NULL), NURBS_ERROR_INDEX,
+                    "index = |6 faces");
+        CHECK_FAILS(nurbs_model_face_layers(model_, index, 2, places, NULL), NURBS_ERROR_INDEX,
+                    "index = |6 faces");
+        CHECK_FAILS(nurbs_model_spline_layers(model_, index, 2, places, NULL), NURBS_ERROR_INDEX,
+                    "index = |0 splines");
+        CHECK_FAILS(nurbs_model_layer(model_, index, buf_, 8, NULL), NURBS_ERROR_INDEX, "index = |0 layers");
         CHECK_FAILS(nurbs_model_part(model_, index, buf_, 8, NULL), NURBS_ERROR_INDEX, "index = |1 parts");
         CHECK_FAILS(nurbs_model_use(model_, index, NULL, NULL, NULL), NURBS_ERROR_INDEX, "index = |1 uses");
     }
@@ -74,6 +89,7 @@ static void wrong_indices(void) {
 static void wrong_sizes(void) {
     int64_t places[6] = {7, 7, 7, 7, 7, 7};
     CHECK_FAILS(nurbs_model_edge_uses(model_, 0, -1, places, NULL), NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_model_face_layers(model_, 0, -1, places, NULL), NURBS_ERROR_COUNT, "cap = -1");
     CHECK_FAILS(nurbs_model_edge_uses(model_, 0, 1, places, NULL), NURBS_ERROR_SIZE, "cap = 1|2");
     CHECK_INT(places[0], 7);
     CHECK_FAILS(nurbs_model_face_name(model_, 0, buf_, -1, NULL), NURBS_ERROR_COUNT, "cap");
@@ -98,6 +114,7 @@ static void overlapping_outputs(void) {
     CHECK_FAILS(nurbs_model_edge(model_, 0, n, n, k, &spline_), NURBS_ERROR_OVERLAP, "part|end_vertices");
     CHECK_FAILS(nurbs_model_edge_uses(model_, 0, 2, n, n + 5), NURBS_ERROR_OVERLAP, "places|count");
     CHECK_FAILS(nurbs_model_use(model_, 0, n, n, colour), NURBS_ERROR_OVERLAP, "parent|part");
+    CHECK_FAILS(nurbs_model_face_solid(model_, 0, n, (int32_t *)n), NURBS_ERROR_OVERLAP, "solid|in_void");
 }
 
 static void wrong_faces_and_units(void) {

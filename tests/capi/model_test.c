@@ -242,6 +242,74 @@ static void files(const char *path) {
     }
 }
 
+static int64_t layers_of(const nurbs_model *model, int64_t face, int64_t spline, int64_t *layers) {
+    int64_t count = -1, same = -1;
+    if (face >= 0) {
+        CHECK_OK(nurbs_model_face_layers(model, face, 0, NULL, &count));
+        CHECK_OK(nurbs_model_face_layers(model, face, layers == NULL ? 0 : 2, layers, &same));
+    } else {
+        CHECK_OK(nurbs_model_spline_layers(model, spline, 0, NULL, &count));
+        CHECK_OK(nurbs_model_spline_layers(model, spline, 2, layers, &same));
+    }
+    CHECK_INT(same, count);
+    return count;
+}
+
+static void layer_is(const nurbs_model *model, int64_t index, const char *expected) {
+    char name[16] = "";
+    int64_t length = -1;
+    CHECK_OK(nurbs_model_layer(model, index, name, (int64_t)sizeof name, &length));
+    CHECK(strcmp(name, expected) == 0);
+    CHECK_INT(length, (int64_t)strlen(expected));
+}
+
+static const char layered[] =
+    HALF_BALL_START "#30=POLYLINE('',(#1,#5));\n#31=PRESENTATION_LAYER_ASSIGNMENT('void','',(#21));\n"
+                    "#32=PRESENTATION_LAYER_ASSIGNMENT('all','',(#20,#30));\n"
+                    "#33=PRESENTATION_LAYER_ASSIGNMENT('disks','',(#14));\n" STEP_END;
+
+/* Of a solid for all of its faces, and through both formats. */
+static void layers_and_solids(void) {
+    static char text[65536];
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_read_model(layered, (int64_t)sizeof layered - 1, NULL, &model));
+    for (int32_t format = 0; format <= NURBS_FORMAT_IGES; ++format) {
+        if (format > 0) {
+            int64_t size = 0;
+            CHECK_OK(nurbs_model_write(model, format, NULL, (int64_t)sizeof text, text, &size));
+            nurbs_model_destroy(model);
+            CHECK_OK(nurbs_read_model(text, size, NULL, &model));
+        }
+        int64_t count = -1, layers[2] = {-1, -1}, solid = -2;
+        int32_t in_void = -1;
+        CHECK_OK(nurbs_model_layer_count(model, &count));
+        CHECK_INT(count, 2);
+        layer_is(model, 0, "all");
+        layer_is(model, 1, "disks");
+        CHECK_INT(layers_of(model, 0, -1, layers), 2);
+        CHECK(layers[0] == 0 && layers[1] == 1);
+        CHECK_FAILS(nurbs_model_face_layers(model, 0, 1, layers, NULL), NURBS_ERROR_SIZE, "cap = 1|2");
+        CHECK_FAILS(nurbs_model_face_layers(model, 0, 2, layers, layers + 1), NURBS_ERROR_OVERLAP,
+                    "layers|count");
+        CHECK_INT(layers_of(model, 1, -1, layers), 1);
+        CHECK_INT(layers[0], 0);
+        CHECK_INT(layers_of(model, -1, 0, layers), 1);
+        CHECK_INT(layers[0], 0);
+        for (int64_t face = 0; face < 2; ++face) {
+            CHECK_OK(nurbs_model_face_solid(model, face, &solid, &in_void));
+            CHECK_INT(solid, 0);
+            CHECK_INT(in_void, 0);
+        }
+    }
+    nurbs_model_destroy(model);
+    model = box();
+    int64_t solid = -2;
+    CHECK_OK(nurbs_model_face_solid(model, 0, &solid, NULL));
+    CHECK_INT(solid, -1);
+    CHECK_INT(layers_of(model, 0, -1, NULL), 0);
+    nurbs_model_destroy(model);
+}
+
 int main(void) {
     static const char path[] = "model_test.step";
     FILE *file = fopen(path, "wb");
@@ -256,5 +324,6 @@ int main(void) {
     tolerances();
     files(path);
     (void)remove(path);
+    layers_and_solids();
     return check_summary("model");
 }

@@ -45,6 +45,8 @@ static void default_options(void) {
     CHECK_DOUBLE(options.unit, 0);
     CHECK_INT(options.max_bytes, INT64_C(1) << 30);
     CHECK_DOUBLE(options.tolerance, 0);
+    CHECK_INT(options.kinds, 0);
+    CHECK_INT(options.reserved, 0);
     memset(&wide, 0x5a, sizeof wide);
     CHECK_OK(nurbs_read_options_init(&wide.options, (int64_t)sizeof wide.options));
     CHECK_UNTOUCHED(wide.behind);
@@ -153,6 +155,18 @@ static void bad_options(void) {
     options.struct_size = -8;
     NO_LIST(nurbs_read(file.bytes, file.size, &options, &list), NURBS_ERROR_OPTIONS, "struct_size|-8");
     options = defaults();
+    options.kinds = 0x8;
+    NO_LIST(nurbs_read(file.bytes, file.size, &options, &list), NURBS_ERROR_OPTIONS, "kinds = 0x8");
+    options.kinds = NURBS_READ_FACES;
+    options.reserved = 1;
+    NO_LIST(nurbs_read(file.bytes, file.size, &options, &list), NURBS_ERROR_OPTIONS, "reserved = 1");
+    options.reserved = 0;
+    int64_t count = -1;
+    list = read_small(&options);
+    CHECK_OK(nurbs_list_count(list, &count));
+    CHECK_INT(count, 0);
+    nurbs_list_destroy(list);
+    options = defaults();
     options.max_bytes = file.size - 1;
     NO_LIST(nurbs_read(file.bytes, file.size, &options, &list), NURBS_ERROR_TOO_LARGE, "");
     options.max_bytes = file.size;
@@ -231,7 +245,7 @@ static void longer_options(void) {
     CHECK_OK(nurbs_read(text.bytes, text.size, &wide.options, &list));
     nurbs_list_destroy(list);
     wide.bytes[63] = 1;
-    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "beyond byte 32");
+    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "beyond byte 40");
     wide.options.struct_size = 4097;
     NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "struct_size|4097");
     wide.options.struct_size = INT64_MAX;

@@ -111,7 +111,7 @@ static nurbs *curve_of(int32_t dim) {
 
 static void list_comes_back(int32_t format) {
     static char text[most_text];
-    nurbs *curve = curve_of(3), *flat = curve_of(2);
+    nurbs *curve = curve_of(3), *number = curve_of(1);
     nurbs_list *list = NULL, *read = NULL;
     const char *names[] = {"it's \xC3\xA4", "b"};
     int64_t size = 0, count = 0;
@@ -128,9 +128,34 @@ static void list_comes_back(int32_t format) {
     CHECK_DOUBLE(unit, 0.001); /* what has none is in millimetres */
     nurbs_list_destroy(read);
     nurbs_list_destroy(list);
-    CHECK_OK(nurbs_list_create(2, CURVES(curve, flat), NULL, 0, &list));
+    CHECK_OK(nurbs_list_create(2, CURVES(curve, number), NULL, 0, &list));
     CHECK_FAILS(nurbs_list_write(list, format, NULL, most_text, text, &size), NURBS_ERROR_DIMENSION,
-                "splines[1]|dimension 2");
+                "splines[1]|dimension 1");
+    nurbs_list_destroy(list);
+    nurbs_destroy(curve);
+    nurbs_destroy(number);
+}
+
+/* A curve of the plane among curves of space, in inches: it has no unit. */
+static void flat_curve_comes_back(int32_t format) {
+    static char text[most_text];
+    nurbs *curve = curve_of(3), *flat = curve_of(2), *got = NULL;
+    nurbs_list *list = NULL, *read = NULL;
+    nurbs_write_options options = defaults();
+    options.unit = 0.0254;
+    int64_t size = 0;
+    CHECK_OK(nurbs_list_create(2, CURVES(flat, curve), NULL, 0.001, &list));
+    CHECK_OK(nurbs_list_write(list, format, &options, most_text, text, &size));
+    CHECK_OK(nurbs_read(text, size, NULL, &read));
+    CHECK_OK(nurbs_list_get(read, 0, &got));
+    int32_t dim = 0;
+    CHECK_OK(nurbs_dimension(got, &dim));
+    CHECK_INT(dim, 2);
+    double points[4];
+    CHECK_OK(nurbs_points(got, 2, points, 0, 0));
+    CHECK_NEAR(points, VALUES(0, 0, 0, 1), 4, 0);
+    nurbs_destroy(got);
+    nurbs_list_destroy(read);
     nurbs_list_destroy(list);
     nurbs_destroy(curve);
     nurbs_destroy(flat);
@@ -139,6 +164,8 @@ static void list_comes_back(int32_t format) {
 static void lists_come_back(void) {
     list_comes_back(NURBS_FORMAT_STEP);
     list_comes_back(NURBS_FORMAT_IGES);
+    flat_curve_comes_back(NURBS_FORMAT_STEP);
+    flat_curve_comes_back(NURBS_FORMAT_IGES);
 }
 
 static void files_are_written(void) {

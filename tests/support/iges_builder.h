@@ -18,6 +18,7 @@ struct Fields {
     std::string label = "";
     int64_t subscript = 0;
     int64_t colour = 0;
+    int64_t level = 0;
 };
 
 class IgesBuilder {
@@ -156,9 +157,9 @@ private:
         const Fields &fields = entity.fields;
         const std::string type = padded(entity.type, 8);
         const std::string zero = padded(0, 8);
-        result.push_back(section_line(type + padded(static_cast<int64_t>(data_line), 8) + zero + zero + zero +
-                                          zero + padded(fields.transform, 8) + zero +
-                                          padded(fields.status, 8),
+        result.push_back(section_line(type + padded(static_cast<int64_t>(data_line), 8) + zero + zero +
+                                          padded(fields.level, 8) + zero + padded(fields.transform, 8) +
+                                          zero + padded(fields.status, 8),
                                       'D', line));
         result.push_back(section_line(type + zero + padded(fields.colour, 8) +
                                           padded(static_cast<int64_t>(data_count), 8) +

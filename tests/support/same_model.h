@@ -2,9 +2,11 @@
 #pragma once
 
 #include "io/step/write/edge_curves.h"
+#include "io/written/shells.h"
 #include "model/model.h"
 #include "spline/same_numbers.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,9 +16,11 @@ class ModelDifferences {
 public:
     ModelDifferences(const nrb::model::Model &a, const nrb::model::Model &b) : a_(a), b_(b) {
         expect("unit", a.metres_per_unit == b.metres_per_unit);
+        expect("layers", a.layers == b.layers);
         if (sizes()) {
             splines();
             parts();
+            find_closed();
             for (size_t i = 0; i < a.faces.size(); ++i) {
                 face("face " + std::to_string(i), a.faces[i], b.faces[i]);
             }
@@ -49,6 +53,7 @@ private:
         for (size_t i = 0; i < a_.splines.size(); ++i) {
             const std::string what = "spline " + std::to_string(i);
             expect(what + ": name", a_.splines[i].name == b_.splines[i].name);
+            expect(what + ": layers", a_.splines[i].layers == b_.splines[i].layers);
             expect(what, nrb::same_numbers(*a_.splines[i].spline, *b_.splines[i].spline));
         }
     }
@@ -66,6 +71,8 @@ private:
         expect(what + ": name " + a.name + " " + b.name, a.name == b.name);
         expect(what + ": part, side or colour",
                a.part == b.part && a.against == b.against && a.colour == b.colour);
+        expect(what + ": layers", a.layers == b.layers);
+        expect(what + ": solid", same_solid(a, b));
         expect(what + ": kind", (a.shape == nullptr ? nrb::model::SurfaceKind::spline : a.shape->kind) ==
                                     (b.shape == nullptr ? nrb::model::SurfaceKind::spline : b.shape->kind));
         expect(what + ": tolerance", a.face->tolerance() == b.face->tolerance());
@@ -73,6 +80,22 @@ private:
         expect(what + ": number of loops", a.face->loops().size() == b.face->loops().size());
         for (size_t i = 0; i < std::min(a.face->loops().size(), b.face->loops().size()); ++i) {
             loop(what + " loop " + std::to_string(i), a.face->loops()[i], b.face->loops()[i]);
+        }
+    }
+    // What does not enclose anything is written as an open shell, which is no solid; what does and was none becomes one.
+    bool same_solid(const nrb::model::ModelFace &a, const nrb::model::ModelFace &b) {
+        if (!closed_[static_cast<size_t>(&a - a_.faces.data())]) {
+            return b.solid < 0;
+        }
+        return a.solid < 0 || (b.solid >= 0 && a.in_void == b.in_void &&
+                               solids_.try_emplace(a.solid, b.solid).first->second == b.solid);
+    }
+    void find_closed() {
+        closed_.assign(a_.faces.size(), false);
+        for (const nrb::io::Shell &shell : nrb::io::shells_of(a_, nrb::io::topology_of(a_))) {
+            for (const size_t face : shell.faces) {
+                closed_[face] = shell.closed;
+            }
         }
     }
     void loop(const std::string &what, const nrb::face::Loop &a, const nrb::face::Loop &b) {
@@ -101,6 +124,8 @@ private:
 
     const nrb::model::Model &a_;
     const nrb::model::Model &b_;
+    std::vector<bool> closed_;          // of the faces of the first: whether their shell is
+    std::map<int64_t, int64_t> solids_; // of the second by those of the first
     std::vector<std::string> found_;
 };
 

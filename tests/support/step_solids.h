@@ -66,12 +66,12 @@ private:
     }
 };
 
-// The cube [0, 2]^3. Edges run along the axes; edge 4 k + j is the j-th one along axis k.
-inline std::string step_cube() {
-    SolidBuilder b;
-    const auto place = [](int corner) {
-        const auto at = [corner](int axis) { return corner >> axis & 1 ? "2." : "0."; };
-        return std::string(at(0)) + "," + at(1) + "," + at(2);
+// The sides of a cube [low, high]^3, seen from outside. Edges run along the axes; edge 4 k + j is the j-th one along axis k.
+inline std::vector<std::string> cube_faces(SolidBuilder &b, const std::string &low_end,
+                                           const std::string &high_end) {
+    const auto place = [&](int corner) {
+        const auto at = [&](int axis) { return corner >> axis & 1 ? high_end : low_end; };
+        return at(0) + "," + at(1) + "," + at(2);
     };
     std::vector<std::string> vertices;
     for (int corner = 0; corner < 8; ++corner) {
@@ -103,7 +103,32 @@ inline std::string step_cube() {
                                            std::string(1, "xyz"[axis]) + (side == 1 ? "+" : "-")));
         }
     }
-    return b.solid(faces);
+    return faces;
+}
+
+// The cube [0, 2]^3.
+inline std::string step_cube() {
+    SolidBuilder b;
+    return b.solid(cube_faces(b, "0.", "2."));
+}
+
+// The cube [0, 4]^3 without the cubes [1, 2]^3 and [2.5, 3]^3 in it, whose shells are turned.
+inline std::string step_hollow_cube() {
+    SolidBuilder b;
+    const auto shell = [&](const std::string &low, const std::string &high) {
+        std::string all;
+        for (const std::string &face : cube_faces(b, low, high)) {
+            all += (all.empty() ? "" : ",") + face;
+        }
+        return b.add("CLOSED_SHELL('',(" + all + "))");
+    };
+    const std::string outer = shell("0.", "4."), first = shell("1.", "2."), second = shell("2.5", "3."),
+                      turned = b.add("ORIENTED_CLOSED_SHELL('',*," + first + ",.F.)"),
+                      other = b.add("ORIENTED_CLOSED_SHELL('',*," + second + ",.F.)");
+    const std::string brep = b.add("BREP_WITH_VOIDS(''," + outer + ",(" + turned + "," + other + "))");
+    const std::string length = b.millimetre(), angle = b.radian();
+    b.shape(brep, b.context(length, angle));
+    return b.text();
 }
 
 // Radius 2, from z = 0 to 5. The seam is a line, or a curve that says so.

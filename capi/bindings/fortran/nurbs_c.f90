@@ -190,6 +190,9 @@ module nurbs_c
         ! that a file states: the tolerance of faces, and how near to what the file states is what has to be
         ! made; 0 takes what the file states. \since 1.1
         real(c_double) :: tolerance
+        ! sum of NURBS_READ_ constants, 0 for all of them: others are left out without a note. \since 1.1
+        integer(c_int32_t) :: kinds
+        integer(c_int32_t) :: reserved  ! 0
     end type nurbs_read_options
 
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
@@ -3485,7 +3488,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_face_from_bytes
         !> A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses,
-        !> names, colours, kinds of curves and surfaces, and the splines, notes and unit of
+        !> names, colours, solids, layers, kinds of curves and surfaces, and the splines, notes and unit of
         !> nurbs_model_splines().
         function nurbs_model_to_bytes(model, cap, bytes, length) bind(c) result(r)
             import
@@ -3598,6 +3601,24 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_model_face_name
+        !> The solid that a face bounds.
+        function nurbs_model_face_solid(model, index, solid, in_void) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index
+            integer(c_int64_t), intent(inout), optional :: solid
+            integer(c_int32_t), intent(inout), optional :: in_void
+            integer(c_int32_t) :: r
+        end function nurbs_model_face_solid
+        !> The layers that a face is in, by itself or as part of a shell, a solid or a representation (STEP);
+        !> else by its shell or solid (IGES).
+        function nurbs_model_face_layers(model, index, cap, layers, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index, cap
+            integer(c_int64_t), intent(inout), optional :: layers(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_model_face_layers
         !> An edge of a model.
         function nurbs_model_edge(model, index, part, end_vertices, shape, out) bind(c) result(r)
             import
@@ -3650,6 +3671,32 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_splines
+        !> The layers that one of the splines of nurbs_model_splines() is in.
+        function nurbs_model_spline_layers(model, index, cap, layers, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index, cap
+            integer(c_int64_t), intent(inout), optional :: layers(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_model_spline_layers
+        !> How many layers faces and splines of a model are in.
+        function nurbs_model_layer_count(model, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_model_layer_count
+        !> The name of a layer: of a PRESENTATION_LAYER_ASSIGNMENT in STEP, where those of equal names are
+        !> one; the number of a level in IGES, such as "3", or what a property (406 form 3) says that the
+        !> level is for.
+        function nurbs_model_layer(model, index, buf, cap, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: index, cap
+            character(kind=c_char), intent(inout), optional :: buf(*)
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_model_layer
         ! --- Writing files
         !> Fills an options struct with the defaults.
         function nurbs_write_options_init(options, struct_size) bind(c) result(r)

@@ -411,6 +411,14 @@ module nurbs_constants
     ! the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_CURVATURE = 3
 
+    ! --- What files are read for
+    ! curves: of lists all, also those of edges; of models those that no face or edge consists of
+    integer(c_int32_t), parameter :: NURBS_READ_CURVES = int(z'1', c_int32_t)
+    ! surfaces: of lists all, also those of faces; of models those that no face consists of (STEP)
+    integer(c_int32_t), parameter :: NURBS_READ_SURFACES = int(z'2', c_int32_t)
+    ! faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too
+    integer(c_int32_t), parameter :: NURBS_READ_FACES = int(z'4', c_int32_t)
+
     ! --- Kinds of handles
     integer(c_int32_t), parameter :: NURBS_BYTES_SPLINE = 1  ! a spline: nurbs_from_bytes()
     integer(c_int32_t), parameter :: NURBS_BYTES_LIST = 2  ! a list: nurbs_list_from_bytes()

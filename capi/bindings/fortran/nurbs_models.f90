@@ -6,10 +6,11 @@ module nurbs_models
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
-        nurbs_model_face, nurbs_model_face_name, nurbs_model_edge, nurbs_model_edge_uses, nurbs_model_vertex, &
-        nurbs_model_part, nurbs_model_use, nurbs_model_splines, nurbs_model_write_file, nurbs_model_from_bytes, &
-        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_write_file_with, nurbs_read_options, &
-        nurbs_write_options
+        nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
+        nurbs_model_edge_uses, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, nurbs_model_splines, &
+        nurbs_model_spline_layers, nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, &
+        nurbs_model_from_bytes, nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_write_file_with, &
+        nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -22,8 +23,8 @@ module nurbs_models
     !> Faces and the edges that they share, in parts; an assignment makes another handle on the same model.
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
-        procedure :: read, read_file, create, counts, face, face_name, edge, edge_uses, vertex, part, get_use, splines
-        procedure :: write_file, from_bytes
+        procedure :: read, read_file, create, counts, face, face_name, face_solid, face_layers, edge, edge_uses, vertex
+        procedure :: part, get_use, splines, spline_layers, layer_count, layer, write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -126,6 +127,32 @@ contains
         call settle(code, status)
     end subroutine face_name
 
+    !> The solid that a face bounds, -1 for none, and whether the face belongs to a void of it.
+    subroutine face_solid(this, index, solid, in_void, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int64_t), intent(inout), optional :: solid
+        integer(c_int32_t), intent(inout), optional :: in_void
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_model_face_solid(this%handle, index - 1_c_int64_t, solid, in_void), status)
+    end subroutine face_solid
+
+    !> The layers that a face is in.
+    subroutine face_layers(this, index, layers, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int64_t), allocatable, intent(inout) :: layers(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_model_face_layers(this%handle, index - 1_c_int64_t, 0_c_int64_t, count=n)
+        if (allocated(layers)) deallocate (layers)
+        allocate (layers(n))
+        if (code == NURBS_OK) code = nurbs_model_face_layers(this%handle, index - 1_c_int64_t, n, layers)
+        call settle(code, status)
+    end subroutine face_layers
+
     !> An edge.
     subroutine edge(this, index, out, part, end_vertices, shape, status)
         class(nurbs_model), intent(in) :: this
@@ -218,6 +245,47 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine splines
+
+    !> The layers that a curve or a surface is in which no face or edge consists of.
+    subroutine spline_layers(this, index, layers, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int64_t), allocatable, intent(inout) :: layers(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_model_spline_layers(this%handle, index - 1_c_int64_t, 0_c_int64_t, count=n)
+        if (allocated(layers)) deallocate (layers)
+        allocate (layers(n))
+        if (code == NURBS_OK) code = nurbs_model_spline_layers(this%handle, index - 1_c_int64_t, n, layers)
+        call settle(code, status)
+    end subroutine spline_layers
+
+    !> How many layers faces and splines are in.
+    integer(c_int64_t) function layer_count(this, status) result(value)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        value = 0
+        call settle(nurbs_model_layer_count(this%handle, value), status)
+    end function layer_count
+
+    !> The name of a layer.
+    subroutine layer(this, index, text, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        character(len=:), allocatable, intent(out) :: text
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: length
+        character(kind=c_char), allocatable :: buffer(:)
+        length = 0
+        code = nurbs_model_layer(this%handle, index - 1_c_int64_t, cap=0_c_int64_t, length=length)
+        allocate (buffer(length + 1))
+        if (code == NURBS_OK) code = nurbs_model_layer(this%handle, index - 1_c_int64_t, buffer, length + 1)
+        text = string(buffer(:length))
+        call settle(code, status)
+    end subroutine layer
 
     !> Writes it to a file, which is replaced whole or not at all.
     subroutine write_file(this, path, format, options, status, call)

@@ -26,6 +26,11 @@ inline constexpr std::int32_t bytes_model = NURBS_BYTES_MODEL;
 inline constexpr std::int32_t format_step = NURBS_FORMAT_STEP;
 inline constexpr std::int32_t format_iges = NURBS_FORMAT_IGES;
 
+/// What files are read for.
+inline constexpr std::uint32_t read_curves = NURBS_READ_CURVES;
+inline constexpr std::uint32_t read_surfaces = NURBS_READ_SURFACES;
+inline constexpr std::uint32_t read_faces = NURBS_READ_FACES;
+
 /// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of
 /// them: where libraries that were compiled with two versions meet in one program, each has to say its own
 /// size, and none the other's.

@@ -37,6 +37,12 @@ struct ModelFace {
     std::array<double, 3> colour; ///< Red, green and blue from 0 to 1, NaN where the file gives none.
 };
 
+/// The solid that a face of a model bounds.
+struct FaceSolid {
+    std::int64_t solid;   ///< The number of the solid, -1 for none.
+    std::int32_t in_void; ///< Whether the face belongs to a void of it.
+};
+
 /// An edge of a model.
 struct ModelEdge {
     Spline spline;                        ///< Its curve.
@@ -114,6 +120,24 @@ public:
             return nurbs_model_face_name(get(), index, buf, cap, length);
         });
     }
+    /// The solid that a face bounds, -1 for none, and whether the face belongs to a void of it.
+    [[nodiscard]] Returned<FaceSolid> face_solid(std::int64_t index) const {
+        FaceSolid found{};
+        detail::call(nurbs_model_face_solid, get(), index, &found.solid, &found.in_void);
+        return found;
+    }
+    /// The layers that a face is in.
+    [[nodiscard]] Returned<std::vector<std::int64_t>> face_layers(std::int64_t index) const {
+        std::vector<std::int64_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_face_layers, get(), index, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int64_t>(count);
+        ask(count);
+        return values;
+    }
     /// An edge.
     [[nodiscard]] Returned<ModelEdge> edge(std::int64_t index) const {
         ModelEdge made{};
@@ -154,6 +178,28 @@ public:
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what
     /// was not read.
     [[nodiscard]] Returned<List> splines() const { return detail::made<List>(nurbs_model_splines, get()); }
+    /// The layers that a curve or a surface is in which no face or edge consists of.
+    [[nodiscard]] Returned<std::vector<std::int64_t>> spline_layers(std::int64_t index) const {
+        std::vector<std::int64_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_spline_layers, get(), index, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int64_t>(count);
+        ask(count);
+        return values;
+    }
+    /// How many layers faces and splines are in.
+    [[nodiscard]] Returned<std::int64_t> layer_count() const {
+        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_model_layer_count(get(), v); });
+    }
+    /// The name of a layer.
+    [[nodiscard]] Returned<std::string> layer(std::int64_t index) const {
+        return detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
+            return nurbs_model_layer(get(), index, buf, cap, length);
+        });
+    }
     /// Writes it to a file, which is replaced whole or not at all.
     Returned<void> write_file(const std::string &path, std::int32_t format,
                               const WriteOptions &options = {}) const {

@@ -13,9 +13,9 @@ namespace nrb::io {
 
 namespace {
 
-constexpr uint64_t normal_against = 1, has_colour = 2;
-constexpr size_t at_named = 192;
-constexpr size_t words_of_use = 14, words_of_attributes = 6, words_of_edge = 5, words_of_vertex = 3;
+constexpr uint64_t normal_against = 1, has_colour = 2, in_void = 4;
+constexpr size_t at_named = 256;
+constexpr size_t words_of_use = 14, words_of_attributes = 7, words_of_edge = 5, words_of_vertex = 3;
 
 size_t part_size(size_t count, size_t words) noexcept {
     return aligned(8 * count * words);
@@ -52,6 +52,25 @@ void ModelBytes::add_texts() {
     for (const model::ModelFace &face : model_.faces) {
         texts_.add(face.name);
     }
+    for (const std::string &layer : model_.layers) {
+        texts_.add(layer);
+    }
+}
+
+template <class Visit>
+void ModelBytes::for_each_in_layers(const Visit &visit) const {
+    for (const model::ModelFace &face : model_.faces) {
+        visit(face.layers);
+    }
+    for (const model::NamedSpline &named : model_.splines) {
+        visit(named.layers);
+    }
+}
+
+size_t ModelBytes::count_in_layers() const noexcept {
+    size_t count = 0;
+    for_each_in_layers([&](const std::vector<int64_t> &layers) { count += layers.size(); });
+    return count;
 }
 
 void ModelBytes::add_edges() {
@@ -76,7 +95,8 @@ void ModelBytes::add_edges() {
 
 size_t ModelBytes::sum_of_sizes() const noexcept {
     return at_named + part_size(named_.size(), 1) + part_size(model_.notes.size(), 3) +
-           part_size(model_.uses.size(), words_of_use) + part_size(model_.faces.size(), words_of_attributes) +
+           part_size(model_.uses.size(), words_of_use) + part_size(model_.faces.size() + named_.size(), 1) +
+           part_size(count_in_layers(), 1) + part_size(model_.faces.size(), words_of_attributes) +
            faces_.size_in_bytes() + part_size(coedge_edges_.size(), 1) +
            part_size(edges_.size(), words_of_edge) + part_size(model_.vertices.size(), words_of_vertex) +
            shapes_.size_in_bytes() + texts_.size_in_bytes() + splines_.size_in_bytes();
@@ -92,6 +112,7 @@ void ModelBytes::write(std::span<unsigned char> out) const noexcept {
     write_notes(model_.notes, writer);
     write_uses(writer);
     write_faces(writer);
+    write_layers(writer);
     faces_.write(writer);
     write_edges(writer);
     shapes_.write(writer);
@@ -103,10 +124,11 @@ void ModelBytes::write(std::span<unsigned char> out) const noexcept {
 void ModelBytes::write_sizes(ByteWriter &writer) const noexcept {
     const FaceSizes faces = faces_.sizes();
     const ShapeSizes shapes = shapes_.sizes();
-    for (const int64_t size : {std::ssize(named_), std::ssize(model_.notes), std::ssize(model_.parts),
-                               std::ssize(model_.uses), faces.faces, faces.loops, faces.coedges,
-                               std::ssize(edges_), std::ssize(model_.vertices), shapes.pieces, shapes.curves,
-                               shapes.surfaces, static_cast<int64_t>(texts_.bytes()), splines_.count()}) {
+    for (const int64_t size :
+         {std::ssize(named_), std::ssize(model_.notes), std::ssize(model_.parts), std::ssize(model_.uses),
+          faces.faces, faces.loops, faces.coedges, std::ssize(edges_), std::ssize(model_.vertices),
+          shapes.pieces, shapes.curves, shapes.surfaces, static_cast<int64_t>(texts_.bytes()),
+          splines_.count(), std::ssize(model_.layers), static_cast<int64_t>(count_in_layers())}) {
         writer.put(size);
     }
     writer.put(model_.metres_per_unit + 0.0); // -0 is the same unit
@@ -127,10 +149,23 @@ void ModelBytes::write_faces(ByteWriter &writer) const noexcept {
         const model::ModelFace &face = model_.faces[i];
         writer.put(face_shapes_[i]);
         writer.put(face.part);
-        writer.put((face.against ? normal_against : 0) | (face.colour ? has_colour : 0));
+        writer.put((face.against ? normal_against : 0) | (face.colour ? has_colour : 0) |
+                   (face.in_void ? in_void : 0));
         const std::array<double, 3> black{0, 0, 0};
         writer.put(std::span<const double>(face.colour ? *face.colour : black));
+        writer.put(face.solid);
     }
+    writer.align();
+}
+
+void ModelBytes::write_layers(ByteWriter &writer) const noexcept {
+    for_each_in_layers([&](const std::vector<int64_t> &layers) { writer.put(std::ssize(layers)); });
+    writer.align();
+    for_each_in_layers([&](const std::vector<int64_t> &layers) {
+        for (const int64_t layer : layers) {
+            writer.put(layer);
+        }
+    });
     writer.align();
 }
 
@@ -162,7 +197,7 @@ struct ModelSizes {
     FaceSizes faces;
     int64_t edges, vertices;
     ShapeSizes shapes;
-    int64_t text, splines;
+    int64_t text, splines, layers, in_layers;
 };
 
 ModelSizes sizes_from(ByteReader &reader) {
@@ -181,6 +216,8 @@ ModelSizes sizes_from(ByteReader &reader) {
     sizes.shapes.surfaces = size_from(reader, "number of shapes of surfaces");
     sizes.text = size_from(reader, "number of bytes of text");
     sizes.splines = size_from(reader, "number of splines");
+    sizes.layers = size_from(reader, "number of layers");
+    sizes.in_layers = size_from(reader, "number of places in layers");
     return sizes;
 }
 
@@ -205,11 +242,14 @@ public:
         : reader_(bytes, Kind::model), sizes_(sizes_from(reader_)), metres_(reader_.take_double()),
           named_(after_head(sizes_.named, 1)), notes_(notes_from(reader_, sizes_.notes)),
           uses_(reader_.part(sizes_.uses, words_of_use)),
-          attributes_(reader_.part(sizes_.faces.faces, words_of_attributes)), faces_(reader_, sizes_.faces),
+          attributes_(reader_.part(sizes_.faces.faces, words_of_attributes)),
+          layer_counts_(reader_.part(sizes_.faces.faces + sizes_.named, 1)),
+          layers_(reader_.part(sizes_.in_layers, 1)), faces_(reader_, sizes_.faces),
           coedges_(reader_.part(sizes_.faces.coedges, 1)), edges_(reader_.part(sizes_.edges, words_of_edge)),
           vertices_(reader_.part(sizes_.vertices, words_of_vertex)), shapes_(reader_, sizes_.shapes),
           texts_(texts_from(reader_,
-                            sizes_.named + sizes_.notes + sizes_.parts + sizes_.uses + sizes_.faces.faces,
+                            sizes_.named + sizes_.notes + sizes_.parts + sizes_.uses + sizes_.faces.faces +
+                                sizes_.layers,
                             sizes_.text)),
           text_(texts_.begin()), splines_(splines_from(reader_, sizes_.splines)) {
         reader_.end();
@@ -222,6 +262,7 @@ public:
         take_splines();
         take_parts();
         take_faces();
+        take_layers();
         take_edges();
         take_uses_of_edges();
         return std::move(model_);
@@ -267,9 +308,13 @@ private:
             face.shape =
                 shapes_.surface(index_from(attributes_, -1, sizes_.shapes.surfaces, "the shape of a face"));
             face.part = index_from(attributes_, 0, sizes_.parts, "the part of a face");
-            const uint64_t flags = flags_from(attributes_, normal_against | has_colour, "flags of a face");
+            const uint64_t flags =
+                flags_from(attributes_, normal_against | has_colour | in_void, "flags of a face");
             face.against = (flags & normal_against) != 0;
+            face.in_void = (flags & in_void) != 0;
             const std::array<double, 3> colour = next_colour();
+            // Each solid has a face.
+            face.solid = index_from(attributes_, -1, sizes_.faces.faces, "the solid of a face");
             if ((flags & has_colour) != 0) {
                 face.colour = colour;
             }
@@ -278,6 +323,33 @@ private:
             model_.faces.push_back(std::move(face));
         }
         faces_.end();
+    }
+    void take_layers() {
+        for (int64_t i = 0; i < sizes_.layers; ++i) {
+            model_.layers.push_back(std::move(*text_++));
+        }
+        left_in_layers_ = sizes_.in_layers;
+        for (model::ModelFace &face : model_.faces) {
+            face.layers = next_layers();
+        }
+        for (model::NamedSpline &named : model_.splines) {
+            named.layers = next_layers();
+        }
+        if (left_in_layers_ != 0) {
+            fail(Status::syntax, "number of places in layers %lld more than faces and splines have",
+                 static_cast<long long>(left_in_layers_));
+        }
+    }
+    // Rising.
+    std::vector<int64_t> next_layers() {
+        const int64_t count = index_from(layer_counts_, 0, left_in_layers_ + 1, "a number of layers");
+        left_in_layers_ -= count;
+        std::vector<int64_t> layers;
+        for (int64_t i = 0; i < count; ++i) {
+            layers.push_back(
+                index_from(layers_, layers.empty() ? 0 : layers.back() + 1, sizes_.layers, "a layer"));
+        }
+        return layers;
     }
     std::array<double, 3> next_colour() {
         std::array<double, 3> colour;
@@ -338,13 +410,14 @@ private:
     double metres_;
     ByteReader named_;
     std::vector<model::Note> notes_;
-    ByteReader uses_, attributes_;
+    ByteReader uses_, attributes_, layer_counts_, layers_;
     FaceReader faces_;
     ByteReader coedges_, edges_, vertices_;
     ShapeReader shapes_;
     std::vector<std::string> texts_;
     std::vector<std::string>::iterator text_;
     std::vector<SplinePtr> splines_;
+    int64_t left_in_layers_ = 0;
     model::Model model_{};
 };
 

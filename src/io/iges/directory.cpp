@@ -56,6 +56,7 @@ void read_fields(std::string_view first, std::string_view second, Entry &entry) 
     entry.data_count = field_integer(second, 4, "14 (parameter line count)");
     entry.form = field_integer(second, 5, "15 (form)");
     parse_integer(field_text(second, 3), entry.colour); // no shape depends on it
+    parse_integer(field_text(first, 5), entry.level);   // nor on that
     entry.label = field_text(second, 8);
     entry.subscript = field_integer(second, 9, "19 (subscript)");
 }

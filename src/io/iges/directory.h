@@ -21,6 +21,7 @@ struct Entry {
     bool parameter_plane = false;
     int64_t form = 0;
     int64_t colour = 0; // one of eight, or minus a pointer to a definition (314); 0: none
+    int64_t level = 0;  // or minus a pointer to a property that lists several; 0: none
     std::string_view label;
     int64_t subscript = 0;
     std::string damage; // what is wrong with these two lines; empty: nothing

@@ -103,7 +103,9 @@ private:
         for (const bool first : {true, false}) {
             for (size_t i = 0; i < splines_.size(); ++i) {
                 const Entry &entry = directory_.entries()[i];
-                if (splines_[i] != nullptr && always_listed(entry.type) == first && (first || !is_part_[i])) {
+                if (splines_[i] != nullptr &&
+                    settings_.wants(splines_[i]->axes() == 1 ? kind_curves : kind_surfaces) &&
+                    always_listed(entry.type) == first && (first || !is_part_[i])) {
                     model_.splines.push_back({geometry_.name(entry.line), std::move(splines_[i])});
                 }
             }

@@ -11,10 +11,12 @@
 #include "io/iges/model/colours.h"
 #include "io/iges/model/edges.h"
 #include "io/iges/model/face_source.h"
+#include "io/iges/model/levels.h"
 #include "io/iges/model/uses.h"
 #include "io/iges/source.h"
 #include "io/iges/types.h"
 #include "model/from_faces.h"
+#include "model/numbering.h"
 
 #include <algorithm>
 
@@ -30,16 +32,19 @@ class ModelReader : public iges::Source {
 public:
     ModelReader(std::span<const char> bytes, const iges::Sections &sections, const iges::Global &global,
                 const ReadSettings &settings)
-        : Source(bytes, sections, global, settings), colours_(entities_),
+        : Source(bytes, sections, global, settings), colours_(entities_), levels_(entities_),
           used_(directory_.entries().size(), false), product_(global.product) {}
 
     model::Model run() {
         Steps steps(3);
         topology_ = iges::read_topology(entities_, geometry_.units().factor, damages_);
         assembly_ = iges::read_assembly(entities_, geometry_.units().factor, topology_, damages_);
+        levels_.read(assembly_.told);
         iges::mark_used(topology_, directory_, used_);
         mark_orientations();
-        edges_ = iges::read_edges(geometry_, topology_, model_, damages_);
+        if (settings_.wants(kind_faces)) {
+            edges_ = iges::read_edges(geometry_, topology_, model_, damages_);
+        }
         steps.next();
         read_shapes();
         steps.next();
@@ -49,6 +54,8 @@ public:
         model_.parts.front().name = product_;
         model_.uses = std::move(assembly_.uses);
         model::index_uses(model_);
+        model::number_solids(model_);
+        levels_.make_layers(model_);
         for (model::Edge &edge : model_.edges) {
             if (!edge.uses.empty()) {
                 edge.part = model_.faces[static_cast<size_t>(edge.uses.front().face)].part;
@@ -105,14 +112,20 @@ private:
         const size_t index = index_of(entry);
         if (entry.type == iges::trimmed_surface_type || entry.type == iges::bounded_surface_type ||
             entry.type == iges::face_type) {
-            read_face(entry);
+            if (settings_.wants(kind_faces)) {
+                read_face(entry);
+            }
         } else if (used_[index] || geometry_.is_part(entry.line) || assembly_.told[index] ||
                    is_topology(entry.type)) {
             return;
         } else if (iges::is_surface(entry.type)) {
-            add_face(entry, untrimmed(entry));
+            if (settings_.wants(kind_faces)) {
+                add_face(entry, untrimmed(entry));
+            }
         } else if (iges::is_curve(entry.type)) {
-            add_curve(entry);
+            if (settings_.wants(kind_curves)) {
+                add_curve(entry);
+            }
         } else {
             if (entry.type == iges::matrix_type) {
                 transforms_.check(entry.line);
@@ -124,7 +137,7 @@ private:
         const model::CurvePiece piece =
             entry.parameter_plane ? geometry_.parameter_curve(entry.line) : geometry_.curve(entry.line);
         entities_.spend(iges::Entities::size_of_a_shape + iges::size_of(piece));
-        model_.splines.push_back({geometry_.name(entry.line), iges::spline_of(piece)});
+        model_.splines.push_back({geometry_.name(entry.line), iges::spline_of(piece), levels_.of(entry)});
     }
 
     // Those that could not be read have been told.
@@ -252,7 +265,12 @@ private:
         face.shape = source.shape;
         face.part = assembly_.part(entry.line);
         face.against = oriented(entry.line).against != source.mirrored;
-        face.colour = colour_of(entry);
+        place_in_solid(entry.line, face);
+        face.colour = around_face(entry, [this](const Entry &at) { return colours_.of(at); });
+        face.layers = around_face(entry, [this](const Entry &at) {
+                          std::vector<int64_t> levels = levels_.of(at);
+                          return levels.empty() ? std::nullopt : std::optional(std::move(levels));
+                      }).value_or(std::vector<int64_t>());
         iges::add_own_edges(geometry_, *face.face, made.own, face.part, model_);
         model_.faces.push_back(std::move(face));
     }
@@ -261,10 +279,11 @@ private:
         return name != topology_.names.end() ? name->second : geometry_.name(entry.line);
     }
 
-    // The shell and the solid around a face, and whether its normal is turned in them.
+    // The shell and the solid around a face, whether its normal is turned in them, and whether the shell is a void.
     struct Around {
         int64_t owner = 0;
         bool against = false;
+        bool in_void = false;
     };
     [[nodiscard]] Around around(int64_t pointer) const noexcept {
         const auto found = around_.find(pointer);
@@ -272,25 +291,38 @@ private:
     }
     [[nodiscard]] Around oriented(int64_t face) const noexcept {
         const Around shell = around(face);
-        return {shell.owner, shell.against != around(shell.owner).against};
+        return {shell.owner, shell.against != around(shell.owner).against, false};
+    }
+    void place_in_solid(int64_t pointer, model::ModelFace &face) const {
+        const Around shell = around(around(pointer).owner);
+        const auto solid = solids_.find(shell.owner);
+        if (solid != solids_.end()) {
+            face.solid = solid->second;
+            face.in_void = shell.in_void;
+        }
     }
     void mark_orientations() {
-        for (const auto *const collections : {&topology_.solids, &topology_.shells}) {
-            for (const auto &[owner, members] : *collections) {
-                for (const iges::Oriented &member : members) {
-                    around_.try_emplace(member.pointer, Around{owner, member.against});
-                }
+        for (const auto &[owner, shells] : topology_.solids) {
+            solids_.emplace(owner, std::ssize(solids_));
+            for (const iges::Oriented &shell : shells) {
+                around_.try_emplace(shell.pointer, Around{owner, shell.against, &shell != shells.data()});
+            }
+        }
+        for (const auto &[owner, faces] : topology_.shells) {
+            for (const iges::Oriented &face : faces) {
+                around_.try_emplace(face.pointer, Around{owner, face.against, false});
             }
         }
     }
-    // Its own, or that of its shell, or of its solid.
-    std::optional<std::array<double, 3>> colour_of(const Entry &entry) {
+    // What a face has itself, or else its shell, or its solid.
+    template <class Get>
+    auto around_face(const Entry &entry, const Get &get) -> decltype(get(entry)) {
         const Entry *at = &entry;
         for (int level = 0; level < 3; ++level) {
-            const std::optional<std::array<double, 3>> colour = colours_.of(*at);
+            auto own = get(*at);
             const std::optional<size_t> owner = directory_.find(around(at->line).owner);
-            if (colour || !owner) {
-                return colour;
+            if (own || !owner) {
+                return own;
             }
             at = &directory_.entries()[*owner];
         }
@@ -298,13 +330,15 @@ private:
     }
 
     iges::Colours colours_;
+    iges::Levels levels_;
     std::vector<bool> used_;
     const std::string &product_;
     std::vector<iges::Damage> damages_;
     iges::Topology topology_;
     iges::Assembly assembly_;
     iges::EdgeLists edges_;
-    std::map<int64_t, Around> around_; // of faces and shells
+    std::map<int64_t, Around> around_;  // of faces and shells
+    std::map<int64_t, int64_t> solids_; // their numbers
 };
 
 } // namespace

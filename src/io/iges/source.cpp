@@ -22,7 +22,7 @@ Source::Source(std::span<const char> bytes, const Sections &sections, const Glob
     : directory_(sections.directory), data_(sections.parameter, global.delimiters),
       transforms_(directory_, data_), names_(directory_, data_),
       entities_(bytes.size(), directory_, data_, transforms_, names_),
-      geometry_(entities_, units_of(global, settings)) {
+      geometry_(entities_, units_of(global, settings)), settings_(settings) {
     entities_.share_among(std::ranges::count(directory_.entries(), int{offset_surface_type}, &Entry::type));
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
 }

@@ -63,6 +63,7 @@ protected:
     Entities entities_;
     Geometry geometry_;
     model::Model model_;
+    ReadSettings settings_;
 
 private:
     static constexpr int64_t work_of_an_entity = 1000; // beyond what its parameters count

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/watch.h"
+#include "io/step/below.h"
 
 #include <algorithm>
 #include <optional>
@@ -121,26 +122,8 @@ private:
     }
     // The faces that an item consists of; edges and surfaces below faces are not looked at.
     std::vector<int64_t> faces_below(int64_t item) {
-        std::vector<int64_t> faces, waiting{item};
-        std::set<int64_t> seen;
-        while (!waiting.empty()) {
-            const int64_t number = waiting.back();
-            waiting.pop_back();
-            const int64_t place = instances_.find(number);
-            if (place < 0 || !seen.insert(number).second) {
-                continue;
-            }
-            entities_.spend(1); // many items may share many faces
-            const Instance &instance = instances_[place];
-            if (instance.kind() == Kind::face) {
-                faces.push_back(number);
-            } else if (instance.kind() == Kind::topology || instance.kind() == Kind::shape_representation) {
-                for_each_reference(instances_.text(), instance,
-                                   [&](int64_t next) { waiting.push_back(next); });
-            }
-            count_work(16);
-        }
-        return faces;
+        return found_below(
+            entities_, {item}, [](Kind kind) { return kind == Kind::face; }, [](Kind) { return false; });
     }
 
     Entities &entities_;

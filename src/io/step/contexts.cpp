@@ -54,9 +54,28 @@ Contexts::Contexts(Entities &entities) {
     if (all_.empty()) {
         all_.emplace_back();
     }
-    if (all_.size() > 1) {
-        assign(entities);
+    const std::vector<int64_t> bare = sets_in_parameters(entities);
+    if (all_.size() > 1 || !bare.empty()) {
+        assign(entities, bare);
     }
+}
+
+// Curves of parameter planes that are those of no surface. (Those of surfaces are read with them.)
+std::vector<int64_t> Contexts::sets_in_parameters(const Entities &entities) {
+    const Instances &instances = entities.instances();
+    std::vector<int64_t> sets;
+    for (const Instance &instance : instances.all()) {
+        if (instance.kind() != Kind::definitional_representation) {
+            continue;
+        }
+        for_each_reference(instances.text(), instance, [&](int64_t number) {
+            const int64_t place = instances.find(number);
+            if (place >= 0 && instances[place].kind() == Kind::geometric_set) {
+                sets.push_back(place);
+            }
+        });
+    }
+    return sets;
 }
 
 void Contexts::read_contexts(Entities &entities) {
@@ -79,10 +98,17 @@ void Contexts::read_contexts(Entities &entities) {
     }
 }
 
-void Contexts::assign(const Entities &entities) {
+void Contexts::assign(const Entities &entities, const std::vector<int64_t> &bare) {
     const Instances &instances = entities.instances();
     of_instance_.assign(static_cast<size_t>(instances.size()), nobody);
     Assignment assignment(instances, of_instance_);
+    const auto no_units = static_cast<uint32_t>(all_.size());
+    for (const int64_t set : bare) {
+        assignment.run(instances[set], no_units);
+    }
+    if (!bare.empty()) {
+        all_.push_back({0, all_.front().radians, 0});
+    }
     for (const Instance &instance : instances.all()) {
         if (instance.kind() != Kind::shape_representation) {
             continue;

@@ -28,7 +28,7 @@ public:
 
     // The measures of an instance of geometry or topology: those of the context of the first representation that
     // contains it, by its items and what they name. Where all contexts agree, and for what is in none, those of the
-    // first context.
+    // first context. Sets of curves in parameter planes have no unit of length.
     [[nodiscard]] const Measures &of(int64_t place) const noexcept {
         return all_[of_instance_.empty() ? 0 : of_instance_[static_cast<size_t>(place)]];
     }
@@ -42,7 +42,8 @@ private:
         uint32_t measures;
     };
     void read_contexts(Entities &entities);
-    void assign(const Entities &entities);
+    static std::vector<int64_t> sets_in_parameters(const Entities &entities);
+    void assign(const Entities &entities, const std::vector<int64_t> &bare);
 
     std::vector<Measures> all_;
     std::vector<uint32_t> of_instance_; // empty: all the same

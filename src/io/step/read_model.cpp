@@ -7,8 +7,10 @@
 #include "io/step/boundary.h"
 #include "io/step/colours.h"
 #include "io/step/faces.h"
+#include "io/step/solids.h"
 #include "io/step/source.h"
 #include "model/from_faces.h"
+#include "model/numbering.h"
 #include "model/shapes/curve_spline.h"
 
 #include <map>
@@ -29,16 +31,22 @@ public:
     model::Model run() {
         Steps steps(3);
         read_parts();
-        read_all([this](int64_t place) { return is(place, Kind::edge_curve); },
+        const bool faces = settings_.wants(kind_faces);
+        read_all([&](int64_t place) { return faces && is(place, Kind::edge_curve); },
                  [this](int64_t place) { add_edge(place); });
         steps.next();
         colours_ = step::read_colours(entities_);
-        read_all([this](int64_t place) { return is(place, Kind::face); },
+        solids_ = step::read_solids(entities_);
+        layers_ = step::read_layers(entities_);
+        model_.layers = layers_.names;
+        read_all([&](int64_t place) { return faces && is(place, Kind::face); },
                  [this](int64_t place) { add_face(place); });
         steps.next();
-        model_.splines = free_splines();
+        model_.splines = free_splines(layers_);
         steps.next();
         model::index_uses(model_);
+        model::number_solids(model_);
+        model::number_layers(model_);
         note_items(true);
         return finished();
     }
@@ -117,6 +125,12 @@ private:
         if (const auto colour = colours_.find(instance.number()); colour != colours_.end()) {
             made.colour = colour->second;
         }
+        if (const auto found = solids_.find(instance.number()); found != solids_.end()) {
+            made.solid = found->second.solid;
+            made.in_void = found->second.in_void;
+            made.against = made.against != found->second.turned;
+        }
+        made.layers = layers_.at(instance.number());
         made.face = make_face(std::move(source.parts), tolerance);
         spend(entities_, *made.face);
         model_.faces.push_back(std::move(made));
@@ -125,6 +139,8 @@ private:
     std::vector<int64_t> part_of_;
     step::EdgeSources sources_;
     step::Colours colours_;
+    step::PlacesInSolids solids_;
+    step::Layers layers_;
     std::map<int64_t, int64_t> vertices_; // by the numbers of their instances
 };
 

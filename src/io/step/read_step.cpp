@@ -25,14 +25,18 @@ public:
     model::Model run() {
         Steps steps(3);
         Splines edges, faces;
+        // Faces lie around their edges.
         read_all([this](int64_t place) { return is(place, Kind::edge_curve); },
                  [&](int64_t place) { add_edge(place, edges); });
         steps.next();
-        read_all([this](int64_t place) { return is(place, Kind::face); },
+        read_all([this](int64_t place) { return is(place, Kind::face) && settings_.wants(kind_surfaces); },
                  [&](int64_t place) { add_face(place, faces); });
         steps.next();
-        Splines others = free_splines();
+        Splines others = free_splines({});
         steps.next();
+        if (!settings_.wants(kind_curves)) {
+            edges.clear();
+        }
         model_.splines = std::move(faces);
         for (Splines *more : {&edges, &others}) {
             std::move(more->begin(), more->end(), std::back_inserter(model_.splines));

@@ -39,7 +39,7 @@ bool is_context(const Instances &instances, const Instance &instance) {
 } // namespace
 
 Source::Source(const Exchange &file, const ReadSettings &settings)
-    : instances_(file.instances), entities_(file.instances), contexts_(entities_),
+    : instances_(file.instances), entities_(file.instances), settings_(settings), contexts_(entities_),
       part_(find_parts(file.instances)), tolerance_(settings.tolerance) {
     check_schemas(file.schemas);
     entities_.share_among(std::ranges::count(instances_.all(), Kind::offset_surface, &Instance::kind));
@@ -63,12 +63,13 @@ Units Source::units_of(int64_t place) const {
     return {factor, measures.radians, tolerance_ > 0 ? tolerance_ : factor * measures.uncertainty};
 }
 
-std::vector<model::NamedSpline> Source::free_splines() {
+std::vector<model::NamedSpline> Source::free_splines(const Layers &layers) {
     std::vector<model::NamedSpline> splines;
     const auto wanted = [this](int64_t place) {
         const Kind kind = instances_[place].kind();
-        return (is_curve(kind) || is_surface(kind)) && kind != Kind::pcurve &&
-               !part_[static_cast<size_t>(place)];
+        const bool wanted_kind = (is_curve(kind) && settings_.wants(kind_curves)) ||
+                                 (is_surface(kind) && settings_.wants(kind_surfaces));
+        return wanted_kind && kind != Kind::pcurve && !part_[static_cast<size_t>(place)];
     };
     read_all(wanted, [&](int64_t place) {
         const Instance &instance = instances_[place];
@@ -78,7 +79,7 @@ std::vector<model::NamedSpline> Source::free_splines() {
             is_curve(instance.kind())
                 ? made(instance, [&] { return model::curve_spline(*geometry.curve(instance)); })
                 : made_surface(instance, [&] { return free_surface(geometry, instance); });
-        splines.push_back({name_of(instances_, instance), std::move(spline)});
+        splines.push_back({name_of(instances_, instance), std::move(spline), layers.at(instance.number())});
     });
     return splines;
 }

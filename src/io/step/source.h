@@ -6,6 +6,7 @@
 #include "io/read_settings.h"
 #include "io/step/contexts.h"
 #include "io/step/geometry/geometry.h"
+#include "io/step/layers.h"
 #include "io/step/structure/exchange.h"
 #include "model/model.h"
 #include "model/shapes/surface_spline.h"
@@ -67,7 +68,7 @@ protected:
     }
 
     // The curves and surfaces that nothing else is made of.
-    std::vector<model::NamedSpline> free_splines();
+    std::vector<model::NamedSpline> free_splines(const Layers &layers);
 
     // What shapes consist of and is not read, and, if they are not, where parts are placed.
     void note_items(bool placements_read);
@@ -82,6 +83,7 @@ protected:
 
     const Instances &instances_;
     Entities entities_;
+    ReadSettings settings_;
     Contexts contexts_;
     std::vector<bool> part_; // find_parts()
     model::Model model_;

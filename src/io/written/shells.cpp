@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace nrb::io {
 namespace {
@@ -44,17 +45,35 @@ private:
     std::vector<size_t> leaders_;
 };
 
-// The faces of one part that share an edge.
+// The faces of one part, and of one solid or void, that share an edge.
 Groups groups_of(const model::Model &model, const Topology &topology) {
     Groups groups(model.faces.size());
-    std::map<std::pair<size_t, int64_t>, size_t> first; // by edge and part
-    for_each_use(topology, [&](size_t face, const OrientedEdge &edge) {
-        const auto [known, fresh] = first.try_emplace({edge.edge, model.faces[face].part}, face);
+    std::map<std::tuple<size_t, int64_t, int64_t, bool>, size_t> first;
+    for_each_use(topology, [&](size_t f, const OrientedEdge &edge) {
+        const model::ModelFace &face = model.faces[f];
+        const auto [known, fresh] = first.try_emplace({edge.edge, face.part, face.solid, face.in_void}, f);
         if (!fresh) {
-            groups.join(known->second, face);
+            groups.join(known->second, f);
         }
     });
     return groups;
+}
+
+// Gives voids to the first closed outer shell of their solid.
+void hand_out_voids(std::vector<Shell> &shells) {
+    std::map<std::pair<int64_t, int64_t>, size_t> outer; // by solid and part
+    for (size_t i = 0; i < shells.size(); ++i) {
+        if (shells[i].closed && shells[i].solid >= 0 && !shells[i].in_void) {
+            outer.try_emplace({shells[i].solid, shells[i].part}, i);
+        }
+    }
+    for (size_t i = 0; i < shells.size(); ++i) {
+        const auto around = outer.find({shells[i].solid, shells[i].part});
+        if (shells[i].closed && shells[i].in_void && around != outer.end()) {
+            shells[around->second].voids.push_back(i);
+            shells[i].inner = true;
+        }
+    }
 }
 
 } // namespace
@@ -66,7 +85,8 @@ std::vector<Shell> shells_of(const model::Model &model, const Topology &topology
     for (size_t f = 0; f < model.faces.size(); ++f) {
         if (groups.leader(f) == f) {
             shell_of[f] = shells.size();
-            shells.push_back({model.faces[f].part, {}});
+            const model::ModelFace &face = model.faces[f];
+            shells.push_back({face.part, {}, true, face.solid, face.in_void});
         } else {
             shell_of[f] = shell_of[groups.leader(f)];
         }
@@ -85,6 +105,7 @@ std::vector<Shell> shells_of(const model::Model &model, const Topology &topology
             shells[place.first].closed = false;
         }
     }
+    hand_out_voids(shells);
     return shells;
 }
 

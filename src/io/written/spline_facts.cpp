@@ -11,8 +11,9 @@ void check_writable(const Spline &spline, const char *format) {
     if (spline.axes() > 2) {
         fail(Status::axes, "a volume, which %s has no entity for", format);
     }
-    if (spline.dim() != 3) {
-        fail(Status::dimension, "has dimension %d, expected 3", spline.dim());
+    const bool curve = spline.axes() == 1;
+    if (spline.dim() != 3 && !(curve && spline.dim() == 2)) {
+        fail(Status::dimension, "has dimension %d, expected %s", spline.dim(), curve ? "2 or 3" : "3");
     }
     for (int k = 0; k < spline.axes(); ++k) {
         if (spline.axis(k).degree() < 1) {

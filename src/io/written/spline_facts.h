@@ -9,7 +9,8 @@
 
 namespace nrb::io {
 
-// Throws for what no entity of `format` can hold: Status::axes for volumes, dimension for points that are not of space, degree for
+// Throws for what no entity of `format` can hold: Status::axes for volumes, dimension for points that are neither of
+// space nor those of a curve of the plane, degree for
 // 0, weight_sign for homogeneous points whose weight is not positive.
 void check_writable(const Spline &spline, const char *format);
 

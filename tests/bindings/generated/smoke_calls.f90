@@ -54,6 +54,27 @@ program smoke_calls
         '#24=SHAPE_REPRESENTATION('''',(#20,#21),#23);'//new_line('a')//&
         'ENDSEC;'//new_line('a')//&
         'END-ISO-10303-21;'//new_line('a')
+    character(len=*), parameter :: layers_text = &
+        'ISO-10303-21;'//new_line('a')//&
+        'HEADER;'//new_line('a')//&
+        'FILE_SCHEMA((''AUTOMOTIVE_DESIGN''));'//new_line('a')//&
+        'ENDSEC;'//new_line('a')//&
+        'DATA;'//new_line('a')//&
+        '#1=CARTESIAN_POINT('''',(0.,0.,0.));'//new_line('a')//&
+        '#2=CARTESIAN_POINT('''',(2.,0.,0.));'//new_line('a')//&
+        '#3=CARTESIAN_POINT('''',(0.,4.,0.));'//new_line('a')//&
+        '#4=DIRECTION('''',(0.,0.,1.));'//new_line('a')//&
+        '#5=DIRECTION('''',(1.,0.,0.));'//new_line('a')//&
+        '#6=AXIS2_PLACEMENT_3D('''',#1,#4,#5);'//new_line('a')//&
+        '#7=PLANE('''',#6);'//new_line('a')//&
+        '#8=POLY_LOOP('''',(#1,#2,#3));'//new_line('a')//&
+        '#9=FACE_OUTER_BOUND('''',#8,.T.);'//new_line('a')//&
+        '#10=ADVANCED_FACE('''',(#9),#7,.T.);'//new_line('a')//&
+        '#11=POLYLINE('''',(#1,#2));'//new_line('a')//&
+        '#12=PRESENTATION_LAYER_ASSIGNMENT(''sheet'','''',(#10,#11));'//new_line('a')//&
+        '#13=PRESENTATION_LAYER_ASSIGNMENT(''axis'','''',(#10,#11));'//new_line('a')//&
+        'ENDSEC;'//new_line('a')//&
+        'END-ISO-10303-21;'//new_line('a')
     character(len=*), parameter :: replaced_text = &
         'an older file'//new_line('a')
     character(len=*), parameter :: no_data_text = &
@@ -331,8 +352,8 @@ program smoke_calls
     character(len=*), parameter :: model_bytes_text = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(5)//char(0)//char(0)//char(0)//&
-        char(192)//char(7)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(154)//char(26)//char(153)//char(240)//char(204)//char(248)//char(101)//char(161)//&
+        char(64)//char(8)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(7)//char(61)//char(156)//char(237)//char(55)//char(224)//char(208)//char(143)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -351,25 +372,41 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(3)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(252)//char(169)//char(241)//char(210)//char(77)//char(98)//char(80)//char(63)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//char(255)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -441,9 +478,9 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(192)//char(3)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(5)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(6)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(64)//char(4)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(128)//char(5)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(128)//char(6)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -590,6 +627,7 @@ program smoke_calls
     type(nurbs_spline) :: outline
     type(nurbs_face) :: face
     type(nurbs_model) :: model
+    type(nurbs_model) :: layered
     type(nurbs_data) :: data_given
     real(c_double), target :: data_params(5, 1)
     real(c_double), target :: data_values(5, 1)
@@ -635,6 +673,7 @@ program smoke_calls
     faces_given(1) = face
     faces_given(2) = face
     call model%create(faces=faces_given, metres=0.001d0)
+    call layered%read(contents=layers_text)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -4517,6 +4556,36 @@ contains
         block
             character(len=:), allocatable :: text_found
             call model%face_name(index=2, text=text_found)
+            call show('buf', text_found)
+        end block
+        call begin('model_face_solid')
+        block
+            integer(c_int64_t) :: solid_found
+            integer(c_int32_t) :: in_void_found
+            call model%face_solid(index=2, solid=solid_found, in_void=in_void_found)
+            call show('solid', solid_found)
+            call show('in_void', in_void_found)
+        end block
+        call begin('model_face_layers')
+        block
+            integer(c_int64_t), allocatable :: layers_found(:)
+            call layered%face_layers(index=1, layers=layers_found)
+            call show('layers', layers_found)
+        end block
+        call begin('model_spline_layers')
+        block
+            integer(c_int64_t), allocatable :: layers_found(:)
+            call layered%spline_layers(index=1, layers=layers_found)
+            call show('layers', layers_found)
+        end block
+        call begin('model_layer_count')
+        block
+            call show('count', layered%layer_count())
+        end block
+        call begin('model_layer')
+        block
+            character(len=:), allocatable :: text_found
+            call layered%layer(index=1, text=text_found)
             call show('buf', text_found)
         end block
         call begin('model_edge_uses')

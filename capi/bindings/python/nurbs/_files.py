@@ -40,13 +40,13 @@ class Note(NamedTuple):
 
 class _Options(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_int64), ("unit", ctypes.c_double), ("max_bytes", ctypes.c_int64),
-                ("tolerance", ctypes.c_double)]
+                ("tolerance", ctypes.c_double), ("kinds", ctypes.c_uint32), ("reserved", ctypes.c_uint32)]
 
 
-def _options(unit: float, max_bytes: Optional[int], tolerance: float) -> Any:
+def _options(unit: float, max_bytes: Optional[int], tolerance: float, kinds: int) -> Any:
     options = _Options()
     call(lib.nurbs_read_options_init, ctypes.byref(options), ctypes.sizeof(options))
-    options.unit, options.tolerance = unit, tolerance
+    options.unit, options.tolerance, options.kinds = unit, tolerance, kinds
     if max_bytes is not None:
         options.max_bytes = max_bytes
     return ctypes.byref(options)
@@ -163,17 +163,19 @@ def _restored_list(kind: Type[SplineList], contents: Any) -> SplineList:
 
 
 def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
-         tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> SplineList:
+         tolerance: float = 0.0, kinds: int = 0, progress: Progress = None, work: Optional[int] = None) -> SplineList:
     """The curves and surfaces of an IGES or STEP file in memory; unit is the wanted one in metres, 0 keeps the file's own;
-    tolerance is the distance in it that counts as none, 0 takes what the file states. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
+    tolerance is the distance in it that counts as none, 0 takes what the file states; kinds is a sum of NURBS_READ_
+    constants, 0 for all. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default
+    2^30)."""
     given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
-    return SplineList._made(watched(lib.nurbs_read, progress, work), given, len(given), _options(unit, max_bytes, tolerance))
+    return SplineList._made(watched(lib.nurbs_read, progress, work), given, len(given), _options(unit, max_bytes, tolerance, kinds))
 
 
 def read_file(path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
-              tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> SplineList:
+              tolerance: float = 0.0, kinds: int = 0, progress: Progress = None, work: Optional[int] = None) -> SplineList:
     """The curves and surfaces of an IGES or STEP file, as read() gives them. Raises FileError if it cannot be read."""
     name = os.fsencode(path)
     if b"\0" in name:
         raise ValueError("a path with a zero in it")
-    return SplineList._made(watched(lib.nurbs_read_file, progress, work), name, _options(unit, max_bytes, tolerance))
+    return SplineList._made(watched(lib.nurbs_read_file, progress, work), name, _options(unit, max_bytes, tolerance, kinds))

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from ._bytes import Contents
     from ._calls import Progress
 
-__all__ = ["EdgeUse", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelUse"]
+__all__ = ["EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelUse"]
 
 _Item = TypeVar("_Item")
 
@@ -46,6 +46,13 @@ class EdgeUse(NamedTuple):
     face: int
     loop: int
     place: int
+
+
+class FaceSolid(NamedTuple):
+    """The solid that a face bounds, -1 for none, and whether the face belongs to a void of it."""
+
+    solid: int
+    in_void: bool
 
 
 class ModelEdge(NamedTuple):
@@ -166,21 +173,22 @@ class Model:
 
     @classmethod
     def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
-             tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Model:
+             tolerance: float = 0.0, kinds: int = 0, progress: Progress = None, work: Optional[int] = None) -> Model:
         """The faces, edges and vertices of a STEP or an IGES file in memory; unit is the wanted one in metres, 0 keeps
         the file's own; tolerance is the distance in it that counts as none, that of the faces, 0 takes what the file
-        states. Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
+        states; kinds is a sum of NURBS_READ_ constants, 0 for all. Raises ContentsError if it is none, ResourceError if
+        it is longer than max_bytes (by default 2^30)."""
         given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
-        return cls._made(watched(lib.nurbs_read_model, progress, work), given, len(given), _options(unit, max_bytes, tolerance))
+        return cls._made(watched(lib.nurbs_read_model, progress, work), given, len(given), _options(unit, max_bytes, tolerance, kinds))
 
     @classmethod
     def read_file(cls, path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0, max_bytes: Optional[int] = None, *,
-                  tolerance: float = 0.0, progress: Progress = None, work: Optional[int] = None) -> Model:
+                  tolerance: float = 0.0, kinds: int = 0, progress: Progress = None, work: Optional[int] = None) -> Model:
         """Those of a STEP or an IGES file, as read() gives them. Raises FileError if it cannot be read."""
         name = os.fsencode(path)
         if b"\0" in name:
             raise ValueError("a path with a zero in it")
-        return cls._made(watched(lib.nurbs_read_model_file, progress, work), name, _options(unit, max_bytes, tolerance))
+        return cls._made(watched(lib.nurbs_read_model_file, progress, work), name, _options(unit, max_bytes, tolerance, kinds))
 
     @classmethod
     def _made(cls, function: Any, *arguments: Any) -> Model:
@@ -281,6 +289,11 @@ class Model:
         return _Items(self.counts.uses, self.use, "uses")
 
     @property
+    def layers(self) -> Sequence[str]:
+        """The names of the layers that its faces and splines are in."""
+        return _Items(self.layer_count(), self.layer, "layers")
+
+    @property
     def splines(self) -> SplineList:
         """The curves and surfaces of a file that no face or edge consists of."""
         return SplineList._made(lib.nurbs_model_splines, self._handle)
@@ -311,6 +324,16 @@ class Model:
         """The name of a face."""
         return text(lib.nurbs_model_face_name, self._handle, index)
 
+    def face_solid(self, index: int) -> FaceSolid:
+        """The solid that a face bounds, -1 for none, and whether the face belongs to a void of it."""
+        solid, in_void = ctypes.c_int64(), ctypes.c_int32()
+        call(lib.nurbs_model_face_solid, self._handle, index, ctypes.byref(solid), ctypes.byref(in_void))
+        return FaceSolid(solid.value, bool(in_void.value))
+
+    def face_layers(self, index: int) -> Tuple[int, ...]:
+        """The layers that a face is in."""
+        return self._layers_by(lib.nurbs_model_face_layers, index)
+
     def edge(self, index: int) -> ModelEdge:
         """An edge, with its vertices and uses."""
         part, ends, shape = ctypes.c_int64(), (ctypes.c_int64 * 2)(), ctypes.c_int32()
@@ -333,6 +356,23 @@ class Model:
     def part(self, index: int) -> str:
         """The name of a part."""
         return text(lib.nurbs_model_part, self._handle, index)
+
+    def layer_count(self) -> int:
+        """How many layers its faces and splines are in."""
+        return int(get(ctypes.c_int64, lib.nurbs_model_layer_count, self._handle))
+
+    def layer(self, index: int) -> str:
+        """The name of a layer."""
+        return text(lib.nurbs_model_layer, self._handle, index)
+
+    def spline_layers(self, index: int) -> Tuple[int, ...]:
+        """The layers that one of `splines` is in."""
+        return self._layers_by(lib.nurbs_model_spline_layers, index)
+
+    def _layers_by(self, function: Any, index: int) -> Tuple[int, ...]:
+        layers = numpy.empty(get(ctypes.c_int64, function, self._handle, index, 0, None), numpy.int64)
+        get(ctypes.c_int64, function, self._handle, index, len(layers), layers.ctypes.data)
+        return tuple(layers.tolist())
 
     def use(self, index: int) -> ModelUse:
         """A use of a part: where it is placed."""

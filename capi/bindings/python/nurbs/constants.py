@@ -280,6 +280,12 @@ NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, eithe
 NURBS_CONSTRAIN_NORMAL = 2  # all first derivatives are perpendicular to the target
 NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 
+# --- What files are read for
+NURBS_READ_CURVES = 0x1  # curves: of lists all, also those of edges; of models those that no face or edge consists of
+# surfaces: of lists all, also those of faces; of models those that no face consists of (STEP)
+NURBS_READ_SURFACES = 0x2
+NURBS_READ_FACES = 0x4  # faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too
+
 # --- Kinds of handles
 NURBS_BYTES_SPLINE = 1  # a spline: nurbs_from_bytes()
 NURBS_BYTES_LIST = 2  # a list: nurbs_list_from_bytes()

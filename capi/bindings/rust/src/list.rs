@@ -21,7 +21,14 @@ impl ReadOptions {
     /// The defaults.
     pub fn new() -> Result<ReadOptions> {
         let size = std::mem::size_of::<sys::nurbs_read_options>() as i64;
-        let mut raw = sys::nurbs_read_options { struct_size: size, unit: 0.0, max_bytes: 0, tolerance: 0.0 };
+        let mut raw = sys::nurbs_read_options {
+            struct_size: size,
+            unit: 0.0,
+            max_bytes: 0,
+            tolerance: 0.0,
+            kinds: 0,
+            reserved: 0,
+        };
         check(unsafe { sys::nurbs_read_options_init(&mut raw, size) })?;
         Ok(ReadOptions { raw })
     }
@@ -38,6 +45,11 @@ impl ReadOptions {
     /// Distances in the unit of the result that count as none; 0 takes what the file states.
     pub fn tolerance(mut self, distance: f64) -> ReadOptions {
         self.raw.tolerance = distance;
+        self
+    }
+    /// A sum of `NURBS_READ_` constants; 0 reads all kinds.
+    pub fn kinds(mut self, bits: u32) -> ReadOptions {
+        self.raw.kinds = bits;
         self
     }
 }

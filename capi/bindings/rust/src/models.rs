@@ -4,7 +4,7 @@
 //! they belong.
 
 use crate::call::Call;
-use crate::error::{check, Result};
+use crate::error::{check, value, Result};
 use crate::face::{face_handles, Face};
 use crate::list::{
     options_pointer, path_text, write_options_pointer, written, List, ReadOptions, WriteOptions,
@@ -45,6 +45,16 @@ pub struct ModelFace {
     pub against: bool,
     /// Red, green and blue from 0 to 1, NaN where the file gives none.
     pub colour: [f64; 3],
+}
+
+/// The solid that a face of a model bounds.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct FaceSolid {
+    /// The number of the solid, -1 for none.
+    pub solid: i64,
+    /// Whether the face belongs to a void of it.
+    pub in_void: i32,
 }
 
 /// An edge of a model.
@@ -160,6 +170,27 @@ impl Model {
         })
     }
 
+    /// The solid that a face bounds, -1 for none, and whether the face belongs to a void of it.
+    pub fn face_solid(&self, index: usize) -> Result<FaceSolid> {
+        let mut solid = 0;
+        let mut in_void = 0;
+        check(unsafe { sys::nurbs_model_face_solid(self.raw(), index as i64, &mut solid, &mut in_void) })?;
+        Ok(FaceSolid { solid, in_void })
+    }
+
+    /// The layers that a face is in.
+    pub fn face_layers(&self, index: usize) -> Result<Vec<i64>> {
+        let fill = |cap, layers, count| unsafe {
+            sys::nurbs_model_face_layers(self.raw(), index as i64, cap, layers, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut layers = vec![0; n];
+        check(fill(count, layers.as_mut_ptr(), &mut count))?;
+        Ok(layers)
+    }
+
     /// An edge.
     pub fn edge(&self, index: usize) -> Result<ModelEdge> {
         let mut part = 0;
@@ -220,6 +251,31 @@ impl Model {
     /// what was not read.
     pub fn splines(&self) -> Result<List> {
         List::made(|out| unsafe { sys::nurbs_model_splines(self.raw(), out) })
+    }
+
+    /// The layers that a curve or a surface is in which no face or edge consists of.
+    pub fn spline_layers(&self, index: usize) -> Result<Vec<i64>> {
+        let fill = |cap, layers, count| unsafe {
+            sys::nurbs_model_spline_layers(self.raw(), index as i64, cap, layers, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut layers = vec![0; n];
+        check(fill(count, layers.as_mut_ptr(), &mut count))?;
+        Ok(layers)
+    }
+
+    /// How many layers faces and splines are in.
+    pub fn layer_count(&self) -> Result<i64> {
+        value(|count| unsafe { sys::nurbs_model_layer_count(self.raw(), count) })
+    }
+
+    /// The name of a layer.
+    pub fn layer(&self, index: usize) -> Result<String> {
+        written(|buf, cap, length| unsafe {
+            sys::nurbs_model_layer(self.raw(), index as i64, buf, cap, length)
+        })
     }
 
     /// Writes it to a file, which is replaced whole or not at all.

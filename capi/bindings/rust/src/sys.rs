@@ -349,6 +349,10 @@ pub struct nurbs_read_options {
     /// a file states: the tolerance of faces, and how near to what the file states is what has to be made; 0
     /// takes what the file states. \since 1.1
     pub tolerance: f64,
+    /// sum of NURBS_READ_ constants, 0 for all of them: others are left out without a note. \since 1.1
+    pub kinds: u32,
+    /// 0
+    pub reserved: u32,
 }
 
 /// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
@@ -845,6 +849,14 @@ pub const NURBS_CONSTRAIN_DIRECTION: i32 = 1;
 pub const NURBS_CONSTRAIN_NORMAL: i32 = 2;
 /// the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 pub const NURBS_CONSTRAIN_CURVATURE: i32 = 3;
+
+// --- What files are read for
+/// curves: of lists all, also those of edges; of models those that no face or edge consists of
+pub const NURBS_READ_CURVES: u32 = 0x1;
+/// surfaces: of lists all, also those of faces; of models those that no face consists of (STEP)
+pub const NURBS_READ_SURFACES: u32 = 0x2;
+/// faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too
+pub const NURBS_READ_FACES: u32 = 0x4;
 
 // --- Kinds of handles
 /// a spline: nurbs_from_bytes()
@@ -4136,7 +4148,8 @@ extern "C" {
     /// The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
     pub fn nurbs_face_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs_face) -> nurbs_status;
     /// A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
-    /// colours, kinds of curves and surfaces, and the splines, notes and unit of nurbs_model_splines().
+    /// colours, solids, layers, kinds of curves and surfaces, and the splines, notes and unit of
+    /// nurbs_model_splines().
     ///
     /// May be null: `bytes`, `length`.
     pub fn nurbs_model_to_bytes(
@@ -4247,6 +4260,26 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
+    /// The solid that a face bounds.
+    ///
+    /// May be null: `solid`, `in_void`.
+    pub fn nurbs_model_face_solid(
+        model: *const nurbs_model,
+        index: i64,
+        solid: *mut i64,
+        in_void: *mut i32,
+    ) -> nurbs_status;
+    /// The layers that a face is in, by itself or as part of a shell, a solid or a representation (STEP);
+    /// else by its shell or solid (IGES).
+    ///
+    /// May be null: `layers`, `count`.
+    pub fn nurbs_model_face_layers(
+        model: *const nurbs_model,
+        index: i64,
+        cap: i64,
+        layers: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
     /// An edge of a model.
     ///
     /// May be null: `part`, `end_vertices`, `shape`.
@@ -4293,6 +4326,30 @@ extern "C" {
     /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
     /// notes on all that was not read.
     pub fn nurbs_model_splines(model: *const nurbs_model, out: *mut *mut nurbs_list) -> nurbs_status;
+    /// The layers that one of the splines of nurbs_model_splines() is in.
+    ///
+    /// May be null: `layers`, `count`.
+    pub fn nurbs_model_spline_layers(
+        model: *const nurbs_model,
+        index: i64,
+        cap: i64,
+        layers: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// How many layers faces and splines of a model are in.
+    pub fn nurbs_model_layer_count(model: *const nurbs_model, count: *mut i64) -> nurbs_status;
+    /// The name of a layer: of a PRESENTATION_LAYER_ASSIGNMENT in STEP, where those of equal names are one;
+    /// the number of a level in IGES, such as "3", or what a property (406 form 3) says that the level is
+    /// for.
+    ///
+    /// May be null: `buf`, `length`.
+    pub fn nurbs_model_layer(
+        model: *const nurbs_model,
+        index: i64,
+        buf: *mut c_char,
+        cap: i64,
+        length: *mut i64,
+    ) -> nurbs_status;
     // --- Writing files
     /// Fills an options struct with the defaults.
     pub fn nurbs_write_options_init(options: *mut nurbs_write_options, struct_size: i64) -> nurbs_status;

@@ -173,7 +173,8 @@ std::string FileText::file(const Parameters &global) const {
     for (size_t i = 0; i < entries_.size(); ++i) {
         const auto &[head, first_line, lines] = entries_[i];
         const auto number = static_cast<int64_t>(2 * i + 1);
-        append_fields(std::array<int64_t, 8>{head.type, first_line, 0, 0, 0, 0, head.transform, 0}, text);
+        append_fields(std::array<int64_t, 8>{head.type, first_line, 0, 0, head.level, 0, head.transform, 0},
+                      text);
         text += head.status;
         append_sequence('D', number, text);
         append_fields(std::array<int64_t, 5>{head.type, 0, head.colour, lines, head.form}, text);

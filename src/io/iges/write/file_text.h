@@ -12,7 +12,8 @@ namespace nrb::io::iges {
 
 // Status numbers of directory entries: blank, subordinate, use, hierarchy.
 inline constexpr std::string_view independent{"00000000"}, dependent{"00010000"}, property{"00010300"},
-    in_parameters{"00010500"}, definition{"00000200"}, definition_dependent{"00010200"};
+    lone_property{"00000300"}, in_parameters{"00010500"}, independent_in_parameters{"00000500"},
+    definition{"00000200"}, definition_dependent{"00010200"};
 
 // What readers call an entity without a name.
 std::string usual_name(int type, int64_t number);
@@ -24,6 +25,7 @@ struct Head {
     std::string_view status = independent;
     int64_t colour = 0;    // minus a pointer to a definition
     int64_t transform = 0; // a pointer to a matrix
+    int64_t level = 0;     // or minus a pointer to a list of them
 };
 
 // Parameters filled into lines of a width. Numbers stay whole, strings may go on in the next line.

@@ -179,8 +179,10 @@ int64_t GeometryWriter::spline(const Spline &spline) {
     return number;
 }
 
-int64_t GeometryWriter::named_spline(const Spline &spline, std::string_view name) {
-    const int64_t number = begin_spline(text_, spline, independent, length_);
+int64_t GeometryWriter::named_spline(const Spline &spline, std::string_view name, int64_t level) {
+    const bool flat = spline.dim() == 2;
+    const int64_t number = begin_spline(text_, spline, flat ? independent_in_parameters : independent,
+                                        flat ? 1 : length_, level);
     text_.end_named(name);
     return number;
 }

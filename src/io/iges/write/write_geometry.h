@@ -19,8 +19,8 @@ public:
 
     // The pointers of the entities. Preconditions: check_writable().
     int64_t spline(const Spline &spline);
-    // One that nothing else consists of, with a name.
-    int64_t named_spline(const Spline &spline, std::string_view name);
+    // One that nothing else consists of, with a name; curves of dimension 2 are in a parameter plane, which has no unit.
+    int64_t named_spline(const Spline &spline, std::string_view name, int64_t level);
     int64_t parameter_curve(const Spline &curve);
     // As what it is, if statable(); the parts of shapes are written once.
     int64_t curve(const model::CurvePiece &piece);

@@ -45,11 +45,11 @@ double resolution_of(const model::Model &model, double metres) {
     return std::isfinite(least) ? std::max(least, needed) : usual_resolution / metres;
 }
 
-// No coordinate is larger, control points included.
+// No coordinate of space is larger, control points included.
 double extent_of(const model::Model &model) {
     double extent = 0;
     const auto cover = [&extent](const Spline &spline) {
-        for (int64_t i = 0; i < spline.point_count(); ++i) {
+        for (int64_t i = 0; spline.dim() == 3 && i < spline.point_count(); ++i) {
             for (int c = 0; c < spline.dim(); ++c) {
                 extent = std::max(extent, std::fabs(spline.coordinate(i, c)));
             }
@@ -71,8 +71,8 @@ class IgesWriter {
 public:
     IgesWriter(const model::Model &model, const Topology &topology, const StatedShapes &stated, double length,
                double resolution)
-        : model_(model), topology_(topology), geometry_(text_, length),
-          faces_(geometry_, model, topology, stated, resolution),
+        : model_(model), topology_(topology), geometry_(text_, length), levels_(text_, model.layers),
+          faces_(geometry_, levels_, model, topology, stated, resolution),
           items_(std::max<size_t>(model.parts.size(), 1)) {}
 
     std::string all(const GlobalFacts &facts) {
@@ -83,6 +83,7 @@ public:
         add_shells();
         add_splines();
         iges::AssemblyWriter(geometry_, model_, items_).run();
+        levels_.write_names();
         return text_.file(write_global(facts));
     }
     // Edges and faces, but nothing that they are part of.
@@ -93,20 +94,43 @@ public:
     [[nodiscard]] const std::vector<int64_t> &faces() const noexcept { return faces_.faces(); }
 
 private:
+    int64_t add_shell(const Shell &shell, std::string_view status) {
+        const int64_t number =
+            text_.begin({iges::shell_type, shell.closed ? closed_form : open_form, status});
+        text_.put(std::ssize(shell.faces));
+        for (const size_t face : shell.faces) {
+            text_.put(faces_.faces()[face], model_.faces[face].against ? 0 : 1);
+        }
+        text_.end();
+        return number;
+    }
+
+    int64_t add_solid(int64_t outer, const std::vector<int64_t> &voids, std::string_view status) {
+        const int64_t number = text_.begin({iges::solid_type, 0, status});
+        text_.put(outer, 1, std::ssize(voids));
+        for (const int64_t shell : voids) {
+            text_.put(shell, 1);
+        }
+        text_.end();
+        return number;
+    }
+
     void add_shells() {
         const bool whole = iges::first_is_whole(model_);
-        for (const Shell &shell : shells_of(model_, topology_)) {
+        const std::vector<Shell> shells = shells_of(model_, topology_);
+        for (const Shell &shell : shells) {
+            if (shell.inner) {
+                continue;
+            }
             const bool alone = whole && shell.part == 0;
             const std::string_view status = alone ? iges::independent : iges::dependent;
-            int64_t item = text_.begin({iges::shell_type, shell.closed ? closed_form : open_form,
-                                        shell.closed ? iges::dependent : status});
-            text_.put(std::ssize(shell.faces));
-            for (const size_t face : shell.faces) {
-                text_.put(faces_.faces()[face], model_.faces[face].against ? 0 : 1);
-            }
-            text_.end();
+            int64_t item = add_shell(shell, shell.closed ? iges::dependent : status);
             if (shell.closed) {
-                item = text_.add({iges::solid_type, 0, status}, item, 1, 0);
+                std::vector<int64_t> voids;
+                for (const size_t index : shell.voids) {
+                    voids.push_back(add_shell(shells[index], iges::dependent));
+                }
+                item = add_solid(item, voids, status);
             }
             items_[static_cast<size_t>(shell.part)].push_back(item);
         }
@@ -116,7 +140,8 @@ private:
         Steps steps(std::ssize(model_.splines));
         for (size_t i = 0; i < model_.splines.size(); ++i) {
             const model::NamedSpline &one = model_.splines[i];
-            named("splines", i, [&] { geometry_.named_spline(*one.spline, one.name); });
+            const int64_t level = levels_.level(one.layers);
+            named("splines", i, [&] { geometry_.named_spline(*one.spline, one.name, level); });
             steps.next();
         }
     }
@@ -125,6 +150,7 @@ private:
     const Topology &topology_;
     FileText text_;
     GeometryWriter geometry_;
+    iges::LevelWriter levels_;
     iges::TopologyWriter faces_;
     std::vector<std::vector<int64_t>> items_; // of parts
 };
@@ -155,6 +181,7 @@ void confirm_faces(const model::Model &model, const Topology &topology, const Gl
         nameless.faces = model.faces;
         for (model::ModelFace &face : nameless.faces) {
             face.name.clear();
+            face.layers.clear();
         }
         IgesWriter writer(nameless, topology, stated, 1, facts.resolution);
         const std::string text = writer.topology_alone(facts);

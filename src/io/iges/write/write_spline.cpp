@@ -48,9 +48,11 @@ void put_points(FileText &text, const Spline &spline, double length) {
 
 } // namespace
 
-int64_t begin_spline(FileText &text, const Spline &spline, std::string_view status, double length) {
+int64_t begin_spline(FileText &text, const Spline &spline, std::string_view status, double length,
+                     int64_t level) {
     const bool curve = spline.axes() == 1, weights = has_weights(spline);
-    const int64_t number = text.begin({curve ? spline_curve_type : spline_surface_type, 0, status});
+    const int64_t number =
+        text.begin({curve ? spline_curve_type : spline_surface_type, 0, status, 0, 0, level});
     put_properties(text, spline);
     for_each_axis(spline, [&](int k) { text.put_all(spline.axis(k).knots()); });
     for_each_point(spline, [&](int64_t i) { text.put(weights ? spline.weight(i) : 1.0); });

@@ -39,10 +39,10 @@ bool StatedShapes::any_face() const noexcept {
     return std::ranges::find(faces, true) != faces.end();
 }
 
-TopologyWriter::TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
-                               const StatedShapes &stated, double resolution)
-    : geometry_(geometry), text_(geometry.text()), model_(model), topology_(topology), stated_(stated),
-      resolution_(resolution) {}
+TopologyWriter::TopologyWriter(GeometryWriter &geometry, LevelWriter &levels, const model::Model &model,
+                               const Topology &topology, const StatedShapes &stated, double resolution)
+    : geometry_(geometry), text_(geometry.text()), levels_(levels), model_(model), topology_(topology),
+      stated_(stated), resolution_(resolution) {}
 
 void TopologyWriter::run() {
     const auto count = std::ssize(model_.faces);
@@ -166,6 +166,7 @@ int64_t TopologyWriter::colour(const std::array<double, 3> &rgb) {
 void TopologyWriter::add_face(size_t index) {
     const model::ModelFace &face = model_.faces[index];
     const int64_t on = surface(index), coloured = face.colour ? -colour(*face.colour) : 0;
+    const int64_t level = levels_.level(face.layers);
     std::vector<int64_t> loops;
     for (size_t i = 0; i < topology_.loops[index].size(); ++i) {
         loops.push_back(loop(index, i));
@@ -173,7 +174,7 @@ void TopologyWriter::add_face(size_t index) {
     for (const int64_t vertex : lone_vertices_[index]) {
         loops.push_back(vertex_loop(vertex));
     }
-    text_.begin(faces_[index], {face_type, face_form, dependent, coloured});
+    text_.begin(faces_[index], {face_type, face_form, dependent, coloured, 0, level});
     text_.put(on, std::ssize(loops), loops.size() == 1 ? 1 : 0); // whether the first one is the outer one
     for (const int64_t pointer : loops) {
         text_.put(pointer);

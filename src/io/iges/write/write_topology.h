@@ -4,6 +4,7 @@
 
 #include "base/watch.h"
 #include "io/iges/write/write_geometry.h"
+#include "io/iges/write/write_levels.h"
 #include "io/written/topology.h"
 
 #include <map>
@@ -24,8 +25,8 @@ struct StatedShapes {
 class TopologyWriter {
 public:
     // resolution: that of the file, in units of the model.
-    TopologyWriter(GeometryWriter &geometry, const model::Model &model, const Topology &topology,
-                   const StatedShapes &stated, double resolution);
+    TopologyWriter(GeometryWriter &geometry, LevelWriter &levels, const model::Model &model,
+                   const Topology &topology, const StatedShapes &stated, double resolution);
 
     // One list of vertices, one of edges, and the faces in the order of the model.
     void run();
@@ -46,6 +47,7 @@ private:
 
     GeometryWriter &geometry_;
     FileText &text_;
+    LevelWriter &levels_;
     const model::Model &model_;
     const Topology &topology_;
     const StatedShapes &stated_;

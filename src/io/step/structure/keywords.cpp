@@ -96,6 +96,7 @@ constexpr Keyword keywords[] = {
     {"POINT_REPLICA", Kind::point_on_geometry},
     {"POLYLINE", Kind::polyline},
     {"POLY_LOOP", Kind::poly_loop},
+    {"PRESENTATION_LAYER_ASSIGNMENT", Kind::layer},
     {"QUASI_UNIFORM_CURVE", Kind::quasi_uniform_curve},
     {"QUASI_UNIFORM_SURFACE", Kind::quasi_uniform_surface},
     {"RECTANGULAR_COMPOSITE_SURFACE", Kind::unread_surface},

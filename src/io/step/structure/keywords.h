@@ -86,6 +86,7 @@ enum class Kind : uint16_t {
     placed_relationship,
     shape_definition,
     styled_item,
+    layer,
     colour,
 };
 

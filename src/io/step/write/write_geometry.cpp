@@ -102,7 +102,7 @@ int64_t GeometryWriter::placement(const build::Placement &place) {
 }
 
 int64_t GeometryWriter::spline(const Spline &spline, std::string_view name) {
-    return write_spline(text_, spline, name, length_);
+    return write_spline(text_, spline, name, spline.dim() == 2 ? 1 : length_);
 }
 
 int64_t GeometryWriter::trimmed(const CurvePiece &piece) {
@@ -212,7 +212,8 @@ int64_t GeometryWriter::surface(const SurfaceShape &surface) {
     }
 }
 
-int64_t GeometryWriter::parameter_curve(const Spline &curve, int64_t surface) {
+// Without units.
+int64_t GeometryWriter::in_parameters(int64_t item) {
     if (parameter_context_ == 0) {
         parameter_context_ = text_.begin_complex();
         text_.part("GEOMETRIC_REPRESENTATION_CONTEXT", 2);
@@ -220,9 +221,12 @@ int64_t GeometryWriter::parameter_curve(const Spline &curve, int64_t surface) {
         text_.part("REPRESENTATION_CONTEXT", Text{"2D SPACE"}, no_name);
         text_.end_complex();
     }
-    const int64_t made[] = {write_spline(text_, curve, {}, 1)};
-    const int64_t plane =
-        text_.add("DEFINITIONAL_REPRESENTATION", no_name, Refs{made}, Ref{parameter_context_});
+    const int64_t items[] = {item};
+    return text_.add("DEFINITIONAL_REPRESENTATION", no_name, Refs{items}, Ref{parameter_context_});
+}
+
+int64_t GeometryWriter::parameter_curve(const Spline &curve, int64_t surface) {
+    const int64_t plane = in_parameters(write_spline(text_, curve, {}, 1));
     return text_.add("PCURVE", no_name, Ref{surface}, Ref{plane});
 }
 

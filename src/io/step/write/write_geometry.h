@@ -20,10 +20,12 @@ public:
     int64_t point(const Vector3 &at);
     // With directions as they were given, so that the same frame is made of them.
     int64_t placement(const build::Placement &place);
-    // Preconditions: of space, and check_writable() for splines.
+    // Preconditions: check_writable() for splines. Curves of dimension 2 are in parameters, which have no unit.
     int64_t spline(const Spline &spline, std::string_view name = {});
     int64_t curve(const model::CurveShape &curve);
     int64_t surface(const model::SurfaceShape &surface);
+    // A representation of an item that has no unit.
+    int64_t in_parameters(int64_t item);
     // In the parameter plane of a surface.
     int64_t parameter_curve(const Spline &curve, int64_t surface);
 

@@ -6,6 +6,7 @@
 #include "io/faces/make_face.h"
 #include "io/step/write/write_colours.h"
 #include "io/step/write/write_contexts.h"
+#include "io/step/write/write_layers.h"
 #include "io/step/write/write_products.h"
 #include "io/step/write/write_topology.h"
 #include "io/unit_factor.h"
@@ -55,9 +56,10 @@ public:
         written.run();
         add_shells(written, topology);
         add_wires(written, topology);
-        add_splines();
+        const std::vector<int64_t> splines = add_splines();
         step::ProductWriter(geometry_, model_, parts_).run();
         step::write_colours(text_, model_, written.faces(), parts_.front().context);
+        step::write_layers(text_, model_, written.faces(), splines);
         text_.raw(footer);
         return text_.take();
     }
@@ -94,21 +96,44 @@ private:
         return model_.parts.empty() ? step::no_name : Text{model_.parts[static_cast<size_t>(part)].name};
     }
 
+    int64_t add_shell(const Shell &shell, const step::TopologyWriter &written) {
+        std::vector<int64_t> faces;
+        for (const size_t face : shell.faces) {
+            faces.push_back(written.faces()[face]);
+        }
+        return text_.add(shell.closed ? "CLOSED_SHELL" : "OPEN_SHELL", step::no_name, Refs{faces});
+    }
+
+    // The normals of faces point out of the material already, in voids too.
+    int64_t add_solid(int64_t outer, const std::vector<int64_t> &voids, Text name) {
+        if (voids.empty()) {
+            return text_.add("MANIFOLD_SOLID_BREP", name, Ref{outer});
+        }
+        std::vector<int64_t> oriented;
+        for (const int64_t shell : voids) {
+            oriented.push_back(
+                text_.add("ORIENTED_CLOSED_SHELL", step::no_name, step::derived, Ref{shell}, true));
+        }
+        return text_.add("BREP_WITH_VOIDS", name, Ref{outer}, Refs{oriented});
+    }
+
     void add_shells(const step::TopologyWriter &written, const Topology &topology) {
-        for (const Shell &shell : shells_of(model_, topology)) {
-            std::vector<int64_t> faces;
-            for (const size_t face : shell.faces) {
-                faces.push_back(written.faces()[face]);
+        const std::vector<Shell> shells = shells_of(model_, topology);
+        for (const Shell &shell : shells) {
+            if (shell.inner) {
+                continue;
             }
-            const int64_t made[] = {
-                text_.add(shell.closed ? "CLOSED_SHELL" : "OPEN_SHELL", step::no_name, Refs{faces})};
+            const int64_t made[] = {add_shell(shell, written)};
+            std::vector<int64_t> voids;
+            for (const size_t index : shell.voids) {
+                voids.push_back(add_shell(shells[index], written));
+            }
             PartItems &part = parts_[static_cast<size_t>(shell.part)];
+            const Text name = name_of_part(shell.part);
             if (shell.closed) {
-                part.solids.push_back(
-                    text_.add("MANIFOLD_SOLID_BREP", name_of_part(shell.part), Ref{made[0]}));
+                part.solids.push_back(add_solid(made[0], voids, name));
             } else {
-                part.surfaces.push_back(
-                    text_.add("SHELL_BASED_SURFACE_MODEL", name_of_part(shell.part), Refs{made}));
+                part.surfaces.push_back(text_.add("SHELL_BASED_SURFACE_MODEL", name, Refs{made}));
             }
         }
     }
@@ -130,13 +155,15 @@ private:
         }
     }
 
-    void add_splines() {
-        std::vector<int64_t> numbers;
+    // Their numbers. Those of space belong to the first part, those of dimension 2 to a parameter plane that is that of no surface.
+    std::vector<int64_t> add_splines() {
+        std::vector<int64_t> all, numbers, flat;
         bool surfaces = false;
         Steps steps(std::ssize(model_.splines));
         for (size_t i = 0; i < model_.splines.size(); ++i) {
             const model::NamedSpline &one = model_.splines[i];
-            numbers.push_back(named("splines", i, [&] { return geometry_.spline(*one.spline, one.name); }));
+            all.push_back(named("splines", i, [&] { return geometry_.spline(*one.spline, one.name); }));
+            (one.spline->dim() == 2 ? flat : numbers).push_back(all.back());
             surfaces = surfaces || one.spline->axes() == 2;
             steps.next();
         }
@@ -144,6 +171,10 @@ private:
             parts_.front().others.push_back(
                 text_.add(surfaces ? "GEOMETRIC_SET" : "GEOMETRIC_CURVE_SET", step::no_name, Refs{numbers}));
         }
+        if (!flat.empty()) {
+            geometry_.in_parameters(text_.add("GEOMETRIC_CURVE_SET", step::no_name, Refs{flat}));
+        }
+        return all;
     }
 
     const model::Model &model_;

@@ -194,7 +194,7 @@ const Call group[] = {
      }},
     {"model_from_bytes",
      [](const Inputs &, Output &o) -> nurbs_status {
-         return nurbs_model_from_bytes(texts::model_bytes, 1984, &o.model);
+         return nurbs_model_from_bytes(texts::model_bytes, 2112, &o.model);
      }},
     {"list_create",
      [](const Inputs &in, Output &o) -> nurbs_status {

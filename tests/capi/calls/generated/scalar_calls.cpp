@@ -80,6 +80,26 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_face_name(in.model, 1, o.text, 16, o.spans);
      }},
+    {"model_face_solid",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_face_solid(in.model, 1, o.spans, o.states);
+     }},
+    {"model_face_layers",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_face_layers(in.layered, 0, 2, o.spans, o.spans + 2);
+     }},
+    {"model_spline_layers",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_spline_layers(in.layered, 0, 2, o.spans, o.spans + 2);
+     }},
+    {"model_layer_count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_layer_count(in.layered, o.spans);
+     }},
+    {"model_layer",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_layer(in.layered, 0, o.text, 16, o.spans);
+     }},
     {"model_edge_uses",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_edge_uses(in.model, 1, 1, o.spans, o.spans + 3);

@@ -116,6 +116,10 @@ nurbs_status make_model(const Inputs &in, nurbs_model **out) {
     return nurbs_model_create(2, faces, 0.001, out);
 }
 
+nurbs_status make_layered(const Inputs &, nurbs_model **out) {
+    return nurbs_read_model(texts::layers, 549, nullptr, out);
+}
+
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
     return nurbs_clone(in.curve, out);
 }
@@ -229,6 +233,7 @@ Inputs make_inputs() {
     CHECK_OK(make_outline(in, &in.outline));
     CHECK_OK(make_face(in, &in.face));
     CHECK_OK(make_model(in, &in.model));
+    CHECK_OK(make_layered(in, &in.layered));
     return in;
 }
 

@@ -46,9 +46,13 @@ protected:
 TEST_P(WrittenFormats, WhatTheyCannotHoldIsNamed) {
     const std::vector<double> knots = {0, 0, 1, 1};
     const SplinePtr good = spline_of(3, Form::polynomial, knots, 1, {0, 0, 0, 1, 0, 0});
-    expect_refused(list_of({good, spline_of(2, Form::polynomial, knots, 1, {0, 0, 1, 0})}), Status::dimension,
-                   "splines[1]: has dimension 2, expected 3");
+    expect_refused(list_of({good, spline_of(1, Form::polynomial, knots, 1, {0, 1})}), Status::dimension,
+                   "splines[1]: has dimension 1, expected 2 or 3");
+    expect_refused(list_of({spline_of(4, Form::polynomial, knots, 1, {0, 0, 0, 0, 1, 0, 0, 0})}),
+                   Status::dimension, "splines[0]: has dimension 4, expected 2 or 3");
     const KnotVectorPtr axis = make_knot_vector(1, {0, 0, 1, 1});
+    expect_refused(list_of({make_spline({axis, axis}, 2, Form::polynomial, {0, 0, 0, 1, 1, 0, 1, 1})}),
+                   Status::dimension, "splines[0]: has dimension 2, expected 3");
     std::vector<double> corners;
     for (int i = 0; i < 8; ++i) {
         corners.insert(corners.end(), {double(i / 4), double(i / 2 % 2), double(i % 2)});
