@@ -196,16 +196,20 @@ def inputs(plan, binding, model):
     yield "};"
 
 
-def files(binding, model):
-    plan = smoke.plan(binding, model, "cpp")
-    lines = [NOTICE]
+def texts(model, calls):
+    """Contents of files, and the files of those that calls name by a path."""
     for name, text in model.texts.items():
         if isinstance(text, bytes):
-            lines += [f"constexpr unsigned char {name}[] = {{{', '.join(map(str, text))}}};", ""]
+            yield from (f"constexpr unsigned char {name}[] = {{{', '.join(map(str, text))}}};", "")
             continue
-        lines += [f"const std::string {name} = R\"({text})\";", f"std::string {name}_path() {{",
-                  f"    return written(\"smoke_calls_cpp.{name}\", {name});", "}", ""]
-    lines += [*inputs(plan, binding, model), ""]
+        yield from (f"const std::string {name} = R\"({text})\";", "")
+        if f"{name}_path()" in calls:
+            yield from (f"std::string {name}_path() {{", f"    return written(\"smoke_calls_cpp.{name}\", {name});", "}", "")
+
+
+def files(binding, model):
+    plan = smoke.plan(binding, model, "cpp")
+    lines = [*inputs(plan, binding, model), ""]
     for name, steps in plan.groups.items():
         lines.append(f"void {name}(const Inputs &in) {{")
         for step in steps:
@@ -217,4 +221,5 @@ def files(binding, model):
     lines += ["} // namespace", "", "int main() {", "    const Inputs in;"]
     lines += [f"    {name}(in);" for name in plan.groups]
     lines += ["    return 0;", "}", ""]
-    return {PATH: "\n".join(lines)}
+    calls = "\n".join(lines)
+    return {PATH: "\n".join([NOTICE, *texts(model, calls), calls])}

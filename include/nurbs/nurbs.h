@@ -6981,9 +6981,9 @@ NURBS_API nurbs_status nurbs_write_options_init(nurbs_write_options *options, in
  * \param[out] length or NULL: number of bytes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _OPTIONS, _FORMAT for any other format; _SIZE if cap is
  *   neither 0 nor enough. Of what the format cannot hold, naming the index: _DIMENSION of splines outside of
- *   space but for curves of dimension 2, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous points whose weights are not
- *   positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE; _TOO_LARGE for an IGES file of
- *   more lines than its seven digits can count.
+ *   space but for curves of dimension 2, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous
+ *   points whose weights are not positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE;
+ *   _TOO_LARGE for an IGES file of more lines than its seven digits can count.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_write(const nurbs_model *model, int32_t format,
                                          const nurbs_write_options *options, int64_t cap, void *bytes,

@@ -5,6 +5,7 @@ import copy
 import math
 import pathlib
 import pickle
+import re
 import tempfile
 import unittest
 
@@ -49,6 +50,21 @@ class Models(unittest.TestCase):
         self.assertEqual((model.uses[0].parent, model.uses[0].part), (-1, 0))
         np.testing.assert_array_equal(model.uses[0].placement, np.eye(3, 4))
         self.assertEqual((model.unit, model.notes, len(model.splines)), (0.001, [], 0))
+
+    def test_solids_layers_and_kinds(self):
+        text = BUSHING.read_text()
+        bore, = re.findall(r"#(\d+) ?= ?ADVANCED_FACE\('bore'", text)
+        layers = "".join(f"#{9000 + i}=PRESENTATION_LAYER_ASSIGNMENT('{name}','',(#{bore}));\n" for i, name in enumerate("ab"))
+        end = text.rindex("ENDSEC;")
+        contents = (text[:end] + layers + text[end:]).encode()
+        model = nurbs.Model.read(contents)
+        self.assertEqual((list(model.layers), model.layer_count(), model.layer(1)), (["a", "b"], 2, "b"))
+        self.assertEqual([model.face_layers(i) for i in range(4)], [(), (0, 1), (), ()])
+        self.assertEqual([model.face_solid(i) for i in range(4)], [nurbs.FaceSolid(0, False)] * 4)
+        self.assertEqual(list(nurbs.Model.read(model.write()).layers), ["a", "b"])
+        self.assertEqual(len(nurbs.Model.read(contents, kinds=nurbs.NURBS_READ_CURVES).faces), 0)
+        with self.assertRaises(IndexError):
+            model.spline_layers(0)
 
     def test_the_same_from_bytes_and_in_metres(self):
         model = nurbs.Model.read(bytearray(BUSHING.read_bytes()), unit=1.0)

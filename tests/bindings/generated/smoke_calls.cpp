@@ -22,6 +22,7 @@ const std::string file = R"(a file of the test programs                         
 126,1,1,0,0,0,0,0,0,1,1,1,2,0,0,0,1,1,1,0,1;                           5P      4
 S      1G      2D      6P      4                                        T      1
 )";
+
 std::string file_path() {
     return written("smoke_calls_cpp.file", file);
 }
@@ -59,6 +60,7 @@ GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))REPRESENTATION_CONTEXT('',''));
 ENDSEC;
 END-ISO-10303-21;
 )";
+
 std::string solid_path() {
     return written("smoke_calls_cpp.solid", solid);
 }
@@ -84,12 +86,10 @@ DATA;
 ENDSEC;
 END-ISO-10303-21;
 )";
-std::string layers_path() {
-    return written("smoke_calls_cpp.layers", layers);
-}
 
 const std::string replaced = R"(an older file
 )";
+
 std::string replaced_path() {
     return written("smoke_calls_cpp.replaced", replaced);
 }
