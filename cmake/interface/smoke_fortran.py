@@ -268,10 +268,16 @@ def literal(name, text):
 
 
 def data_literal(name, data):
-    rows = ["//".join(f"char({byte})" for byte in data[i:i + 8]) for i in range(0, len(data), 8)]
-    yield f"    character(len=*), parameter :: {name}_text = &"
-    yield from (f"        {row}//&" for row in rows[:-1])
-    yield f"        {rows[-1]}"
+    """In parts, since a statement may have no more than 255 lines."""
+    parts = []
+    for first in range(0, len(data), 1600):
+        part = data[first:first + 1600]
+        rows = ["//".join(f"char({byte})" for byte in part[i:i + 8]) for i in range(0, len(part), 8)]
+        parts.append(f"{name}_part_{len(parts) + 1}")
+        yield f"    character(len=*), parameter :: {parts[-1]} = &"
+        yield from (f"        {row}//&" for row in rows[:-1])
+        yield f"        {rows[-1]}"
+    yield f"    character(len=*), parameter :: {name}_text = {'//'.join(parts)}"
 
 
 def files(binding, model):

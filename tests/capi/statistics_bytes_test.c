@@ -59,7 +59,8 @@ static void refused_bytes(void) {
     CHECK_NO_STATISTICS(s, nurbs_statistics_from_bytes("NURBS", 5, &s), NURBS_ERROR_FORMAT, "begin");
     made.data[12] = 1; /* a spline */
     sign(made.data, made.size);
-    CHECK_NO_STATISTICS(s, nurbs_statistics_from_bytes(made.data, made.size, &s), NURBS_ERROR_FORMAT, "kind");
+    CHECK_NO_STATISTICS(s, nurbs_statistics_from_bytes(made.data, made.size, &s), NURBS_ERROR_FORMAT,
+                        "expected statistics");
     made.data[12] = 3;
     made.data[8] = 2;
     CHECK_NO_STATISTICS(s, nurbs_statistics_from_bytes(made.data, made.size, &s), NURBS_ERROR_VERSION, "2.0");

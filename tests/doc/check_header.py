@@ -21,9 +21,9 @@ import header  # noqa: E402 - from the project
 SINGLE_RESULTS = ("against", "angle", "area", "at_least", "at_most", "axes", "bound", "cells", "complete", "content",
                   "convexity", "count", "curvature_gap", "degree", "deviation", "dim", "distance", "edges",
                   "entity_type", "entries", "error", "faces", "factor", "form", "gap", "geometric", "homogeneous",
-                  "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "openness",
+                  "in_void", "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "openness",
                   "optimality", "order", "parent", "part", "parts", "periodic", "position_gap", "proven", "rank",
-                  "ratio", "rational", "reason", "removed", "residual", "result", "shape", "size", "slots", "status",
+                  "ratio", "rational", "reason", "removed", "residual", "result", "shape", "size", "slots", "solid", "status",
                   "tolerance", "type", "uses", "value", "vertices", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]
 

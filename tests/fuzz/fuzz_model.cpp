@@ -132,8 +132,58 @@ void use_parts(const nurbs_model *model, const Counts &n) {
     }
 }
 
+// In how many layers it is, all of them rising numbers of layers that there are.
+template <class Layers>
+void use_layers_of(Layers layers_of, int64_t layers) {
+    int64_t count = -1, before = -1;
+    FUZZ_REQUIRE(layers_of(0, nullptr, &count) == NURBS_OK && among(count, layers + 1));
+    std::vector<int64_t> own(static_cast<size_t>(count));
+    FUZZ_REQUIRE(layers_of(count, own.data(), nullptr) == NURBS_OK);
+    for (const int64_t layer : own) {
+        FUZZ_REQUIRE(before < layer && layer < layers);
+        before = layer;
+    }
+}
+
+void use_layers(const nurbs_model *model, const Counts &n) {
+    int64_t layers = -1, splines = -1;
+    FUZZ_REQUIRE(nurbs_model_layer_count(model, &layers) == NURBS_OK && layers >= 0);
+    for (int64_t i = 0; i < layers; ++i) {
+        char name[8];
+        FUZZ_REQUIRE(nurbs_model_layer(model, i, name, sizeof name, nullptr) == NURBS_OK);
+    }
+    for (int64_t i = 0; i < n.faces; ++i) {
+        use_layers_of([&](int64_t cap, int64_t *own,
+                          int64_t *count) { return nurbs_model_face_layers(model, i, cap, own, count); },
+                      layers);
+    }
+    nurbs_list *out = nullptr;
+    FUZZ_REQUIRE(nurbs_model_splines(model, &out) == NURBS_OK);
+    const List list(out);
+    FUZZ_REQUIRE(nurbs_list_count(list.get(), &splines) == NURBS_OK);
+    for (int64_t i = 0; i < splines; ++i) {
+        use_layers_of([&](int64_t cap, int64_t *own,
+                          int64_t *count) { return nurbs_model_spline_layers(model, i, cap, own, count); },
+                      layers);
+    }
+}
+
+// Numbers of solids begin at 0, in the order of their first faces.
+void use_solids(const nurbs_model *model, const Counts &n) {
+    int64_t next = 0;
+    for (int64_t i = 0; i < n.faces; ++i) {
+        int64_t solid = -2;
+        int32_t in_void = -1;
+        FUZZ_REQUIRE(nurbs_model_face_solid(model, i, &solid, &in_void) == NURBS_OK);
+        FUZZ_REQUIRE(among(solid + 1, next + 2) && (in_void == 0 || (in_void == 1 && solid >= 0)));
+        next = solid == next ? next + 1 : next;
+    }
+}
+
 void use(const nurbs_model *model, bool all_edges) {
     const Counts n = counts_of(model);
+    use_layers(model, n);
+    use_solids(model, n);
     const int64_t coedges = use_faces(model, n);
     int64_t places = 0;
     for (int64_t i = 0; i < n.edges; ++i) {

@@ -101,13 +101,14 @@ void of_a_model(Input &in, const nurbs_model *model) {
 
 void expect_same(const nurbs *a, const nurbs *b) {
     int64_t n[2] = {0, 0};
+    int32_t dim = 0, first = 0;
+    FUZZ_REQUIRE(nurbs_dimension(a, &first) == NURBS_OK);
     const nurbs *const both[] = {a, b};
     std::vector<double> points[2];
     for (size_t i = 0; i < 2; ++i) {
-        int32_t dim = 0;
-        FUZZ_REQUIRE(nurbs_dimension(both[i], &dim) == NURBS_OK && dim == 3);
+        FUZZ_REQUIRE(nurbs_dimension(both[i], &dim) == NURBS_OK && dim == first && (dim == 2 || dim == 3));
         FUZZ_REQUIRE(nurbs_point_count(both[i], &n[i]) == NURBS_OK);
-        points[i].resize(static_cast<size_t>(3 * n[i]));
+        points[i].resize(static_cast<size_t>(dim * n[i]));
         FUZZ_REQUIRE(nurbs_points(both[i], n[i], points[i].data(), 0, 0) == NURBS_OK);
     }
     FUZZ_REQUIRE(points[0] == points[1]);

@@ -77,7 +77,7 @@ program smoke_calls
         'END-ISO-10303-21;'//new_line('a')
     character(len=*), parameter :: replaced_text = &
         'an older file'//new_line('a')
-    character(len=*), parameter :: no_data_text = &
+    character(len=*), parameter :: no_data_part_1 = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(3)//char(0)//char(0)//char(0)//&
         char(192)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -102,7 +102,8 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
-    character(len=*), parameter :: loop_bytes_text = &
+    character(len=*), parameter :: no_data_text = no_data_part_1
+    character(len=*), parameter :: loop_bytes_part_1 = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(1)//char(0)//char(0)//char(0)//&
         char(96)//char(1)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -147,7 +148,8 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(191)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)
-    character(len=*), parameter :: list_bytes_text = &
+    character(len=*), parameter :: loop_bytes_text = loop_bytes_part_1
+    character(len=*), parameter :: list_bytes_part_1 = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(2)//char(0)//char(0)//char(0)//&
         char(128)//char(2)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -228,7 +230,8 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
-    character(len=*), parameter :: face_bytes_text = &
+    character(len=*), parameter :: list_bytes_text = list_bytes_part_1
+    character(len=*), parameter :: face_bytes_part_1 = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(4)//char(0)//char(0)//char(0)//&
         char(192)//char(3)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -349,7 +352,8 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
-    character(len=*), parameter :: model_bytes_text = &
+    character(len=*), parameter :: face_bytes_text = face_bytes_part_1
+    character(len=*), parameter :: model_bytes_part_1 = &
         char(137)//char(78)//char(85)//char(82)//char(13)//char(10)//char(26)//char(10)//&
         char(1)//char(0)//char(0)//char(0)//char(5)//char(0)//char(0)//char(0)//&
         char(64)//char(8)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
@@ -549,7 +553,8 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(8)//char(64)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(8)//char(64)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
-        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
+        char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
+    character(len=*), parameter :: model_bytes_part_2 = &
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(240)//char(63)//&
@@ -614,6 +619,7 @@ program smoke_calls
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//&
         char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)//char(0)
+    character(len=*), parameter :: model_bytes_text = model_bytes_part_1//model_bytes_part_2
     type(nurbs_spline) :: curve
     type(nurbs_spline) :: loop
     type(nurbs_spline) :: surface

@@ -31,6 +31,11 @@ std::vector<nurbs *> splines_of(const Inputs &in) {
         CHECK_OK(nurbs_face_curve(in.*face, 0, 0, &all.emplace_back(nullptr)));
     }
     for (const auto model : models) {
+        int64_t edges = 0;
+        CHECK_OK(nurbs_model_counts(in.*model, nullptr, nullptr, nullptr, &edges, nullptr));
+        if (edges == 0) {
+            continue;
+        }
         CHECK_OK(nurbs_model_edge(in.*model, 0, nullptr, nullptr, nullptr, &all.emplace_back(nullptr)));
     }
     return all;
