@@ -6699,9 +6699,12 @@ NURBS_API nurbs_status nurbs_read_model_file(const char *path, const nurbs_read_
 NURBS_API nurbs_status nurbs_read_model_file_with(const char *path, const nurbs_read_options *options,
                                                   const nurbs_call_options *call, nurbs_model **out);
 
-/** \brief A model of faces, with one part and one use of it. Faces with a common key share an edge; edges are
- * numbered in the order in which they occur, and coedges without key get edges of their own. Vertices
- * are the ends of edges, of which those are one that are equal bit for bit.
+/** \brief A model of faces, with one part and one use of it. Faces with a common key share an edge, that of the
+ * first of them, if their edges are no farther from each other than the tolerances of both faces add up to; else
+ * each has an edge of its own, which a note of nurbs_model_splines() tells. So faces of several models, whose keys
+ * may be equal by chance, can be put together. Edges are numbered in the order in which they occur, and coedges
+ * without key get edges of their own. Vertices are the ends of edges, of which those are one that are equal bit
+ * for bit.
  * \param[in] count number of faces.
  * \param[in] faces [count] faces of surfaces of dimension 3.
  * \param[in] metres metres per unit of length, >= 0; 0 leaves it open.

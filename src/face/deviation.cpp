@@ -63,4 +63,17 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
     return to_nearest(image, *coedge.edge, face.tolerance());
 }
 
+double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance) {
+    constexpr int64_t most_pieces_each = 20000;
+    for (const bool against : {false, true}) {
+        if (at_equal_parameters(a, b, against).value_or(HUGE_VAL) <= tolerance) {
+            return 0;
+        }
+    }
+    const double there = closest::one_sided_distance(*a, *b, tolerance / 16, most_pieces_each).at_least,
+                 back = closest::one_sided_distance(*b, *a, tolerance / 16, most_pieces_each).at_least;
+    const double distance = std::max(there, back);
+    return distance > tolerance ? distance : 0;
+}
+
 } // namespace nrb::face

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/from_faces.h"
 
+#include "base/finite.h"
 #include "eval/curve_point.h"
 #include "face/deviation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -31,7 +34,7 @@ public:
         for (int64_t loop = 0; loop < std::ssize(face->loops()); ++loop) {
             const face::Loop &coedges = face->loops()[static_cast<size_t>(loop)];
             for (int64_t i = 0; i < std::ssize(coedges); ++i) {
-                const int64_t edge = edge_of(*face, coedges[static_cast<size_t>(i)]);
+                const int64_t edge = edge_of(*face, coedges[static_cast<size_t>(i)], {number, loop, i});
                 model_.edges[static_cast<size_t>(edge)].uses.push_back({number, loop, i});
             }
         }
@@ -43,19 +46,66 @@ public:
     Model take() { return std::move(model_); }
 
 private:
-    int64_t edge_of(const face::Face &face, const face::Coedge &coedge) {
-        const auto next = std::ssize(model_.edges);
-        if (coedge.key != 0) {
-            const auto [known, fresh] = edges_.try_emplace(coedge.key, next);
-            if (!fresh) {
-                return known->second;
-            }
+    // An edge, and the tolerance of its face.
+    struct Known {
+        int64_t number;
+        double tolerance;
+    };
+
+    int64_t edge_of(const face::Face &face, const face::Coedge &coedge, const EdgeUse &use) {
+        SplinePtr curve = face::edge_of(face, coedge);
+        if (coedge.key == 0) {
+            return new_edge(std::move(curve));
         }
+        std::vector<Known> &known = edges_[coedge.key];
+        double least = HUGE_VAL;
+        for (const Known &edge : known) {
+            const double apart = distance_from(edge, curve, face.tolerance());
+            if (apart == 0) {
+                return edge.number;
+            }
+            least = std::min(least, apart);
+        }
+        if (!known.empty()) {
+            tell(coedge.key, use, least);
+        }
+        known.push_back({new_edge(std::move(curve)), face.tolerance()});
+        return known.back().number;
+    }
+
+    // 0 for one that is the same within the tolerances of both faces and the rounding of points.
+    [[nodiscard]] double distance_from(const Known &known, const SplinePtr &curve, double tolerance) const {
+        constexpr double rounding = 0x1p-44; // of the largest coordinate, of any degree
+        const SplinePtr &other = model_.edges[static_cast<size_t>(known.number)].curve;
+        if (other == curve) {
+            return 0;
+        }
+        const double largest =
+            std::max(largest_magnitude(other->points()), largest_magnitude(curve->points()));
+        const double within = known.tolerance + tolerance + rounding * largest;
+        return within > 0 ? face::distance_beyond(other, curve, within) : 0;
+    }
+
+    // Faces of several models may have equal keys by chance.
+    void tell(int64_t key, const EdgeUse &use, double apart) {
+        const EdgeUse &first = model_.edges[static_cast<size_t>(edges_[key].front().number)].uses.front();
+        model_.notes.push_back({0, 0, Status::gap,
+                                "the edge of " + words(use) + " has the key " + std::to_string(key) + " of " +
+                                    words(first) + " but is " + Number(apart).text +
+                                    " from that edge: each has its own"});
+    }
+
+    static std::string words(const EdgeUse &use) {
+        return "curve " + std::to_string(use.index) + " of loop " + std::to_string(use.loop) + " of face " +
+               std::to_string(use.face);
+    }
+
+    int64_t new_edge(SplinePtr curve) {
         Edge edge;
-        edge.curve = face::edge_of(face, coedge);
+        edge.curve = std::move(curve);
         edge.vertices = {vertex_at(end_of(*edge.curve, false)), vertex_at(end_of(*edge.curve, true))};
         model_.edges.push_back(std::move(edge));
-        return next;
+        return std::ssize(model_.edges) - 1;
     }
     int64_t vertex_at(const Place &x) {
         const auto [known, fresh] = vertices_.try_emplace(x, std::ssize(model_.vertices));
@@ -66,7 +116,7 @@ private:
     }
 
     Model model_;
-    std::map<int64_t, int64_t> edges_; // by their keys
+    std::map<int64_t, std::vector<Known>> edges_; // by their keys
     std::map<Place, int64_t> vertices_;
 };
 

@@ -162,6 +162,42 @@ static void edges_without_keys(void) {
     nurbs_model_destroy(model);
 }
 
+/* Keys that are equal by chance join no edges. */
+static void equal_keys_of_other_edges(void) {
+    nurbs *surface = plane(), *curves[] = {square(0.125, 0.875), square(0.25, 0.5)};
+    nurbs_face *faces[2] = {NULL, NULL};
+    for (int i = 0; i < 2; ++i) {
+        CHECK_OK(nurbs_face_create(surface, 1, SIZES(1), CURVES(curves[i]), NULL, SIZES(7), 1e-6, 0, NULL,
+                                   &faces[i]));
+        nurbs_destroy(curves[i]);
+    }
+    nurbs_destroy(surface);
+    const nurbs_face *given[] = {faces[0], faces[1], faces[0], faces[1]};
+    nurbs_model *model = NULL;
+    nurbs_list *list = NULL;
+    int64_t count = 0;
+    int32_t reason = 0;
+    char text[200] = "";
+    CHECK_OK(nurbs_model_create(4, given, 0, &model));
+    nurbs_face_destroy(faces[0]);
+    nurbs_face_destroy(faces[1]);
+    counts_are(model, 4, 2, 2);
+    for (int64_t i = 0; i < 2; ++i) {
+        CHECK_OK(nurbs_model_edge_uses(model, i, 0, NULL, &count));
+        CHECK_INT(count, 2);
+    }
+    CHECK_OK(nurbs_model_splines(model, &list));
+    nurbs_model_destroy(model);
+    CHECK_OK(nurbs_list_note_count(list, &count));
+    CHECK_INT(count, 1);
+    CHECK_OK(nurbs_list_note(list, 0, NULL, NULL, &reason, text, (int64_t)sizeof text, NULL));
+    CHECK_INT(reason, NURBS_ERROR_GAP);
+    CHECK(
+        strstr(text, "curve 0 of loop 0 of face 1 has the key 7 of curve 0 of loop 0 of face 0 but is 1.") !=
+        NULL);
+    nurbs_list_destroy(list);
+}
+
 /* In models of files the key is the index of the edge + 1. Both loops run along the circle, for the disk is against
  * its plane. */
 static void keys_name_edges(const nurbs_model *model) {
@@ -321,6 +357,7 @@ int main(void) {
     faces_come_back();
     one_part();
     edges_without_keys();
+    equal_keys_of_other_edges();
     tolerances();
     files(path);
     (void)remove(path);

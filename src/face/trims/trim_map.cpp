@@ -210,24 +210,36 @@ void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
             fail(Status::orientation, "loop %zu encloses nothing", i);
         }
     }
+    const std::vector<std::optional<PassedSums>> left = checked_sums(loops);
     if (turn) {
-        turn_loops(loops);
+        turn_loops(loops, left);
     }
     if (!loops.empty()) {
         set_corner(loops);
     }
 }
 
-// On a surface that closes a loop may run along both sides of a seam; it stays as it is.
-void TrimMap::turn_loops(std::vector<LoopShape> loops) {
-    std::vector<PassedSums> left;
+// Where a surface closes, a loop may run along both sides of its seams, as that of all of a torus does, or two may run around it in
+// one place, as those of a torus do that is cut open. No face that hangs together has more of them.
+std::vector<std::optional<PassedSums>> TrimMap::checked_sums(const std::vector<LoopShape> &loops) const {
+    const bool closed = covering_->closed(0) || covering_->closed(1);
+    int alone = closed ? 1 : 0, around = closed ? 2 : 0;
+    std::vector<std::optional<PassedSums>> left;
     for (size_t i = 0; i < loops.size(); ++i) {
-        const auto found = sums_left_of(static_cast<int32_t>(i));
-        if (!found && !covering_->closed(0) && !covering_->closed(1)) {
+        left.push_back(sums_left_of(static_cast<int32_t>(i)));
+        if (!left.back() && --(loops[i].around ? around : alone) < 0) {
             fail(Status::orientation, "loop %zu lies on others", i);
         }
-        loops[i].around = loops[i].around || !found;
-        left.push_back(found.value_or(PassedSums{}));
+    }
+    return left;
+}
+
+// A loop that lies on others stays as it is.
+void TrimMap::turn_loops(std::vector<LoopShape> loops, const std::vector<std::optional<PassedSums>> &found) {
+    std::vector<PassedSums> left;
+    for (size_t i = 0; i < loops.size(); ++i) {
+        loops[i].around = loops[i].around || !found[i];
+        left.push_back(found[i].value_or(PassedSums{}));
     }
     turned_ = Nesting(loops, left).loops_to_turn();
 }

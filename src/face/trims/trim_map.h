@@ -68,7 +68,11 @@ private:
     // Of a loop, those that are upright (k = 1) or not (k = 0), the longest along axis k first.
     [[nodiscard]] std::vector<size_t> longest_pieces(int32_t loop, size_t k) const;
     void orient(const std::vector<LoopShape> &loops, bool turn);
-    void turn_loops(std::vector<LoopShape> loops);
+    // What is passed from the left side of each loop on; none of those that lie on others. Throws Status::orientation if those are
+    // more than a face can have.
+    [[nodiscard]] std::vector<std::optional<PassedSums>>
+    checked_sums(const std::vector<LoopShape> &loops) const;
+    void turn_loops(std::vector<LoopShape> loops, const std::vector<std::optional<PassedSums>> &found);
     void set_corner(const std::vector<LoopShape> &loops);
     [[noreturn]] void fail_astray() const;
     // Columns through loops, and through the widest parts of the domain between ends of pieces.

@@ -183,14 +183,19 @@ TEST(Classify, DiscsOverTheCornerOfATorus) {
     }
 }
 
+template <class Call>
+Status status_of(Call call) {
+    try {
+        call();
+        return Status::ok;
+    } catch (const Error &error) {
+        return error.status();
+    }
+}
+
 TEST(Classify, TellsWhatLoopsDoWrong) {
     const auto status = [](const FaceParts &parts, std::vector<double> *gaps = nullptr) {
-        try {
-            const Face face(parts, gaps);
-            return Status::ok;
-        } catch (const Error &error) {
-            return error.status();
-        }
+        return status_of([&] { const Face face(parts, gaps); });
     };
     const Loop open = loop_of({line({0, 0}, {1, 0}), line({1, 0}, {1, 1}), line({1, 1}, {0, 0.25})});
     std::vector<double> gaps;
@@ -205,6 +210,51 @@ TEST(Classify, TellsWhatLoopsDoWrong) {
     EXPECT_EQ(
         status({plane(), {loop_of({line({0.5, 0.1}, {0.5, 0.9}), line({0.5, 0.9}, {0.5, 0.1})})}, 1e-3}),
         Status::orientation);
+}
+
+// The boundary of the middle of a domain.
+Loop ring(const Spline &surface, bool against) {
+    const std::vector<Point2> corners{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}, {0.25, 0.25}};
+    std::vector<SplinePtr> sides;
+    for (size_t i = 0; i < 4; ++i) {
+        const size_t a = against ? 4 - i : i, b = against ? a - 1 : a + 1;
+        sides.push_back(segment(surface, corners[a], corners[b]));
+    }
+    return loop_of(sides);
+}
+
+TEST(Classify, LoopsThatLieOnOthersBoundNothing) {
+    for (const SplinePtr &surface : {plane(), cylinder(), torus()}) {
+        for (const bool as_oriented : {false, true}) {
+            for (const bool against : {false, true}) {
+                FaceParts parts{surface, {ring(*surface, false), ring(*surface, against)}, 1e-6, as_oriented};
+                EXPECT_EQ(status_of([&] { const Face face(parts, nullptr); }), Status::orientation)
+                    << as_oriented << against;
+                parts.loops.resize(5000, parts.loops.front()); // refused at the third one
+                EXPECT_EQ(status_of([&] { const Face face(parts, nullptr); }), Status::orientation)
+                    << as_oriented << against;
+            }
+        }
+    }
+}
+
+TEST(Classify, ToriMayBeCutOpen) {
+    const SplinePtr surface = torus();
+    const Loop there = loop_of({segment(*surface, {0.5, 0}, {0.5, 1})}),
+               back = loop_of({segment(*surface, {0.5, 1}, {0.5, 0})});
+    const Loop all = loop_of({segment(*surface, {0, 0}, {1, 0}), segment(*surface, {1, 0}, {1, 1}),
+                              segment(*surface, {1, 1}, {0, 1}), segment(*surface, {0, 1}, {0, 0})});
+    for (const std::vector<Loop> &loops : {std::vector<Loop>{there, back}, {all}}) {
+        for (const bool as_oriented : {false, true}) {
+            const Face face({surface, loops, 1e-6, as_oriented}, nullptr);
+            EXPECT_EQ(side(face, {surface->axis(0).domain().upper / 3, surface->axis(1).domain().upper / 3}),
+                      1);
+        }
+    }
+    EXPECT_EQ(status_of([&] {
+                  const Face face({surface, {there, back, there}, 1e-6, true}, nullptr);
+              }),
+              Status::orientation);
 }
 
 } // namespace
