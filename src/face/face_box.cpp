@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <queue>
+#include <span>
 
 namespace nrb::face {
 
@@ -78,6 +79,26 @@ struct CellAxis {
     }
 };
 
+// A piece of the boundary as a curve of its own, with the ends that it shares with others.
+SplinePtr curve_of(const TrimPieces &pieces, const TrimPiece &piece) {
+    const std::span<const double> coefficients = pieces.coefficients(piece);
+    const size_t count = static_cast<size_t>(piece.degree) + 1, width = piece.weighted ? 3 : 2;
+    std::vector<double> points, weights, knots(2 * count, 1.0);
+    std::fill_n(knots.begin(), count, 0.0);
+    for (size_t i = 0; i < count; ++i) {
+        const double w = piece.weighted ? coefficients[i * width + 2] : 1;
+        points.insert(points.end(), {coefficients[i * width] / w, coefficients[i * width + 1] / w});
+        if (piece.weighted) {
+            weights.push_back(w);
+        }
+    }
+    std::ranges::copy(piece.start, points.begin());
+    std::ranges::copy(piece.end, points.end() - 2);
+    return make_spline({make_knot_vector(piece.degree, std::move(knots))}, 2,
+                       piece.weighted ? Form::rational : Form::polynomial, std::move(points),
+                       std::move(weights));
+}
+
 using SideQueue = std::priority_queue<std::pair<double, size_t>>;
 
 class BoxSearch {
@@ -106,10 +127,8 @@ private:
 
     // What the edges, the segments that close gaps and ends of the domain without a curve reach.
     void add_boundary() {
-        for (const Loop &loop : face_.loops()) {
-            for (const Coedge &coedge : loop) {
-                add_curve(coedge.curve);
-            }
+        for (size_t i = 0; i < face_.loops().size(); ++i) {
+            add_loop(static_cast<int32_t>(i));
         }
         for (const Joint &joint : face_.joints()) {
             add_segment(joint.from, joint.to);
@@ -121,12 +140,31 @@ private:
             reach_boundary();
         }
     }
-    void add_segment(const Point2 &from, const Point2 &to) {
-        add_curve(build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1}));
+    // Pieces of a loop that runs over seams lie in one copy of the domain each.
+    void add_loop(int32_t number) {
+        const Loop &loop = face_.loops()[static_cast<size_t>(number)];
+        std::vector<SplinePtr> edges;
+        for (const Coedge &coedge : loop) {
+            edges.push_back(composed_edge(face_.surface(), face_.covering(), coedge.curve));
+        }
+        if (std::ranges::find(edges, nullptr) != edges.end()) {
+            edges.clear();
+            const TrimPieces &pieces = face_.trims().pieces();
+            for (const TrimPiece &piece : pieces.all()) {
+                if (piece.loop == number) {
+                    edges.push_back(
+                        composed_edge(face_.surface(), face_.covering(), curve_of(pieces, piece)));
+                }
+            }
+        }
+        std::ranges::for_each(edges, [&](const SplinePtr &edge) { add_edge(edge); });
     }
-    // Curves that cannot be composed are bounded by the cells that they cut.
-    void add_curve(const SplinePtr &curve) {
-        const SplinePtr edge = composed_edge(face_.surface(), face_.covering(), curve);
+    void add_segment(const Point2 &from, const Point2 &to) {
+        const SplinePtr curve = build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1});
+        add_edge(composed_edge(face_.surface(), face_.covering(), curve));
+    }
+    // Null: curves that cannot be composed are bounded by the cells that they cut.
+    void add_edge(const SplinePtr &edge) {
         if (edge == nullptr) {
             boundary_proven_ = false;
             return;
@@ -277,15 +315,17 @@ private:
     [[nodiscard]] static int sign_of(const RoundedPolynomial &derivative, size_t c) {
         return certain_sign(component(derivative, static_cast<int>(c)));
     }
-    // As wide as the part, or as the span there.
+    // As wide as the part, or as the span there; at least from one double to the next, which may be farther apart than on this side.
     [[nodiscard]] std::vector<Part> strips_beyond_creases(const Part &part, size_t k) const {
         std::vector<Part> result;
         for (const bool upper : {false, true}) {
             if (const auto span = axes_[k].span_beyond_crease(upper ? part[k].upper : part[k].lower, upper)) {
                 const double width = std::min(part[k].upper - part[k].lower, span->upper - span->lower);
                 result.push_back(part);
-                result.back()[k] = upper ? Interval{span->lower, std::min(span->lower + width, span->upper)}
-                                         : Interval{std::max(span->upper - width, span->lower), span->upper};
+                const double above = std::max(span->lower + width, std::nextafter(span->lower, span->upper)),
+                             below = std::min(span->upper - width, std::nextafter(span->upper, span->lower));
+                result.back()[k] = upper ? Interval{span->lower, std::min(above, span->upper)}
+                                         : Interval{std::max(below, span->lower), span->upper};
             }
         }
         return result;

@@ -46,6 +46,28 @@ TEST(FaceBox, OfCapsAndHoles) {
     EXPECT_NEAR(face::bounding_box(whole, 1e-6).lower[0], -1, 1.1e-6);
 }
 
+// A half turn about z takes a disc over the seam to one that lies inside the domain.
+TEST(FaceBox, OverSeamsIsAsTightAsBesideThem) {
+    for (const SplinePtr &surface : {torus(), sphere(), cylinder()}) {
+        const Interval u = surface->axis(0).domain(), v = surface->axis(1).domain();
+        const double radius = 0.1 * std::min(u.upper - u.lower, v.upper - v.lower),
+                     middle = (v.lower + v.upper) / 2;
+        const Face over({surface, {loop_of({circle({u.lower, middle}, radius)})}, 1e-6}, nullptr);
+        const Face beside({surface, {loop_of({circle({(u.lower + u.upper) / 2, middle}, radius)})}, 1e-6},
+                          nullptr);
+        for (const double tolerance : {1e-3, 1e-6, 1e-9, 0.0}) {
+            const bounds::Box a = face::bounding_box(over, tolerance),
+                              b = face::bounding_box(beside, tolerance);
+            const double within = std::max(tolerance, 1e-12);
+            EXPECT_LE(a.gap, within);
+            for (size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(a.upper[c], c < 2 ? -b.lower[c] : b.upper[c], 2 * within);
+                EXPECT_NEAR(a.lower[c], c < 2 ? -b.upper[c] : b.lower[c], 2 * within);
+            }
+        }
+    }
+}
+
 // z = 1 at a control point whose layer a jump begins and ends.
 TEST(FaceBox, OfSurfacesThatJump) {
     const KnotVectorPtr u = make_knot_vector(1, {0, 0, 0.5, 0.5, 1, 1}),
