@@ -4,13 +4,13 @@
 #include "fit/offset/offset_surface.h"
 #include "model/shapes/surface_spline.h"
 
-#include <ranges>
+#include <algorithm>
 
 namespace nrb::model {
 
 namespace {
 
-// Offsets and parts of each other, the innermost last, and the surface under them.
+// Offsets and parts of each other, the innermost first, and the surface under them.
 struct Chain {
     std::vector<const SurfaceShape *> steps;
     const SurfaceShape *base;
@@ -26,6 +26,7 @@ Chain chain_of(const SurfaceShape &surface, const Rectangle &range) {
         chain.steps.push_back(chain.base);
         chain.base = chain.base->basis.get();
     }
+    std::ranges::reverse(chain.steps);
     return chain;
 }
 
@@ -46,7 +47,7 @@ double distance_of(const Chain &chain, const SplinePtr &spline, const fit::Offse
     double sum = 0;
     bool mirrored = false, known = true; // the side
     int side = 1;
-    for (const SurfaceShape *step : chain.steps | std::views::reverse) {
+    for (const SurfaceShape *step : chain.steps) {
         if (step->kind == SurfaceKind::trimmed) {
             mirrored ^= step->u_forward != step->v_forward;
         } else if (step->distance != 0) {
@@ -68,7 +69,7 @@ MadeSurface made_surface(const SurfaceShape &surface, const Rectangle &range, co
         fit::OffsetSurface offset = fit::offset_surface(made.spline, distance, patches);
         made = {std::move(offset.spline), offset.bound};
     }
-    for (const SurfaceShape *step : chain.steps | std::views::reverse) {
+    for (const SurfaceShape *step : chain.steps) {
         made.spline =
             step->kind == SurfaceKind::trimmed ? directed(*step, std::move(made.spline)) : made.spline;
     }
