@@ -3,8 +3,11 @@
 
 #include "base/error.h"
 #include "bounds/deviation.h"
+#include "closest/closest.h"
 #include "closest/pair/hausdorff.h"
+#include "eval/evaluate.h"
 #include "refine/forms/parametrization.h"
+#include "spline/part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +32,21 @@ std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePt
     } catch (const Error &) { // knots would merge
         return std::nullopt;
     }
+}
+
+// The largest distance of some places of a curve, its ends among them, from another one.
+double farthest_place(const Spline &from, const Spline &to, double tolerance) {
+    const Interval domain = from.axis(0).domain();
+    double largest = 0;
+    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+        const double t = parameter_in(domain, share);
+        std::vector<double> point(static_cast<size_t>(from.dim()));
+        eval::evaluate_points(from, {}, 0, {&t, 1, 1, 1, 1}, {point.data(), 1, from.dim(), from.dim(), 1});
+        const closest::Foot foot = closest::locator_of(to).nearest(
+            {point.data(), nullptr, tolerance / 16, closest::usual_budget(to), false, true});
+        largest = std::max(largest, foot.distance);
+    }
+    return largest;
 }
 
 Deviation to_nearest(const MadeCurve &image, const Spline &edge, double tolerance) {
@@ -64,15 +82,12 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
 }
 
 double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance) {
-    constexpr int64_t most_pieces_each = 20000;
     for (const bool against : {false, true}) {
         if (at_equal_parameters(a, b, against).value_or(HUGE_VAL) <= tolerance) {
             return 0;
         }
     }
-    const double there = closest::one_sided_distance(*a, *b, tolerance / 16, most_pieces_each).at_least,
-                 back = closest::one_sided_distance(*b, *a, tolerance / 16, most_pieces_each).at_least;
-    const double distance = std::max(there, back);
+    const double distance = std::max(farthest_place(*a, *b, tolerance), farthest_place(*b, *a, tolerance));
     return distance > tolerance ? distance : 0;
 }
 
