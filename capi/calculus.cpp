@@ -6,12 +6,12 @@
 
 #include "eval/parameters.h"
 #include "refine/algebra/antiderivative.h"
-#include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
 #include "refine/algebra/knot_derivative.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/quotient_rule.h"
 #include "refine/algebra/sum.h"
+#include "refine/compose/compose.h"
 #include "refine/knots/blossom.h"
 
 #include <array>

@@ -80,6 +80,12 @@ int32_t shape_of(const model::SurfaceShapePtr &shape) noexcept {
     }
 }
 
+void require_layers(int64_t cap, const int64_t *layers) {
+    if (cap > 0) {
+        require(layers, "layers");
+    }
+}
+
 void put_layers(const std::vector<int64_t> &own, int64_t cap, int64_t *layers, int64_t *count) {
     const int64_t used = checked_cap(cap, std::ssize(own));
     check_apart({memory("layers", layers, used), memory("count", count, 1)}, {});
@@ -212,9 +218,7 @@ nurbs_status nurbs_model_face_layers(const nurbs_model *model, int64_t index, in
                                      int64_t *count) {
     return guard([&] {
         const model::Model &own = model_of(model);
-        if (cap > 0) {
-            require(layers, "layers");
-        }
+        require_layers(cap, layers);
         put_layers(item_of(own.faces, index, "faces").layers, cap, layers, count);
     });
 }
@@ -304,9 +308,7 @@ nurbs_status nurbs_model_spline_layers(const nurbs_model *model, int64_t index, 
                                        int64_t *count) {
     return guard([&] {
         const model::Model &own = model_of(model);
-        if (cap > 0) {
-            require(layers, "layers");
-        }
+        require_layers(cap, layers);
         put_layers(item_of(own.splines, index, "splines").layers, cap, layers, count);
     });
 }

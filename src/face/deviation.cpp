@@ -5,11 +5,13 @@
 #include "bounds/deviation.h"
 #include "closest/closest.h"
 #include "closest/pair/hausdorff.h"
-#include "eval/evaluate.h"
+#include "eval/curve_point.h"
+#include "numeric/vector3.h"
 #include "refine/forms/parametrization.h"
 #include "spline/part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nrb::face {
@@ -18,6 +20,8 @@ namespace {
 
 // Pieces of both curves that the search for the largest distance may look at.
 constexpr int64_t most_pieces = 2000000;
+// The same where it only has to be shown that there is one.
+constexpr int64_t most_compared = 20000;
 
 MadeCurve over(const Face &face, const Coedge &coedge) {
     return edge_over(face.surface(), face.covering(), coedge.curve, face.tolerance());
@@ -34,19 +38,40 @@ std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePt
     }
 }
 
-// The largest distance of some places of a curve, its ends among them, from another one.
-double farthest_place(const Spline &from, const Spline &to, double tolerance) {
-    const Interval domain = from.axis(0).domain();
-    double largest = 0;
-    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-        const double t = parameter_in(domain, share);
-        std::vector<double> point(static_cast<size_t>(from.dim()));
-        eval::evaluate_points(from, {}, 0, {&t, 1, 1, 1, 1}, {point.data(), 1, from.dim(), from.dim(), 1});
-        const closest::Foot foot = closest::locator_of(to).nearest(
-            {point.data(), nullptr, tolerance / 16, closest::usual_budget(to), false, true});
-        largest = std::max(largest, foot.distance);
+using Ends = std::array<Vector3, 2>;
+
+Ends ends_of(const Spline &curve) {
+    Ends ends{};
+    for (const size_t k : {size_t{0}, size_t{1}}) {
+        double x[space_dim];
+        eval::end_point(curve, k == 1, x);
+        ends[k] = {x[0], x[1], x[2]};
     }
-    return largest;
+    return ends;
+}
+
+// The larger distance of two ends, of those that are nearer; 0 for curves that are closed, to whose ends nothing is tied.
+double distance_of_ends(const Spline &a, const Spline &b, double tolerance) {
+    const Ends x = ends_of(a), y = ends_of(b);
+    if (length(x[0] - x[1]) <= tolerance && length(y[0] - y[1]) <= tolerance) {
+        return 0;
+    }
+    return std::min(std::max(length(x[0] - y[0]), length(x[1] - y[1])),
+                    std::max(length(x[0] - y[1]), length(x[1] - y[0])));
+}
+
+// How far a place of a curve is from another one, if any of some is farther than the tolerance.
+double far_place(const Spline &from, const Spline &to, double tolerance) {
+    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+        double x[space_dim];
+        eval::curve_point(from, parameter_in(from.axis(0).domain(), share), false, x);
+        const closest::Foot foot = closest::locator_of(to).nearest(
+            {x, nullptr, tolerance / 16, closest::usual_budget(to), false, true});
+        if (foot.distance > tolerance) {
+            return foot.distance;
+        }
+    }
+    return 0;
 }
 
 Deviation to_nearest(const MadeCurve &image, const Spline &edge, double tolerance) {
@@ -81,13 +106,25 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
     return to_nearest(image, *coedge.edge, face.tolerance());
 }
 
+// What is cheap comes first: many that lie apart may have one key.
 double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance) {
+    if (const double ends = distance_of_ends(*a, *b, tolerance); ends > tolerance) {
+        return ends;
+    }
+    for (const double place : {far_place(*a, *b, tolerance), far_place(*b, *a, tolerance)}) {
+        if (place > tolerance) {
+            return place;
+        }
+    }
     for (const bool against : {false, true}) {
         if (at_equal_parameters(a, b, against).value_or(HUGE_VAL) <= tolerance) {
             return 0;
         }
     }
-    const double distance = std::max(farthest_place(*a, *b, tolerance), farthest_place(*b, *a, tolerance));
+    const auto least = [tolerance](const Spline &from, const Spline &to) {
+        return closest::one_sided_distance(from, to, tolerance / 16, most_compared).at_least;
+    };
+    const double distance = std::max(least(*a, *b), least(*b, *a));
     return distance > tolerance ? distance : 0;
 }
 

@@ -13,8 +13,8 @@ SplinePtr edge_of(const Face &face, const Coedge &coedge);
 // the face, else from each to the nearest point of the other.
 Deviation deviation_of(const Face &face, const Coedge &coedge);
 
-// How far one of two curves in space is from the other at some places where that is more than the tolerance, else 0. They may run
-// in different directions and at different speeds. Precondition: tolerance > 0.
+// How far two curves in space, or their ends, are from each other somewhere, where that is more than the tolerance, else 0. They may
+// run in different directions and at different speeds, and closed ones may begin elsewhere. Precondition: dimension 3, tolerance > 0.
 double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance);
 
 } // namespace nrb::face

@@ -59,10 +59,11 @@ private:
         }
         std::vector<Known> &known = edges_[coedge.key];
         double least = HUGE_VAL;
-        for (const Known &edge : known) {
-            const double apart = distance_from(edge, curve, face.tolerance());
+        // Faces of one model stand together, so that the last edge is the likely one.
+        for (auto edge = known.rbegin(); edge != known.rend(); ++edge) {
+            const double apart = distance_from(*edge, curve, face.tolerance());
             if (apart == 0) {
-                return edge.number;
+                return edge->number;
             }
             least = std::min(least, apart);
         }

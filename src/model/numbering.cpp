@@ -16,15 +16,7 @@ void number_solids(Model &model) {
 
 void number_layers(Model &model) {
     std::vector<int64_t> numbers(model.layers.size(), -1);
-    const auto for_each_list = [&model](const auto &visit) {
-        for (ModelFace &face : model.faces) {
-            visit(face.layers);
-        }
-        for (NamedSpline &spline : model.splines) {
-            visit(spline.layers);
-        }
-    };
-    for_each_list([&](const std::vector<int64_t> &layers) {
+    for_each_in_layers(model, [&](const std::vector<int64_t> &layers) {
         for (const int64_t layer : layers) {
             numbers[static_cast<size_t>(layer)] = 0;
         }
@@ -37,7 +29,7 @@ void number_layers(Model &model) {
         }
     }
     model.layers = std::move(used);
-    for_each_list([&](std::vector<int64_t> &layers) {
+    for_each_in_layers(model, [&](std::vector<int64_t> &layers) {
         for (int64_t &layer : layers) {
             layer = numbers[static_cast<size_t>(layer)];
         }

@@ -12,4 +12,15 @@ void number_solids(Model &model);
 // Leaves out the layers that no face and no spline is in.
 void number_layers(Model &model);
 
+// Calls visit(layers) for each face, then for each spline.
+template <class Any, class Visit>
+void for_each_in_layers(Any &model, const Visit &visit) {
+    for (auto &face : model.faces) {
+        visit(face.layers);
+    }
+    for (auto &spline : model.splines) {
+        visit(spline.layers);
+    }
+}
+
 } // namespace nrb::model

@@ -13,11 +13,11 @@ namespace nrb::pieces {
 struct HomogeneousPiece {
     RoundedPolynomial points; // A
     RoundedPolynomial weight;
-    int exponent = 0;           // of the unit of length
-    bool positive = true;       // the weight, in the whole piece; otherwise its sign is not known
-    int first_axis = 0;         // of the three that the spline has
-    Part part{};                // of the parameters, for the axes of the spline
-    std::vector<double> centre; // c
+    int exponent = 0;             // of the unit of length
+    bool positive = true;         // the weight, in the whole piece; otherwise its sign is not known
+    int first_axis = 0;           // of the three that the spline has
+    Part part{};                  // of the parameters, for the axes of the spline
+    std::vector<double> centre{}; // c
 
     // Place on an axis of the three that belongs to axis k of the spline.
     [[nodiscard]] int axis(int k) const noexcept { return first_axis + k; }

@@ -10,7 +10,7 @@
 #include "face/made/curve_fit.h"
 #include "face/made/plane_chart.h"
 #include "numeric/norm.h"
-#include "refine/algebra/compose.h"
+#include "refine/compose/compose.h"
 #include "refine/parts/cut.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "base/numbers.h"
 #include "bernstein/sign_runs.h"
 #include "pieces/derivative_pieces.h"
-#include "refine/algebra/crossings.h"
+#include "refine/compose/crossings.h"
 
 #include <algorithm>
 #include <cmath>

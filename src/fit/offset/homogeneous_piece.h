@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Bezier pieces of curves and surfaces as polynomials with errors.
+// Bezier pieces of curves and surfaces about one centre.
 #pragma once
 
-#include "bernstein/rounded_polynomial.h"
 #include "pieces/bernstein_net.h"
+#include "pieces/derivative_pieces.h"
 #include "spline/spline.h"
 
 #include <vector>
 
 namespace nrb::fit {
 
-// A curve or a surface on one piece: w (x - c), and w.
-struct HomogeneousPiece {
-    RoundedPolynomial points, weight;
-};
+using pieces::HomogeneousPiece;
 
-// All between breaks, which hold all knots between the first and the last of them; c is the same for all.
+// Those of a curve or a surface between breaks, which hold all knots between the first and the last of them; c is the same for all, in
+// the units of the spline.
 class HomogeneousPieces {
 public:
     HomogeneousPieces(const Spline &spline, const pieces::BernsteinNet::Breaks &breaks)

@@ -5,6 +5,7 @@
 #include "io/binary/checked_numbers.h"
 #include "io/binary/shape_reader.h"
 #include "model/cycles.h"
+#include "model/numbering.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -57,19 +58,9 @@ void ModelBytes::add_texts() {
     }
 }
 
-template <class Visit>
-void ModelBytes::for_each_in_layers(const Visit &visit) const {
-    for (const model::ModelFace &face : model_.faces) {
-        visit(face.layers);
-    }
-    for (const model::NamedSpline &named : model_.splines) {
-        visit(named.layers);
-    }
-}
-
 size_t ModelBytes::count_in_layers() const noexcept {
     size_t count = 0;
-    for_each_in_layers([&](const std::vector<int64_t> &layers) { count += layers.size(); });
+    model::for_each_in_layers(model_, [&](const std::vector<int64_t> &layers) { count += layers.size(); });
     return count;
 }
 
@@ -159,9 +150,10 @@ void ModelBytes::write_faces(ByteWriter &writer) const noexcept {
 }
 
 void ModelBytes::write_layers(ByteWriter &writer) const noexcept {
-    for_each_in_layers([&](const std::vector<int64_t> &layers) { writer.put(std::ssize(layers)); });
+    model::for_each_in_layers(model_,
+                              [&](const std::vector<int64_t> &layers) { writer.put(std::ssize(layers)); });
     writer.align();
-    for_each_in_layers([&](const std::vector<int64_t> &layers) {
+    model::for_each_in_layers(model_, [&](const std::vector<int64_t> &layers) {
         for (const int64_t layer : layers) {
             writer.put(layer);
         }
@@ -329,12 +321,7 @@ private:
             model_.layers.push_back(std::move(*text_++));
         }
         left_in_layers_ = sizes_.in_layers;
-        for (model::ModelFace &face : model_.faces) {
-            face.layers = next_layers();
-        }
-        for (model::NamedSpline &named : model_.splines) {
-            named.layers = next_layers();
-        }
+        model::for_each_in_layers(model_, [&](std::vector<int64_t> &layers) { layers = next_layers(); });
         if (left_in_layers_ != 0) {
             fail(Status::syntax, "number of places in layers %lld more than faces and splines have",
                  static_cast<long long>(left_in_layers_));

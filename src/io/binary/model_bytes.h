@@ -47,8 +47,6 @@ private:
     void write_faces(ByteWriter &writer) const noexcept;
     void write_edges(ByteWriter &writer) const noexcept;
     void write_layers(ByteWriter &writer) const noexcept;
-    template <class Visit>
-    void for_each_in_layers(const Visit &visit) const;
     [[nodiscard]] size_t count_in_layers() const noexcept;
 
     const model::Model &model_;

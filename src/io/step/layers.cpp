@@ -23,13 +23,13 @@ class LayerReader {
 public:
     explicit LayerReader(Entities &entities) : entities_(entities) {}
 
-    Layers read() {
+    Layers read(const TellError &tell) {
         for (const Instance &instance : entities_.instances().all()) {
             if (instance.kind() == Kind::layer) {
                 try {
                     read(instance);
-                } catch (const Error &) {
-                    continue;
+                } catch (const Error &error) {
+                    tell(instance, error);
                 }
             }
         }
@@ -77,8 +77,8 @@ std::vector<int64_t> Layers::at(int64_t number) const {
     return found == of.end() ? std::vector<int64_t>() : found->second;
 }
 
-Layers read_layers(Entities &entities) {
-    return LayerReader(entities).read();
+Layers read_layers(Entities &entities, const TellError &tell) {
+    return LayerReader(entities).read(tell);
 }
 
 } // namespace nrb::io::step

@@ -4,6 +4,7 @@
 
 #include "io/step/entities.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,7 +19,9 @@ struct Layers {
     [[nodiscard]] std::vector<int64_t> at(int64_t number) const;
 };
 
-// Of PRESENTATION_LAYER_ASSIGNMENTs: those of an item hold for all that it consists of. One that cannot be read is no layer.
-Layers read_layers(Entities &entities);
+using TellError = std::function<void(const Instance &, const Error &)>;
+
+// Of PRESENTATION_LAYER_ASSIGNMENTs: those of an item hold for all that it consists of. One that cannot be read is told, and no layer.
+Layers read_layers(Entities &entities, const TellError &tell);
 
 } // namespace nrb::io::step

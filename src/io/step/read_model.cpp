@@ -37,7 +37,8 @@ public:
         steps.next();
         colours_ = step::read_colours(entities_);
         solids_ = step::read_solids(entities_);
-        layers_ = step::read_layers(entities_);
+        layers_ = step::read_layers(
+            entities_, [this](const Instance &instance, const Error &error) { note_error(instance, error); });
         model_.layers = layers_.names;
         read_all([&](int64_t place) { return faces && is(place, Kind::face); },
                  [this](int64_t place) { add_face(place); });

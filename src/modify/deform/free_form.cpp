@@ -7,7 +7,7 @@
 #include "base/watch.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
-#include "refine/algebra/compose.h"
+#include "refine/compose/compose.h"
 #include "refine/forms/transform.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace nrb::modify {
 
 // x -> V(A x), where A is the map of the box to the domain of the volume. If g is a polynomial curve in the
 // plane or in space, and the degree of the image is at most max_degree, the image is composed
-// (refine/algebra/compose.h). The bound of the distance from it is then proven, apart from the rounding of
+// (refine/compose/compose.h). The bound of the distance from it is then proven, apart from the rounding of
 // its control points, for which 64 eps of the volume's size are added for each degree. Otherwise the distance
 // is that of samples. Throws Status::outside_domain if a point is outside the box, and what fit_image() and
 // compose() throw. Preconditions: as many axes of the volume as dimensions of both, lower < upper.

@@ -3,6 +3,7 @@
 
 #include "base/limits.h"
 #include "base/representable.h"
+#include "refine/algebra/polynomial.h"
 #include "refine/algebra/product.h"
 #include "refine/knots/axis_table.h"
 #include "refine/periodic/period.h"
@@ -16,12 +17,9 @@ namespace nrb::refine {
 
 namespace {
 
-SplinePtr polynomial(Spline::Axes axes, int dim, std::vector<double> points) {
-    return make_result(std::move(axes), dim, Form::polynomial, std::move(points));
-}
-
 SplinePtr zeros(const Spline &spline) {
-    return polynomial(spline.knot_vectors(), spline.dim(), std::vector<double>(spline.points().size()));
+    return polynomial_result(spline.knot_vectors(), spline.dim(),
+                             std::vector<double>(spline.points().size()));
 }
 
 // The knots with t_k once more, and which layers over them are kept.
@@ -78,7 +76,7 @@ SplinePtr open_derivative(const Spline &spline, int axis, int64_t k) {
     }
     require_representable(points, "control points of the derivative");
     auto knots = std::make_shared<const KnotVector>(old.degree(), std::move(made.knots));
-    return polynomial(with_axis(spline, axis, std::move(knots)), spline.dim(), std::move(points));
+    return polynomial_result(with_axis(spline, axis, std::move(knots)), spline.dim(), std::move(points));
 }
 
 // Layers from[i] of an axis, over other knots.
@@ -93,7 +91,7 @@ SplinePtr chosen_layers(const Spline &spline, int axis, KnotVectorPtr knots,
             points.insert(points.end(), own, own + view.inner);
         }
     }
-    return polynomial(with_axis(spline, axis, std::move(knots)), spline.dim(), std::move(points));
+    return polynomial_result(with_axis(spline, axis, std::move(knots)), spline.dim(), std::move(points));
 }
 
 // A periodic axis with so many more knots at each end that no knot that matters in the domain is one of the
@@ -156,9 +154,9 @@ private:
         for (int64_t i = 0; i < distinct + p; ++i) {
             layers.push_back(first + i % distinct);
         }
-        const SplinePtr open =
-            polynomial(with_axis(*open_, axis_, std::make_shared<const KnotVector>(old_.degree(), fine)),
-                       open_->dim(), std::move(points));
+        const SplinePtr open = polynomial_result(
+            with_axis(*open_, axis_, std::make_shared<const KnotVector>(old_.degree(), fine)), open_->dim(),
+            std::move(points));
         std::vector<double> knots(fine.begin() + first, fine.begin() + first + distinct + 2 * p + 1);
         return chosen_layers(*open, axis_, make_knot_vector(old_.degree(), std::move(knots), true), layers);
     }
@@ -205,7 +203,7 @@ SplinePtr rational_knot_derivative(const Spline &given, int axis, int64_t k) {
     check_degrees(spline);
     const int dim = spline.dim();
     const SplinePtr records =
-        polynomial(spline.knot_vectors(), dim + 1, {spline.records().begin(), spline.records().end()});
+        polynomial_result(spline.knot_vectors(), dim + 1, {spline.records().begin(), spline.records().end()});
     const SplinePtr moved = polynomial_knot_derivative(records, axis, k);
     const CommonKnots both(spline.axis(axis).degree(), {&moved->axis(axis), &spline.axis(axis)}, 0);
     const SplinePtr a = with_axis(*moved, axis, AxisTable{both.axis(), both.raising(0)});

@@ -7,6 +7,10 @@
 
 namespace nrb::refine {
 
+SplinePtr polynomial_result(Spline::Axes axes, int dim, std::vector<double> points) {
+    return make_result(std::move(axes), dim, Form::polynomial, std::move(points));
+}
+
 SplinePtr polynomial_spline(Spline::Axes axes, int dim, std::vector<double> points) {
     return std::make_shared<const Spline>(std::move(axes), dim, Form::polynomial, std::move(points),
                                           std::vector<double>());

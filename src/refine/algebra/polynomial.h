@@ -8,7 +8,10 @@
 
 namespace nrb::refine {
 
-// Without the checks of make_result(). Precondition: the sizes agree and all values are finite.
+// With the checks of make_result(), and what it throws.
+SplinePtr polynomial_result(Spline::Axes axes, int dim, std::vector<double> points);
+
+// Without them. Precondition: the sizes agree and all values are finite.
 SplinePtr polynomial_spline(Spline::Axes axes, int dim, std::vector<double> points);
 
 // The product, by components; null stands for the function 1. Throws what product() throws.

@@ -3,6 +3,7 @@
 
 #include "base/limits.h"
 #include "refine/algebra/derivative.h"
+#include "refine/algebra/polynomial.h"
 #include "refine/algebra/product.h"
 #include "refine/degree/elevate.h"
 #include "spline/at_origin.h"
@@ -25,10 +26,6 @@ void check_degrees(const Spline &spline, int order) {
     }
 }
 
-SplinePtr polynomial(Spline::Axes axes, int dim, std::vector<double> points) {
-    return make_result(std::move(axes), dim, Form::polynomial, std::move(points));
-}
-
 // Some components of the records of a polynomial spline.
 SplinePtr components(const Spline &spline, int first, int size) {
     std::vector<double> points;
@@ -37,7 +34,7 @@ SplinePtr components(const Spline &spline, int first, int size) {
         const auto from = spline.points().begin() + i * spline.dim() + first;
         points.insert(points.end(), from, from + size);
     }
-    return polynomial(spline.knot_vectors(), size, std::move(points));
+    return polynomial_result(spline.knot_vectors(), size, std::move(points));
 }
 
 // The product with a spline of dimension 1, with knots on an axis `extra` times more than it needs.
@@ -50,9 +47,9 @@ SplinePtr scaled(const Spline &spline, const Spline &factor, int axis, int extra
     for (int c = 0; c < dim; ++c) {
         form.push_back({c, c, 0});
     }
-    return polynomial(axes_of(joint), dim,
-                      product_records({spline.knot_vectors(), spline.points(), dim},
-                                      {factor.knot_vectors(), factor.points(), 1}, joint, dim, form));
+    return polynomial_result(axes_of(joint), dim,
+                             product_records({spline.knot_vectors(), spline.points(), dim},
+                                             {factor.knot_vectors(), factor.points(), 1}, joint, dim, form));
 }
 
 void check_same_knots(const Spline &a, const Spline &b) {
@@ -73,7 +70,7 @@ SplinePtr next_numerator(const SplinePtr &numerator, const SplinePtr &weight, in
     for (size_t i = 0; i < points.size(); ++i) {
         points[i] -= (n + 1) * second->points()[i];
     }
-    return polynomial(first->knot_vectors(), first->dim(), std::move(points));
+    return polynomial_result(first->knot_vectors(), first->dim(), std::move(points));
 }
 
 // w^(n+1); its last factor adds the knots that the numerator has in addition to its own.
@@ -103,8 +100,8 @@ std::vector<double> side_by_side(const Spline &numerator, const Spline &denomina
 SplinePtr rational_derivative(const Spline &given, int axis, int order) {
     const Spline &spline = at_origin(given);
     check_degrees(spline, order);
-    const SplinePtr records =
-        polynomial(spline.knot_vectors(), spline.width(), {spline.records().begin(), spline.records().end()});
+    const SplinePtr records = polynomial_result(spline.knot_vectors(), spline.width(),
+                                                {spline.records().begin(), spline.records().end()});
     SplinePtr numerator = components(*records, 0, spline.dim());
     if (spline.axis(axis).degree() == 0) {
         return polynomial_derivative(numerator, axis, 1);

@@ -4,7 +4,7 @@
 
 #include "eval/evaluate.h"
 #include "face_shapes.h"
-#include "refine/algebra/compose.h"
+#include "refine/compose/compose.h"
 #include "refine/parts/iso.h"
 #include "spline/part.h"
 

@@ -1,10 +1,10 @@
 // Derivatives, integrals, sums, products and compositions of curves of small whole numbers, which come out
 // exactly.
 #include "refine/algebra/antiderivative.h"
-#include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/sum.h"
+#include "refine/compose/compose.h"
 #include "refine/forms/power.h"
 #include "unit/shapes.h"
 

@@ -1,5 +1,5 @@
 // Signs of coordinates of curves, where they change, and monotony.
-#include "refine/algebra/crossings.h"
+#include "refine/compose/crossings.h"
 #include "unit/shapes.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +62,40 @@ TEST(Crossings, polar_values_of_a_piece_are_its_coefficients) {
     EXPECT_EQ(half[0], 0);
     EXPECT_EQ(half[1], 1);
     EXPECT_EQ(half[2], 1.75);
+}
+
+// Made together where no knot is among the arguments, else one by one: with the same bits.
+TEST(Crossings, coefficients_between_are_polar_values_bit_for_bit) {
+    for (const int q : {1, 2, 3, 8, 31}) {
+        for (const bool rational : {false, true}) {
+            std::vector<double> knots, points, weights;
+            for (int i = 0; i < 2 * q + 4; ++i) {
+                knots.push_back(i + 0.25 * (i % 3));
+            }
+            for (int i = 0; i < q + 3; ++i) {
+                points.push_back(std::sin(i + 1.0));
+                weights.push_back(1 + 0.5 * std::cos(i));
+            }
+            const SplinePtr f =
+                make_spline({make_knot_vector(q, knots)}, 1, rational ? Form::rational : Form::polynomial,
+                            points, rational ? weights : std::vector<double>());
+            const refine::CurvePiece piece(*f, q + 1);
+            const double lower = piece.lower(), length = piece.upper() - lower;
+            for (const auto &[from, to] : {std::array{0.125, 0.875}, {0.0, 0.5}, {0.3, 1.0}, {0.0, 1.0}}) {
+                const double a = lower + from * length, b = to == 1 ? piece.upper() : lower + to * length;
+                const refine::Coefficients values = piece.coefficients_between(0, a, b),
+                                           factors = piece.weights_between(a, b);
+                for (int j = 0; j <= q; ++j) {
+                    std::vector<double> arguments(static_cast<size_t>(q), a);
+                    std::fill_n(arguments.end() - j, j, b);
+                    EXPECT_EQ(values[static_cast<size_t>(j)], piece.polar_value(0, arguments));
+                    if (rational) {
+                        EXPECT_EQ(factors[static_cast<size_t>(j)], piece.polar_weight(arguments));
+                    }
+                }
+            }
+        }
+    }
 }
 
 TEST(Monotony, is_decided_by_signs) {

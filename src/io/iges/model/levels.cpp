@@ -4,6 +4,7 @@
 #include "io/iges/model/counts.h"
 #include "io/iges/text.h"
 #include "io/iges/types.h"
+#include "model/numbering.h"
 
 #include <algorithm>
 
@@ -12,17 +13,6 @@ namespace {
 
 constexpr int64_t level_list_form = 1, level_name_form = 3;
 constexpr int64_t size_of_a_level = 16; // doubles, in its map
-
-// Calls visit(levels) for what may have some.
-template <class Visit>
-void for_each_with_levels(model::Model &model, const Visit &visit) {
-    for (model::ModelFace &face : model.faces) {
-        visit(face.layers);
-    }
-    for (model::NamedSpline &spline : model.splines) {
-        visit(spline.layers);
-    }
-}
 
 } // namespace
 
@@ -87,7 +77,7 @@ std::string Levels::name_of(int64_t level) const {
 
 void Levels::make_layers(model::Model &model) const {
     std::map<int64_t, int64_t> numbers;
-    for_each_with_levels(model, [&](const std::vector<int64_t> &levels) {
+    model::for_each_in_layers(model, [&](const std::vector<int64_t> &levels) {
         for (const int64_t level : levels) {
             numbers[level] = 0;
         }
@@ -100,7 +90,7 @@ void Levels::make_layers(model::Model &model) const {
         }
         number = place->second;
     }
-    for_each_with_levels(model, [&](std::vector<int64_t> &levels) {
+    model::for_each_in_layers(model, [&](std::vector<int64_t> &levels) {
         std::ranges::transform(levels, levels.begin(), [&](int64_t level) { return numbers.at(level); });
         std::ranges::sort(levels);
         levels.erase(std::unique(levels.begin(), levels.end()), levels.end());

@@ -66,6 +66,10 @@ TEST(StepLayers, OfEqualNamesAreOneAndThoseOfNothingAreLeftOut) {
     for (const model::ModelFace &face : model.faces) {
         EXPECT_EQ(face.layers, (Numbers{0, 1}));
     }
+    ASSERT_EQ(model.notes.size(), 1U); // one without its attributes is told
+    EXPECT_EQ(model.notes.front().line, 9006);
+    EXPECT_TRUE(model.notes.front().text.starts_with("#9006 PRESENTATION_LAYER_ASSIGNMENT: "))
+        << model.notes.front().text;
 }
 
 // A face has the level of its solid unless it has one itself; several are in a property, and another one names a level.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refine/algebra/span_cells.h"
+#include "refine/compose/span_cells.h"
 
 #include "base/error.h"
 

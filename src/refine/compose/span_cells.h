@@ -2,7 +2,7 @@
 // The pieces of a curve between the knots of the axes that it runs over.
 #pragma once
 
-#include "refine/algebra/crossings.h"
+#include "refine/compose/crossings.h"
 
 #include <array>
 #include <vector>

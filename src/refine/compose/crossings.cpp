@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refine/algebra/crossings.h"
+#include "refine/compose/crossings.h"
 
 #include "base/numbers.h"
 #include "numeric/binomial.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refine/algebra/composed_cell.h"
+#include "refine/compose/composed_cell.h"
 
 #include "base/watch.h"
 #include "numeric/binomial.h"
