@@ -30,7 +30,6 @@ GreedyKnotRemoval::GreedyKnotRemoval(const Spline &spline, int axis, bool forgiv
     note_inert_places();
     gap_.resize(static_cast<size_t>(length_));
     trial_.resize(static_cast<size_t>(length_) * (max_basis + 2));
-    queue_all();
 }
 
 // On a periodic axis the ring of one period, which begins with the first copy of the seam; that copy is never
@@ -92,16 +91,24 @@ bool GreedyKnotRemoval::removable(int64_t knot) const noexcept {
     return at.present && at.movable && last_copy(knot);
 }
 
-double GreedyKnotRemoval::key_of(int64_t knot) {
+// Leaves the window and the gap to a removal.
+double GreedyKnotRemoval::key_of(int64_t knot, Window &window) {
     count_work(4 * length_ * (degree_ + 2));
-    Window window;
     return locate(knot, window) ? cost(window) : infinity;
 }
 
-void GreedyKnotRemoval::push(int64_t knot) {
+void GreedyKnotRemoval::refresh(int64_t knot) {
     Knot &at = knots_[static_cast<size_t>(knot)];
-    at.key = key_of(knot);
-    at.stale = false;
+    if (at.stale) {
+        Window window;
+        at.key = key_of(knot, window);
+        at.stale = false;
+    }
+}
+
+void GreedyKnotRemoval::push(int64_t knot) {
+    refresh(knot);
+    const Knot &at = knots_[static_cast<size_t>(knot)];
     if (at.key < infinity) {
         std::vector<Candidate> &heap = heap_of(knot);
         heap.push_back({at.key, knot});
@@ -119,10 +126,9 @@ void GreedyKnotRemoval::queue_all() {
     heap_starts_.clear();
     int64_t knot = head_;
     do {
-        Knot &at = knots_[static_cast<size_t>(knot)];
+        const Knot &at = knots_[static_cast<size_t>(knot)];
         if (removable(knot)) {
-            at.key = at.stale ? key_of(knot) : at.key;
-            at.stale = false;
+            refresh(knot);
             if (heaps_.back().size() == most_in_heap) {
                 heaps_.emplace_back();
                 heap_starts_.push_back(knot);
@@ -138,9 +144,31 @@ void GreedyKnotRemoval::queue_all() {
     }
 }
 
+// One after the other those that cost next to nothing, such as knots that were inserted: each is looked at about once.
+int64_t GreedyKnotRemoval::remove_cheap(double cheap, double tolerance) {
+    int64_t removed = 0;
+    Window window;
+    for (int64_t knot = knots_[static_cast<size_t>(head_)].next; knot != head_;) {
+        Knot &at = knots_[static_cast<size_t>(knot)];
+        const int64_t previous = at.previous;
+        bool gone = false;
+        if (removable(knot) && (at.stale || at.key <= cheap)) {
+            at.key = key_of(knot, window);
+            at.stale = false;
+            gone = at.key <= cheap && at.key < infinity && remove(knot, window, tolerance);
+            removed += gone ? 1 : 0;
+        }
+        // The copy before it is the last one now.
+        knot = gone && previous != head_ && knots_[static_cast<size_t>(previous)].value == at.value ? previous
+                                                                                                    : at.next;
+    }
+    return removed;
+}
+
 int64_t GreedyKnotRemoval::run(double tolerance) {
     constexpr double rise = 64; // so that the order is about that of one heap
-    int64_t removed = 0;
+    int64_t removed = remove_cheap(tolerance / 0x1p20, tolerance);
+    queue_all();
     double dearest = tolerance / 0x1p42;
     do {
         const Phase phase;
@@ -170,8 +198,18 @@ int64_t GreedyKnotRemoval::run(std::vector<Candidate> &heap, double dearest, dou
         }
         if (at.stale) {
             push(knot);
-        } else if (remove(knot, tolerance)) {
+            continue;
+        }
+        Window window;
+        if (!locate(knot, window)) {
+            continue;
+        }
+        find_gap(window);
+        if (remove(knot, window, tolerance)) {
             ++removed;
+            if (window.multiplicity > 1 && removable(at.previous)) {
+                push(at.previous);
+            }
         }
     }
     return removed;
@@ -188,18 +226,14 @@ void GreedyKnotRemoval::for_each_span(const Window &window, Body &&body) {
     }
 }
 
-bool GreedyKnotRemoval::remove(int64_t knot, double tolerance) {
-    Window window;
-    if (!locate(knot, window)) {
-        return false;
-    }
+// The gap of the window is known.
+bool GreedyKnotRemoval::remove(int64_t knot, const Window &window, double tolerance) {
     const double step = knots_[static_cast<size_t>(knot)].key;
     double before = 0;
     for_each_span(window, [&](const Knot &at) { before = std::max(before, at.error); });
     if (!(before + step <= tolerance)) {
         return false;
     }
-    find_gap(window);
     if (!solve(window)) {
         return false;
     }
@@ -235,9 +269,6 @@ void GreedyKnotRemoval::unlink(int64_t knot, const Window &window) noexcept {
         back = knots_[static_cast<size_t>(back)].previous;
         front = knots_[static_cast<size_t>(front)].next;
     }
-    if (window.multiplicity > 1 && removable(gone.previous)) {
-        push(gone.previous);
-    }
 }
 
 void GreedyKnotRemoval::set_errors(std::span<const double> breaks, const std::vector<double> &errors) {
@@ -253,7 +284,6 @@ void GreedyKnotRemoval::set_errors(std::span<const double> breaks, const std::ve
         }
         knot = at.next;
     } while (knot != head_);
-    queue_all();
 }
 
 KnotVectorPtr GreedyKnotRemoval::remaining_axis() const {

@@ -21,7 +21,7 @@ public:
     GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding);
 
     // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of
-    // the domain stay. Of very many knots those of one part of the axis go before those of the next: all that a removal
+    // the domain stay. What moves the spline by a millionth of the tolerance goes first, in the order of the axis. Of very many knots those of one part of the axis go before those of the next: all that a removal
     // depends on is near, and stays in the cache.
     int64_t run(double tolerance);
     // Replaces the errors that were added up by measured ones: errors[i] belongs to [breaks[i], breaks[i +
@@ -86,11 +86,13 @@ private:
     double cost(const Window &window) noexcept;
     double column_cost(const Window &window, int64_t at) const noexcept;
     double gap_rounding(const Window &window, const Column &column) const noexcept;
-    double key_of(int64_t knot);
+    double key_of(int64_t knot, Window &window);
+    void refresh(int64_t knot);
     void push(int64_t knot);
     template <class Body>
     void for_each_span(const Window &window, Body &&body);
-    bool remove(int64_t knot, double tolerance);
+    bool remove(int64_t knot, const Window &window, double tolerance);
+    int64_t remove_cheap(double cheap, double tolerance);
     bool solve(const Window &window);
     bool clear_rounded_weights(const Window &window, double *layer) const noexcept;
     void unlink(int64_t knot, const Window &window) noexcept;
