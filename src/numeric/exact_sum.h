@@ -15,6 +15,7 @@ public:
     TwoLimbs() noexcept = default;
     constexpr TwoLimbs(int64_t high, uint64_t low) noexcept : high_(high), low_(low) {}
 
+    static constexpr TwoLimbs of(uint64_t low) noexcept { return {0, low}; }
     static constexpr TwoLimbs product(int64_t a, int64_t b) noexcept {
         const TwoLimbs size = magnitude(absolute(a), absolute(b));
         return (a < 0) != (b < 0) ? TwoLimbs{} - size : size;
@@ -70,6 +71,9 @@ public:
     constexpr Native128(int64_t high, uint64_t low) noexcept
         : value_(static_cast<Signed>(static_cast<Unsigned>(high) << 64 | low)) {}
 
+    static constexpr Native128 of(uint64_t low) noexcept {
+        return Native128(static_cast<Signed>(Unsigned{low}));
+    }
     static constexpr Native128 product(int64_t a, int64_t b) noexcept { return Native128(Signed{a} * b); }
     static constexpr uint64_t high_product(uint64_t a, uint64_t b) noexcept {
         return static_cast<uint64_t>((Unsigned{a} * b) >> 64);
@@ -81,7 +85,9 @@ public:
         return *this;
     }
     [[nodiscard]] constexpr int64_t rounded_shift(int bits) const noexcept {
-        return static_cast<int64_t>((value_ + (Signed{1} << (bits - 1))) >> bits);
+        // Of two halves, and the bit that is rounded: some processors are slow to shift and carry between them.
+        return static_cast<int64_t>((static_cast<uint64_t>(high()) << (64 - bits)) + (low() >> bits) +
+                                    (low() >> (bits - 1) & 1));
     }
 
 private:

@@ -41,8 +41,8 @@ void GreedyKnotRemoval::link_knots() {
     const int64_t first = axis_.periodic() ? seam : 0;
     const int64_t count = axis_.periodic() ? axis_.distinct_layers() : std::ssize(axis_.knots());
     knots_.reserve(static_cast<size_t>(count));
+    count_work(work_of_a_node * count);
     for (int64_t i = 0; i < count; ++i) {
-        count_work(work_of_a_node);
         const double value = axis_[first + i];
         const bool inside = value > lower && value < upper;
         const int64_t layer = axis_.periodic() ? (first + i) % count : i;
@@ -54,8 +54,8 @@ void GreedyKnotRemoval::link_knots() {
 void GreedyKnotRemoval::link_layers() {
     const int64_t count = axis_.distinct_layers();
     layers_.reserve(static_cast<size_t>(count));
+    count_work(work_of_a_node * count);
     for (int64_t i = 0; i < count; ++i) {
-        count_work(work_of_a_node);
         layers_.push_back({(i + 1) % count, (i + count - 1) % count, false, true});
     }
 }

@@ -174,16 +174,17 @@ private:
     // The samples have to be met a little better than the rest of g.
     void search() {
         constexpr int most_rounds = 6;
-        constexpr int64_t most_samples = 50000;
+        const bool volume = g_->axes() == max_axes;
+        const int64_t most_samples = volume ? 400000 : 50000;
         double aim = 0.95 * tolerance_;
-        int64_t least = 64;
+        int64_t least = volume ? 32 : 64;
         for (int round = 0; round < most_rounds && !meets(found_, tolerance_); ++round) {
             const GridSamples samples(*g_, degrees_, least);
             const ToleranceFit fit = fit_to_tolerance(samples.data(), {}, domain_, aim, max_count_, wishes_);
             const SplinePtr &made = fit.points.fit.spline;
             const double bound = compare(made);
             const bool more = has_few(samples, *made) && samples.data().params.count < most_samples;
-            if (!fit.reached && !more) {
+            if ((!fit.reached && !more) || !fit.complete) {
                 break;
             }
             least = more ? 2 * least : least;

@@ -81,7 +81,7 @@ public:
     ToleranceFit fit() {
         {
             const HalfOfWork half;
-            (void)attempted([&] { search(); });
+            best_.complete = attempted([&] { search(); });
         }
         if (best_.rounds == 0) {
             const NeededWork needed;

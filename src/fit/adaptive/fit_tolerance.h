@@ -10,7 +10,8 @@ namespace nrb::fit {
 struct ToleranceFit {
     FittedPoints points;
     bool reached;
-    int rounds; // fits over all data
+    int rounds;    // fits over all data
+    bool complete; // no limit of work ended the search
 };
 
 // The spline with few control points, at most max_count, that no datum is farther from than the tolerance; else the closest

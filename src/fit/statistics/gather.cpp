@@ -56,7 +56,7 @@ public:
             for (int64_t some = first; some < end; some += batch) {
                 add_batch(some, std::min(end, some + batch));
             }
-            steps.next((end - first) * layout_.entries());
+            steps.next((end - first) * work_of_an_entry * layout_.entries());
         }
     }
 
@@ -88,6 +88,7 @@ public:
 
 private:
     static constexpr int64_t block = 1024, batch = 32;
+    static constexpr int64_t work_of_an_entry = 2; // integers of 128 bits
 
     // A value in units of the scale, and times its weight.
     struct Value {
@@ -283,12 +284,12 @@ private:
         }
         raise_functions(p, 2 * p, place.distance, functions);
         for (int j = 0; j <= 2 * p; ++j) {
-            moments[j * step] += Int128(0, static_cast<uint64_t>(functions[j]));
+            moments[j * step] += Int128::of(static_cast<uint64_t>(functions[j]));
         }
         for (int c = 0; c < dim; ++c) {
             squares[c] += Int128::product(values[c].units, values[c].units);
         }
-        squares[dim] += Int128(0, 1);
+        squares[dim] += Int128::of(1);
     }
     // Without weights, what they would multiply is not multiplied until the sums are settled.
     void add_any(Int128 *sums, const Point &point) noexcept {
@@ -296,40 +297,49 @@ private:
             set_functions(k, point.places[k]);
         }
         const std::span<const Value> values(point.values, static_cast<size_t>(form_.dim));
-        const bool weighted = weighted_;
-        for_each_product(high_, [&](int64_t product) {
-            *sums++ +=
-                weighted ? Int128::product(product, point.weight) : Int128(0, static_cast<uint64_t>(product));
+        for_each_row(high_, 0, function_unit, [&](std::span<const int64_t> products) {
+            sums = weighted_ ? add_times(sums, products, point.weight) : add_all_of(sums, products);
         });
-        for_each_product(low_, [&](int64_t product) {
-            for (const Value &value : values) {
-                *sums++ += Int128::product(product, value.weighted);
+        for_each_row(low_, 0, function_unit, [&](std::span<const int64_t> products) {
+            for (const int64_t product : products) {
+                for (const Value &value : values) {
+                    *sums++ += Int128::product(product, value.weighted);
+                }
             }
         });
         for (const Value &value : values) {
             *sums++ += Int128::product(value.units, value.weighted);
         }
-        *sums += Int128(0, weighted ? static_cast<uint64_t>(point.weight) : 1);
+        *sums += Int128::of(weighted_ ? static_cast<uint64_t>(point.weight) : 1);
     }
-    template <class Visit>
-    static void for_each_product(const std::array<std::vector<int64_t>, max_axes> &functions,
-                                 Visit &&visit) noexcept {
-        for (const int64_t a : functions[0]) {
-            if (functions[1].empty()) {
-                visit(a);
-                continue;
-            }
-            for (const int64_t b : functions[1]) {
-                const int64_t ab = function_product(a, b);
-                if (functions[2].empty()) {
-                    visit(ab);
-                    continue;
-                }
-                for (const int64_t c : functions[2]) {
-                    visit(function_product(ab, c));
-                }
-            }
+    static Int128 *add_all_of(Int128 *sums, std::span<const int64_t> products) noexcept {
+        for (const int64_t product : products) {
+            *sums++ += Int128::of(static_cast<uint64_t>(product));
         }
+        return sums;
+    }
+    static Int128 *add_times(Int128 *sums, std::span<const int64_t> products, int64_t weight) noexcept {
+        for (const int64_t product : products) {
+            *sums++ += Int128::product(product, weight);
+        }
+        return sums;
+    }
+    // Products of functions of all axes, along the last one.
+    using Functions = std::array<std::vector<int64_t>, max_axes>;
+    template <class Visit>
+    void for_each_row(const Functions &functions, size_t k, int64_t factor, const Visit &visit) const {
+        if (k + 1 < finders_.size()) {
+            for (const int64_t own : functions[k]) {
+                for_each_row(functions, k + 1, k == 0 ? own : function_product(factor, own), visit);
+            }
+            return;
+        }
+        std::array<int64_t, 2 * max_degree + 1> products;
+        const size_t count = functions[k].size();
+        for (size_t i = 0; i < count; ++i) {
+            products[i] = k == 0 ? functions[k][i] : function_product(factor, functions[k][i]);
+        }
+        visit(std::span<const int64_t>(products.data(), count));
     }
 
     // Adds what is pending to the sums that have room for all.
@@ -354,9 +364,9 @@ private:
     bool weighted_;
     std::vector<SpanTable::Finder> finders_;
     // Of a batch.
-    std::vector<CellPlace> places_;                         // [batch][axes]
-    std::vector<Value> values_;                             // [batch][dim]
-    std::array<std::vector<int64_t>, max_axes> high_, low_; // functions of degrees 2 p and p at the point
+    std::vector<CellPlace> places_; // [batch][axes]
+    std::vector<Value> values_;     // [batch][dim]
+    Functions high_, low_;          // functions of degrees 2 p and p at the point
     // By slots.
     std::vector<int64_t> counts_;
     std::vector<int32_t> pending_;

@@ -152,8 +152,8 @@ std::vector<double> breaks_of(const KnotVector &axis) {
 KnotVectorPtr bezier_knots(int degree, std::span<const double> breaks) {
     std::vector<double> knots;
     knots.reserve(breaks.size() * (static_cast<size_t>(degree) + 1));
+    count_work(static_cast<int64_t>(knots.capacity()));
     for (const double knot : breaks) {
-        count_work(degree + 1);
         knots.insert(knots.end(), static_cast<size_t>(degree) + 1, knot);
     }
     return std::make_shared<const KnotVector>(degree, std::move(knots));
