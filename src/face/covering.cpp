@@ -3,6 +3,7 @@
 
 #include "analysis/contacts.h"
 #include "base/numbers.h"
+#include "bounds/box.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 
@@ -74,7 +75,7 @@ std::vector<double> point_at(const Spline &surface, const Point2 &x) {
 }
 
 Covering::Covering(const Spline &surface, double tolerance)
-    : domain_{surface.axis(0).domain(), surface.axis(1).domain()} {
+    : domain_{surface.axis(0).domain(), surface.axis(1).domain()}, extent_(bounds::extent(surface)) {
     for (const int k : {0, 1}) {
         const Suspicion possible = suspicion(surface, k, tolerance);
         for (const int end : {0, 1}) {

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] Interval domain(int k) const noexcept { return domain_[static_cast<size_t>(k)]; }
     [[nodiscard]] double period(int k) const noexcept { return domain(k).upper - domain(k).lower; }
     [[nodiscard]] bool closed(int k) const noexcept { return closed_[static_cast<size_t>(k)]; }
+    // The largest side of the box of the control points.
+    [[nodiscard]] double extent() const noexcept { return extent_; }
     // End 0 or 1 of axis k.
     [[nodiscard]] bool collapsed(int k, int end) const noexcept {
         return collapsed_[static_cast<size_t>(k)][static_cast<size_t>(end)];
@@ -48,6 +50,7 @@ private:
         std::vector<double> point;
     };
     std::array<Interval, 2> domain_;
+    double extent_;
     std::array<bool, 2> closed_{};
     std::array<std::array<bool, 2>, 2> collapsed_{};
     std::vector<PolePoint> poles_;

@@ -30,8 +30,7 @@ void check_curve(const Spline &curve, size_t loop, size_t index) {
 // size of the surface; along a closed one over copies of the domain, of which there may be so many.
 class Borders {
 public:
-    Borders(const Spline &surface, const Covering &covering, double tolerance)
-        : surface_(surface), covering_(covering), tolerance_(tolerance) {}
+    Borders(const Covering &covering, double tolerance) : covering_(covering), tolerance_(tolerance) {}
 
     void check(const PlacedCurve &placed, size_t loop, size_t index) {
         if (polygon_inside(*placed.curve)) {
@@ -44,7 +43,7 @@ public:
             const double over = std::max(domain.lower - box.lower[at], box.upper[at] - domain.upper);
             if (covering_.closed(k)
                     ? !in_few_copies(placed.curve->axis(0).count(), over / covering_.period(k))
-                    : over > 0 && !(over <= allowed(k))) {
+                    : !is_allowed(k, over)) {
                 fail(Status::outside_domain,
                      "curve %zu of loop %zu runs from %s to %s on axis %d, outside of the domain [%s, %s]",
                      index, loop, Number(box.lower[at]).text, Number(box.upper[at]).text, k,
@@ -69,31 +68,61 @@ private:
         }
         return inside;
     }
-    [[nodiscard]] double allowed(int k) const {
-        const double least =
-            64 * eps * std::max(std::abs(covering_.domain(k).lower), std::abs(covering_.domain(k).upper));
-        const bounds::Box box = bounds::bounding_box(surface_, whole_domain(surface_), infinity);
-        const double size = distance(box.lower.data(), box.upper.data(), surface_.dim());
-        return std::max(least, size > 0 ? tolerance_ / size * covering_.period(k) : covering_.period(k));
+    [[nodiscard]] bool is_allowed(int k, double over) const noexcept {
+        const Interval domain = covering_.domain(k);
+        if (over <= 64 * eps * std::max(std::abs(domain.lower), std::abs(domain.upper))) {
+            return true;
+        }
+        const double size = covering_.extent();
+        return over <= (size > 0 ? tolerance_ / size * covering_.period(k) : covering_.period(k));
     }
 
-    const Spline &surface_;
     const Covering &covering_;
     double tolerance_;
     double copies_ = 0;
 };
 
+// Errors say which edge they are about.
+MadeCurve named_curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
+                            size_t loop, size_t index, const UnderRule &rule) {
+    try {
+        return curve_under(surface, covering, edge, rule);
+    } catch (const Error &error) {
+        fail_needing(error.needed(), error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
+    }
+}
+
+void make_curves(FaceParts &parts, const Covering &covering) {
+    const double precision = parts.precision > 0 ? parts.precision : share_of_fit * parts.tolerance;
+    const UnderRule rule{parts.tolerance, precision, parts.prove, parts.nearest};
+    for (size_t i = 0; i < parts.loops.size(); ++i) {
+        for (size_t j = 0; j < parts.loops[i].size(); ++j) {
+            Coedge &coedge = parts.loops[i][j];
+            if (coedge.curve == nullptr) {
+                const MadeCurve made = named_curve_under(parts.surface, covering, coedge.edge, i, j, rule);
+                coedge.curve = coedge.against ? refine::reverse(*made.curve, 0, false) : made.curve;
+                if (made.proven) {
+                    coedge.deviation = {made.distance, true};
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
+void make_curves(FaceParts &parts) {
+    make_curves(parts, Covering(*parts.surface, parts.tolerance));
+}
+
 Face::Face(FaceParts parts, std::vector<double> *gaps)
-    : surface_(std::move(parts.surface)), loops_(std::move(parts.loops)), tolerance_(parts.tolerance),
-      covering_(*surface_, tolerance_) {
-    if (loops_.empty()) {
-        loops_ = natural_loops(covering_);
+    : surface_(parts.surface), tolerance_(parts.tolerance), covering_(*surface_, tolerance_) {
+    if (parts.loops.empty()) {
+        parts.loops = natural_loops(covering_);
         parts.as_oriented = true;
     }
-    make_curves({tolerance_, parts.precision > 0 ? parts.precision : share_of_fit * tolerance_, parts.prove,
-                 parts.nearest});
+    make_curves(parts, covering_);
+    loops_ = std::move(parts.loops);
     const TrimPieces plane = pieces(gaps, parts.keep_gaps);
     const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
     trims_ = std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, !parts.as_oriented);
@@ -104,36 +133,10 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
     }
 }
 
-// Errors say which edge they are about.
-MadeCurve Face::named_curve_under(const SplinePtr &edge, size_t loop, size_t index,
-                                  const UnderRule &rule) const {
-    try {
-        return curve_under(surface_, covering_, edge, rule);
-    } catch (const Error &error) {
-        fail(error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
-    }
-}
-
-// Those that are missing, in the direction of their loop.
-void Face::make_curves(const UnderRule &rule) {
-    for (size_t i = 0; i < loops_.size(); ++i) {
-        for (size_t j = 0; j < loops_[i].size(); ++j) {
-            Coedge &coedge = loops_[i][j];
-            if (coedge.curve == nullptr) {
-                const MadeCurve made = named_curve_under(coedge.edge, i, j, rule);
-                coedge.curve = coedge.against ? refine::reverse(*made.curve, 0, false) : made.curve;
-                if (made.proven) {
-                    coedge.deviation = {made.distance, true};
-                }
-            }
-        }
-    }
-}
-
 // Gaps are told of all loops, whichever is the first to be too large.
 TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
     TrimPieces plane;
-    Borders borders(*surface_, covering_, tolerance_);
+    Borders borders(covering_, tolerance_);
     std::vector<double> found;
     for (size_t i = 0; i < loops_.size(); ++i) {
         for (size_t j = 0; j < loops_[i].size(); ++j) {
@@ -157,8 +160,8 @@ TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
         std::find_if(found.begin(), found.end(), [this](double gap) { return !(gap <= tolerance_); });
     has_gaps_ = open != found.end();
     if (!keep && has_gaps_) {
-        fail(Status::gap, "loop %td has a gap of %s, larger than the tolerance %s", open - found.begin(),
-             Number(*open).text, Number(tolerance_).text);
+        fail_needing(*open, Status::gap, "loop %td has a gap of %s, larger than the tolerance %s",
+                     open - found.begin(), Number(*open).text, Number(tolerance_).text);
     }
     return plane;
 }

@@ -28,6 +28,10 @@ struct FaceParts {
     NearestPlace nearest{}; // of the surface, if it is known
 };
 
+// Makes the curves that are missing, in the direction of their loops, as a face that is made of the parts does. Throws what
+// curve_under() throws, with the place of the edge.
+void make_curves(FaceParts &parts);
+
 // Immutable: any number of threads may ask at once.
 class Face {
 public:
@@ -49,9 +53,6 @@ public:
     [[nodiscard]] const std::vector<Joint> &joints() const noexcept { return joints_; }
 
 private:
-    [[nodiscard]] MadeCurve named_curve_under(const SplinePtr &edge, size_t loop, size_t index,
-                                              const UnderRule &rule) const;
-    void make_curves(const UnderRule &rule);
     [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep);
 
     SplinePtr surface_;

@@ -138,8 +138,32 @@ double largest_quotient_of(const RoundedPolynomial &numerator, const RoundedPoly
     return largest * (1 + 1e-14 * static_cast<double>(width + 4));
 }
 
+// Multiply-adds that a bound may take: those of solids of high degree would take minutes.
+constexpr int64_t most_work = 100000000;
+
+// Of y by a map that is linear along each axis of x.
+BernsteinShape shape_of_image(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {
+    int degree = 0;
+    for (int k = 0; k < y.axes(); ++k) {
+        degree += y.degree(k);
+    }
+    BernsteinShape shape = x.shape();
+    for (int &along : shape.degrees) {
+        along = along > 0 ? degree : 0;
+    }
+    return shape;
+}
+
+// Whether the difference of x and an image is made within the limit.
+bool is_affordable(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {
+    return shape_of_image(x, y).values() * x.coefficients() <= most_work;
+}
+
 // The same by the squares, whose coefficients do not turn with the vectors: equal for concentric arcs.
 double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomial &denominator) {
+    if (numerator.shape.values() * numerator.shape.coefficients() > most_work) {
+        return infinity;
+    }
     const RoundedPolynomial squares = dot(numerator, numerator), weights = denominator * denominator;
     double largest = 0;
     for (size_t i = 0; i < squares.values.size(); ++i) {
@@ -172,7 +196,7 @@ std::vector<pieces::LocalParam> MatchedBound::corners_of(const pieces::BezierPie
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                            const pieces::LocalParam &guess, double enough) {
-    if (!x.positive() || !y.positive()) {
+    if (!x.positive() || !y.positive() || !is_affordable(x, y)) {
         return infinity;
     }
     std::vector<pieces::LocalParam> corners = corners_of(x);
@@ -188,7 +212,7 @@ double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPie
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                            const std::vector<pieces::LocalParam> &corners, double enough) {
-    if (!x.positive() || !y.positive()) {
+    if (!x.positive() || !y.positive() || !is_affordable(x, y)) {
         return infinity;
     }
     const int dim = x.dim();

@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "bounds/box.h"
 #include "bounds/deviation.h"
 #include "closest/closest.h"
 #include "eval/evaluate.h"
@@ -79,9 +78,10 @@ public:
         const std::vector<double> point = points_at(edge_, {&t, 1});
         const closest::Foot foot = foot_of(point.data(), near);
         if (!(foot.distance <= rule_.tolerance)) {
-            fail(Status::gap,
-                 "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
-                 Number(foot.distance).text, Number(t).text, Number(rule_.tolerance).text);
+            fail_needing(
+                foot.distance, Status::gap,
+                "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
+                Number(foot.distance).text, Number(t).text, Number(rule_.tolerance).text);
         }
         off_ = std::max(off_, foot.distance);
         Point2 x{foot.params[0], foot.params[1]};
@@ -246,8 +246,8 @@ std::vector<double> breaks_over(const Covering &covering, const Spline &edge, co
 }
 
 // Steps along each axis that move points by less than a share of the tolerance, in the mean over the domain.
-std::array<double, 2> same_places(const Spline &surface, const Covering &covering, double tolerance) {
-    const double size = bounds::extent(surface);
+std::array<double, 2> same_places(const Covering &covering, double tolerance) {
+    const double size = covering.extent();
     const double share = size > 0 ? std::min(share_of_same * tolerance / size, 1e-3) : 0;
     return {share * covering.period(0), share * covering.period(1)};
 }
@@ -274,7 +274,7 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
     }
     const Projection model(*surface, covering, *edge, rule);
     const FittedCurve fitted = fit_curve(model, breaks_over(covering, *edge, rule),
-                                         same_places(*surface, covering, rule.precision), rule.precision);
+                                         same_places(covering, rule.precision), rule.precision);
     const double found = rule.prove ? composed_distance(surface, covering, fitted.spline, *edge) : infinity;
     return std::isfinite(found) ? MadeCurve{fitted.spline, found, true}
                                 : MadeCurve{fitted.spline, fitted.error, false};

@@ -98,8 +98,9 @@ MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
         }
     }
     if (!(farthest <= tolerance)) {
-        fail(Status::gap, "the edge is %s from the plane of the surface, expected at most the tolerance %s",
-             Number(farthest).text, Number(tolerance).text);
+        fail_needing(farthest, Status::gap,
+                     "the edge is %s from the plane of the surface, expected at most the tolerance %s",
+                     Number(farthest).text, Number(tolerance).text);
     }
     return {make_result(edge.knot_vectors(), 2, edge.rational() ? Form::rational : Form::polynomial, points,
                         weights),

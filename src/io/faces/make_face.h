@@ -44,16 +44,19 @@ void spend(Limits &limits, const face::Face &face);
 inline constexpr double most_of_stated = 1e4;
 
 // Calls make(tolerance) with a tolerance, or the least one larger by powers of ten that leaves no gap; returns it. None is larger
-// than `most` if the first one is not.
+// than `most` if the first one is not. Those of which an error says that they are too small are not tried.
 template <class Make>
 double least_tolerance(double tolerance, double most, Make &&make) {
     constexpr double rounding = 1.5; // of the powers, which are multiplied one by one
-    for (;; tolerance *= 10) {
+    for (;;) {
         try {
             make(tolerance);
             return tolerance;
         } catch (const Error &error) {
-            if (error.status() != Status::gap || !(10 * tolerance <= rounding * most)) {
+            do {
+                tolerance *= 10;
+            } while (tolerance < error.needed() && tolerance <= rounding * most);
+            if (error.status() != Status::gap || !(tolerance <= rounding * most)) {
                 throw;
             }
         }
