@@ -2,22 +2,17 @@
 #include "refine/compose/compose.h"
 
 #include "base/watch.h"
-#include "numeric/sum.h"
 #include "refine/algebra/product.h"
 #include "refine/compose/axes_under.h"
 #include "refine/compose/composed_cell.h"
+#include "refine/compose/composed_layer.h"
 #include "refine/compose/span_cells.h"
 #include "refine/forms/homogeneous.h"
-#include "refine/knots/blossom.h"
-#include "spline/contract.h"
 #include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstdlib>
-#include <functional>
-#include <numeric>
 
 namespace nrb::refine {
 
@@ -67,13 +62,12 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
 
 using Window = CommonKnots::Window;
 
-constexpr int64_t work_of_a_term = 100; // for each component: arguments, contractions, a compensated sum
-
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
         : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
-          cells_(span_cells(axes_, pieces_)), whole_(axes_, f.axis(0).degree(), g.width()) {
+          cells_(span_cells(axes_, pieces_)), whole_(axes_, f.axis(0).degree(), g.width()),
+          layer_(g, f, pieces_, axes_) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
         for (size_t i = 1; i < cells_.size(); ++i) {
@@ -81,13 +75,10 @@ public:
         }
         append_knots(upper, degree + 1, cells_.size() - 1);
         int64_t length = g.width();
-        for (int k = g.axes(); k-- > 0;) {
-            lengths_[static_cast<size_t>(k)] = length;
-            parts_[static_cast<size_t>(k)].resize(static_cast<size_t>(length));
+        for (int k = 0; k < g.axes(); ++k) {
             length *= g.axis(k).degree() + 1;
         }
         block_.resize(static_cast<size_t>(length));
-        sums_.resize(static_cast<size_t>(g.width()));
     }
 
     SplinePtr run() {
@@ -152,15 +143,13 @@ private:
             return append_coefficient(around.copies[1], records);
         }
         load_block(0, 0, block_.data());
-        std::ranges::fill(sums_, CompensatedSum{});
-        total_ = {};
-        terms_ = 0;
-        next_axis(0, around, block_.data(), 1);
-        for (size_t c = 0; c < sums_.size(); ++c) {
-            records.push_back(terms_ == 1 ? only_weight_ * only_[c] : sums_[c].value() / total_.value());
-            if (!std::isfinite(records.back())) {
-                fail(Status::not_representable, "a new control point overflows double precision");
-            }
+        const std::span knots = std::span(window_knots_).first(static_cast<size_t>(around.size));
+        append_record(layer_.make(around, knots, *cell_, block_.data()).data(), records);
+    }
+    void append_record(const double *record, std::vector<double> &records) const {
+        records.insert(records.end(), record, record + g_.width());
+        if (!std::all_of(record, record + g_.width(), [](double x) { return std::isfinite(x); })) {
+            fail(Status::not_representable, "a new control point overflows double precision");
         }
     }
 
@@ -177,12 +166,7 @@ private:
         if (made_ != cell_) {
             make_cell();
         }
-        for (int c = 0; c < g_.width(); ++c) {
-            records.push_back((*coefficients_)[static_cast<size_t>(i * g_.width() + c)]);
-            if (!std::isfinite(records.back())) {
-                fail(Status::not_representable, "a new control point overflows double precision");
-            }
-        }
+        append_record(coefficients_->data() + int64_t{i} * g_.width(), records);
     }
 
     void make_cell() {
@@ -201,7 +185,7 @@ private:
             arguments.values[at] = piece.coefficients_between(k, start, end);
             for (const auto &[j, t] : {std::pair(size_t{0}, start), std::pair(q, end)}) {
                 double &value = arguments.values[at][j];
-                value = snapped(*axes_[at], value, uncertainty_at(k, t));
+                value = snapped_value(*axes_[at], value, pieces_, cell_->piece, k, t);
             }
         }
         load_block(0, 0, block_.data());
@@ -223,146 +207,6 @@ private:
         return out;
     }
 
-    // Adds the values of G for all ways to distribute the remaining knots, from axis k on.
-    void next_axis(int k, const Window &left, const double *points, double times) {
-        if (k < g_.axes()) {
-            if (f_.axis(0).degree() == 1) {
-                all_arguments(k, left, points, times);
-            } else {
-                next_argument(k, 0, left, nullptr, 0, points, times);
-            }
-            return;
-        }
-        count_work(work_of_a_term * std::ssize(sums_));
-        double share = times;
-        if (weighted_) {
-            only_weight_ = product_of_weights();
-            share *= only_weight_;
-        }
-        for (size_t c = 0; c < sums_.size(); ++c) {
-            sums_[c].add(share * points[c]);
-        }
-        total_.add(times);
-        only_ = points;
-        ++terms_;
-    }
-
-    // The same for all arguments.
-    [[nodiscard]] double product_of_weights() const noexcept {
-        double product = 1;
-        for (int k = 0; k < g_.axes(); ++k) {
-            const double *weights = weights_[static_cast<size_t>(k)].data();
-            product = std::accumulate(weights, weights + g_.axis(k).degree(), product, std::multiplies<>());
-        }
-        return product;
-    }
-
-    // The order of the arguments of an axis does not matter, so only orders that do not fall are visited. A
-    // choice that occurs n times has 1 / n! as many orders as n different choices.
-    void next_argument(int k, int number, const Window &left, const int *previous, int run,
-                       const double *points, double times) {
-        const auto at = static_cast<size_t>(k);
-        const int missing = g_.axis(k).degree() - number;
-        if (missing == 0) {
-            contract_axis(k, points);
-            next_axis(k + 1, left, parts_[at].data(), times);
-            return;
-        }
-        for_each_choice(left, f_.axis(0).degree(), [&](const int *chosen, double ways) {
-            const auto order = against(previous, chosen, left.size);
-            if (order < 0 || chosen[0] * missing > left.copies[0]) {
-                return; // the choices after this one have no fewer copies of the first knot
-            }
-            const int again = order == 0 ? run + 1 : 1;
-            double *argument = arguments_[at].data() + number;
-            *argument = order == 0 ? repeated(at, number) : argument_of(k, number, left.size, chosen);
-            next_argument(k, number + 1, without(left, chosen), chosen, again, points, times * ways / again);
-        });
-    }
-
-    // All arguments of an axis at once, where each is a value of f at one knot: the orders of a choice are
-    // alike, and as many for every choice.
-    void all_arguments(int k, const Window &left, const double *points, double times) {
-        const auto at = static_cast<size_t>(k);
-        for_each_choice(left, g_.axis(k).degree(), [&](const int *chosen, double ways) {
-            int number = 0;
-            for (int i = 0; i < left.size; ++i) {
-                std::array<int, max_basis> one{};
-                one[static_cast<size_t>(i)] = 1;
-                for (int copy = 0; copy < chosen[i]; ++copy, ++number) {
-                    arguments_[at][static_cast<size_t>(number)] =
-                        copy > 0 ? repeated(at, number) : argument_of(k, number, left.size, one.data());
-                }
-            }
-            contract_axis(k, points);
-            next_axis(k + 1, without(left, chosen), parts_[at].data(), times * ways);
-        });
-    }
-
-    static std::strong_ordering against(const int *previous, const int *chosen, int size) noexcept {
-        return previous == nullptr
-                   ? std::strong_ordering::greater
-                   : std::lexicographical_compare_three_way(chosen, chosen + size, previous, previous + size);
-    }
-
-    static Window without(Window window, const int *chosen) noexcept {
-        for (int i = 0; i < window.size; ++i) {
-            window.copies[static_cast<size_t>(i)] -= chosen[i];
-        }
-        return window;
-    }
-
-    // The argument before this one, with its weight.
-    double repeated(size_t axis, int number) noexcept {
-        const auto place = static_cast<size_t>(number);
-        weights_[axis][place] = weights_[axis][place - 1];
-        return arguments_[axis][place - 1];
-    }
-
-    // Coordinate k of the polar form of f. If that is a value of f, the knot it stands for. Its weight goes
-    // to weights_[k][number].
-    [[nodiscard]] double argument_of(int k, int number, int size, const int *chosen) noexcept {
-        std::array<double, max_basis> knots{};
-        int count = 0, distinct = 0;
-        for (int i = 0; i < size; ++i) {
-            std::fill_n(knots.begin() + count, chosen[i], window_knots_[static_cast<size_t>(i)]);
-            count += chosen[i];
-            distinct += chosen[i] > 0 ? 1 : 0;
-        }
-        const std::span<const double> arguments = std::span(knots).first(static_cast<size_t>(count));
-        const CurvePiece &piece = pieces_[cell_->piece];
-        if (weighted_) {
-            weights_[static_cast<size_t>(k)][static_cast<size_t>(number)] = piece.polar_weight(arguments);
-        }
-        const double value = piece.polar_value(k, arguments);
-        return distinct > 1 ? value
-                            : snapped(*axes_[static_cast<size_t>(k)], value, uncertainty_at(k, knots[0]));
-    }
-
-    // The uncertainty of the value of f there. The pieces on both sides count: one of them may be much
-    // steeper.
-    [[nodiscard]] double uncertainty_at(int k, double t) const noexcept {
-        const size_t i = cell_->piece;
-        double least = pieces_[i].uncertainty_at(k, t);
-        if (i > 0 && t == pieces_[i].lower()) {
-            least = std::min(least, pieces_[i - 1].uncertainty_at(k, t));
-        }
-        if (i + 1 < pieces_.size() && t == pieces_[i].upper()) {
-            least = std::min(least, pieces_[i + 1].uncertainty_at(k, t));
-        }
-        return least;
-    }
-
-    void contract_axis(int k, const double *points) noexcept {
-        const auto at = static_cast<size_t>(k);
-        const int p = g_.axis(k).degree();
-        const int64_t span = cell_->spans[at], length = lengths_[at];
-        const BlossomRow row =
-            blossom_row(*axes_[at], span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
-        contract(row.coefficients, row.size, points + (row.first - span + p) * length, length, length,
-                 parts_[at].data());
-    }
-
     const Spline &g_;
     const Spline &f_;
     int degree_;
@@ -379,18 +223,10 @@ private:
     const std::vector<double> *coefficients_ = nullptr;
 
     // Data of the layer that is being made.
+    ComposedLayer layer_;
     const SpanCell *cell_ = nullptr;
     std::array<double, max_basis> window_knots_{};
     std::vector<double> block_;
-    std::array<std::array<double, max_basis>, max_axes> arguments_{};
-    std::array<std::array<double, max_basis>, max_axes> weights_{}; // of the arguments, if f has weights
-    std::array<int64_t, max_axes> lengths_{};
-    std::array<std::vector<double>, max_axes> parts_;
-    std::vector<CompensatedSum> sums_;
-    CompensatedSum total_;
-    int64_t terms_ = 0;
-    const double *only_ = nullptr;
-    double only_weight_ = 1;
 };
 
 } // namespace

@@ -116,4 +116,16 @@ double snapped(const KnotVector &axis, double value, double uncertainty) noexcep
     return std::fabs(nearest - value) <= uncertainty ? nearest : value;
 }
 
+double snapped_value(const KnotVector &axis, double value, const std::vector<CurvePiece> &pieces,
+                     size_t piece, int k, double t) noexcept {
+    double least = pieces[piece].uncertainty_at(k, t);
+    if (piece > 0 && t == pieces[piece].lower()) {
+        least = std::min(least, pieces[piece - 1].uncertainty_at(k, t));
+    }
+    if (piece + 1 < pieces.size() && t == pieces[piece].upper()) {
+        least = std::min(least, pieces[piece + 1].uncertainty_at(k, t));
+    }
+    return snapped(axis, value, least);
+}
+
 } // namespace nrb::refine

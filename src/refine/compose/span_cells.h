@@ -24,5 +24,8 @@ std::vector<SpanCell> span_cells(const Spline::Axes &axes, const std::vector<Cur
 
 // The knot of an axis that a value equals to within its uncertainty, or the value.
 double snapped(const KnotVector &axis, double value, double uncertainty) noexcept;
+// The same for coordinate k of a piece at its parameter t. The pieces on both sides count: one of them may be much steeper.
+double snapped_value(const KnotVector &axis, double value, const std::vector<CurvePiece> &pieces,
+                     size_t piece, int k, double t) noexcept;
 
 } // namespace nrb::refine

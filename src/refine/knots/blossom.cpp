@@ -41,24 +41,37 @@ private:
 
 } // namespace
 
-BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
+OpenRow::OpenRow(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept
+    : knots_(axis.knots()), begin_(span + 1), end_(span + 1), size_(1) {
     Arguments arguments(values);
-    int64_t begin = span + 1, end = span + 1; // knots that are arguments
     for (bool taken = true; taken;) {
-        const bool below = begin > 0 && arguments.take(axis[begin - 1]);
-        const bool above = end < std::ssize(axis.knots()) && arguments.take(axis[end]);
-        begin -= below ? 1 : 0;
-        end += above ? 1 : 0;
+        const bool below = begin_ > 0 && arguments.take(axis[begin_ - 1]);
+        const bool above = end_ < std::ssize(knots_) && arguments.take(axis[end_]);
+        begin_ -= below ? 1 : 0;
+        end_ += above ? 1 : 0;
         taken = below || above;
     }
-    BlossomRow row;
-    row.coefficients[0] = 1;
-    row.size = 1;
+    coefficients_[0] = 1;
     for (const double t : arguments.values()) {
-        append_argument(axis.knots().data() + begin, axis.knots().data() + end, row.size++, t,
-                        row.coefficients);
+        append_argument(knots_.data() + begin_, knots_.data() + end_, size_++, t, coefficients_.data());
     }
-    row.first = begin - row.size;
+}
+
+void OpenRow::append_to(const OpenRow &other, double t) noexcept {
+    knots_ = other.knots_;
+    begin_ = other.begin_;
+    end_ = other.end_;
+    size_ = other.size_ + 1;
+    std::copy_n(other.coefficients_.begin(), other.size_, coefficients_.begin());
+    append_argument(knots_.data() + begin_, knots_.data() + end_, other.size_, t, coefficients_.data());
+}
+
+BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
+    const OpenRow open(axis, span, values);
+    BlossomRow row;
+    row.first = open.first();
+    row.size = static_cast<int>(open.coefficients().size());
+    std::ranges::copy(open.coefficients(), row.coefficients);
     return row;
 }
 
