@@ -84,9 +84,9 @@ private:
 
 // Errors say which edge they are about.
 MadeCurve named_curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                            size_t loop, size_t index, const UnderRule &rule) {
+                            size_t loop, size_t index, const UnderRule &rule, Effort &effort) {
     try {
-        return curve_under(surface, covering, edge, rule);
+        return curve_under(surface, covering, edge, rule, effort);
     } catch (const Error &error) {
         fail_needing(error.needed(), error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
     }
@@ -95,11 +95,18 @@ MadeCurve named_curve_under(const SplinePtr &surface, const Covering &covering, 
 void make_curves(FaceParts &parts, const Covering &covering) {
     const double precision = parts.precision > 0 ? parts.precision : share_of_fit * parts.tolerance;
     const UnderRule rule{parts.tolerance, precision, parts.prove, parts.nearest};
+    Effort effort;
+    for (const Loop &loop : parts.loops) {
+        for (const Coedge &coedge : loop) {
+            effort.allow(coedge.curve == nullptr ? *coedge.edge : *coedge.curve);
+        }
+    }
     for (size_t i = 0; i < parts.loops.size(); ++i) {
         for (size_t j = 0; j < parts.loops[i].size(); ++j) {
             Coedge &coedge = parts.loops[i][j];
             if (coedge.curve == nullptr) {
-                const MadeCurve made = named_curve_under(parts.surface, covering, coedge.edge, i, j, rule);
+                const MadeCurve made =
+                    named_curve_under(parts.surface, covering, coedge.edge, i, j, rule, effort);
                 coedge.curve = coedge.against ? refine::reverse(*made.curve, 0, false) : made.curve;
                 if (made.proven) {
                     coedge.deviation = {made.distance, true};

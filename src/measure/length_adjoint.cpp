@@ -93,7 +93,7 @@ public:
 
 private:
     [[nodiscard]] int64_t work_of(int64_t places) const noexcept {
-        return places * (256 + count_ * ((dim_ + 1) * 16 + 8 * count_));
+        return places * (400 + count_ * ((dim_ + 1) * 24 + 12 * count_));
     }
     // Between neighbouring derivatives; one that vanishes has no direction.
     [[nodiscard]] double least_cosine(const std::vector<double> &derivs) const noexcept {

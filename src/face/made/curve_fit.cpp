@@ -27,8 +27,9 @@ struct Place {
 
 class IntervalFit {
 public:
-    IntervalFit(const CurveModel &model, std::span<const double> same, double tolerance)
-        : model_(model), dim_(static_cast<size_t>(model.dim())), same_(same), tolerance_(tolerance) {}
+    IntervalFit(const CurveModel &model, std::span<const double> same, double tolerance, Effort &effort)
+        : model_(model), dim_(static_cast<size_t>(model.dim())), same_(same), tolerance_(tolerance),
+          effort_(effort) {}
 
     // The place at the start is that of the interval before, if there is one.
     FittedCurve fit(Interval range, const std::vector<double> &start) {
@@ -174,6 +175,7 @@ private:
             }
         }
         std::vector<double> errors(params.size());
+        effort_.spend(std::ssize(params));
         model_.errors(*candidate.spline, params, errors.data());
         candidate.error = *std::max_element(errors.begin(), errors.end());
         auto first = errors.begin();
@@ -192,14 +194,15 @@ private:
     size_t dim_;
     std::span<const double> same_;
     double tolerance_;
+    Effort &effort_;
     std::vector<Place> places_;
 };
 
 } // namespace
 
 FittedCurve fit_curve(const CurveModel &model, std::span<const double> breaks, std::span<const double> same,
-                      double tolerance) {
-    IntervalFit interval(model, same, tolerance);
+                      double tolerance, Effort &effort) {
+    IntervalFit interval(model, same, tolerance, effort);
     std::vector<SplinePtr> parts;
     std::vector<double> start;
     double error = 0;

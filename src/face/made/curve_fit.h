@@ -2,6 +2,7 @@
 // Curves through as many places as a bound on their error takes.
 #pragma once
 
+#include "face/made/effort.h"
 #include "spline/spline.h"
 
 #include <span>
@@ -40,6 +41,6 @@ struct FittedCurve {
 // halving the intervals in which the error is above the tolerance. Where coordinates of all places of an interval agree to
 // `same[k]`, they are made equal. Throws Status::not_converged.
 FittedCurve fit_curve(const CurveModel &model, std::span<const double> breaks, std::span<const double> same,
-                      double tolerance);
+                      double tolerance, Effort &effort);
 
 } // namespace nrb::face

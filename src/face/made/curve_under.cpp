@@ -70,8 +70,9 @@ int64_t spans_between(const Spline &surface, const Covering &covering, const dou
 // The nearest places to those of an edge.
 class Projection : public CurveModel {
 public:
-    Projection(const Spline &surface, const Covering &covering, const Spline &edge, const UnderRule &rule)
-        : surface_(surface), covering_(covering), edge_(edge), rule_(rule) {}
+    Projection(const Spline &surface, const Covering &covering, const Spline &edge, const UnderRule &rule,
+               Effort &effort)
+        : surface_(surface), covering_(covering), edge_(edge), rule_(rule), effort_(effort) {}
 
     [[nodiscard]] int dim() const noexcept override { return 2; }
     void place(double t, const double *near, double *out) const override {
@@ -153,6 +154,7 @@ private:
         }
         const closest::Foot foot = locator.nearest(
             {point, nullptr, rule_.precision / 16, closest::usual_budget(surface_), false, true});
+        effort_.spend(foot.examined);
         least_off_ = std::max(least_off_, foot.distance);
         return foot;
     }
@@ -178,6 +180,7 @@ private:
     const Covering &covering_;
     const Spline &edge_;
     const UnderRule &rule_;
+    Effort &effort_;
     mutable double off_ = 0;       // the largest distance of a place of the edge from the surface
     mutable double least_off_ = 0; // of those than which no other part of the surface is nearer
 };
@@ -268,13 +271,13 @@ SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, cons
 }
 
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                      const UnderRule &rule) {
+                      const UnderRule &rule, Effort &effort) {
     if (const auto chart = PlaneChart::of(*surface)) {
         return chart->curve_under(*edge, rule.tolerance);
     }
-    const Projection model(*surface, covering, *edge, rule);
+    const Projection model(*surface, covering, *edge, rule, effort);
     const FittedCurve fitted = fit_curve(model, breaks_over(covering, *edge, rule),
-                                         same_places(covering, rule.precision), rule.precision);
+                                         same_places(covering, rule.precision), rule.precision, effort);
     const double found = rule.prove ? composed_distance(surface, covering, fitted.spline, *edge) : infinity;
     return std::isfinite(found) ? MadeCurve{fitted.spline, found, true}
                                 : MadeCurve{fitted.spline, fitted.error, false};
@@ -292,8 +295,10 @@ MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const Sp
         return {std::move(exact), 0, true};
     }
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);
-    const FittedCurve fitted =
-        fit_curve(Image(*surface, covering, *curve), breaks_of(*curve), same, share_of_fit * tolerance);
+    Effort effort;
+    effort.allow(*curve);
+    const FittedCurve fitted = fit_curve(Image(*surface, covering, *curve), breaks_of(*curve), same,
+                                         share_of_fit * tolerance, effort);
     return {fitted.spline, fitted.error, false};
 }
 

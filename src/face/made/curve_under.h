@@ -3,6 +3,7 @@
 #pragma once
 
 #include "face/covering.h"
+#include "face/made/effort.h"
 #include "face/nearest_place.h"
 #include "spline/spline.h"
 
@@ -31,7 +32,7 @@ struct UnderRule {
 // parallelogram exactly, from the control points of the edge; elsewhere through the nearest points to places of the edge, as many
 // as the precision takes. Throws Status::gap if the edge is farther from the surface than the tolerance, not_converged.
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
-                      const UnderRule &rule);
+                      const UnderRule &rule, Effort &effort);
 
 // A proven bound on the distance in space of a curve in the domain and an edge at equal parameters, the same as when curve_under()
 // made it; infinite if there is none.

@@ -3,6 +3,7 @@
 #include "face/deviation.h"
 
 #include "eval/evaluate.h"
+#include "face/made/curve_fit.h"
 #include "face_shapes.h"
 #include "refine/compose/compose.h"
 #include "refine/parts/iso.h"
@@ -10,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace {
 
@@ -43,6 +46,35 @@ Loop edges(const std::vector<std::pair<SplinePtr, bool>> &given) {
         loop.push_back({nullptr, edge, 0, against});
     }
     return loop;
+}
+
+// Passes many pieces and is never followed closely enough.
+class Endless : public face::CurveModel {
+public:
+    [[nodiscard]] int dim() const noexcept override { return 2; }
+    void place(double t, const double *, double *out) const override { out[0] = out[1] = t; }
+    void errors(const Spline &, std::span<const double> params, double *errors) const override {
+        looked += params.size();
+        std::fill_n(errors, params.size(), 1.0);
+    }
+    [[nodiscard]] int64_t pieces_between(double, const double *, double, const double *) const override {
+        return 4096;
+    }
+    mutable size_t looked = 0;
+};
+
+TEST(MadeCurves, ComeToAnEnd) {
+    const Endless model;
+    const std::vector<double> breaks{0, 1}, same{0, 0};
+    face::Effort effort;
+    try {
+        face::fit_curve(model, breaks, same, 1e-9, effort);
+        ADD_FAILURE();
+    } catch (const Error &error) {
+        EXPECT_EQ(error.status(), Status::not_converged);
+    }
+    EXPECT_LE(model.looked, 1000000U);
+    EXPECT_GT(model.looked, 100000U);
 }
 
 TEST(MadeCurves, OnAPlaneAreExact) {
