@@ -9,37 +9,72 @@ namespace nrb::refine {
 
 namespace {
 
-// One step of raise_degree() of basis/bspline.h.
-void raise(const double *knots, int d, int64_t span, double t, double *values) noexcept {
-    raise_degree(knots, d, span, t, values);
-}
-void raise(const double *knots, int d, int64_t span, double t, DoubleDouble *values) noexcept {
-    DoubleDouble carried;
-    for (int r = 0; r < d; ++r) {
-        const double left = knots[span + 1 - d + r], right = knots[span + 1 + r];
-        const DoubleDouble length = DoubleDouble::sum(right, -left);
-        const DoubleDouble value = values[r];
-        const DoubleDouble part = value * (DoubleDouble::sum(t, -left) / length);
-        values[r] = carried + (value - part);
-        carried = part;
-    }
-    values[d] = carried;
-}
+// Steps of raise_degree() of basis/bspline.h with one argument, for all degrees up to that of an axis.
+class Steps {
+public:
+    Steps(const double *knots, int, int64_t span, double t) noexcept : knots_(knots), span_(span), t_(t) {}
+    void raise(int d, double *values) const noexcept { raise_degree(knots_, d, span_, t_, values); }
 
-template <class Number>
+private:
+    const double *knots_;
+    int64_t span_;
+    double t_;
+};
+
+// The same in twice the precision. Its divisions take most of the time: each is made once, those of an end of the span by itself not
+// at all.
+class PreciseSteps {
+public:
+    PreciseSteps(const double *knots, int degree, int64_t span, double t) noexcept {
+        for (int d = 1; d <= degree; ++d) {
+            for (int r = 0; r < d; ++r) {
+                const double left = knots[span + 1 - d + r], right = knots[span + 1 + r];
+                set(place(d, r), t == left ? DoubleDouble(0)
+                                 : t == right
+                                     ? DoubleDouble(1)
+                                     : DoubleDouble::sum(t, -left) / DoubleDouble::sum(right, -left));
+            }
+        }
+    }
+    void raise(int d, DoubleDouble *values) const noexcept {
+        DoubleDouble carried;
+        for (int r = 0; r < d; ++r) {
+            const DoubleDouble value = values[r];
+            const size_t at = place(d, r);
+            const DoubleDouble part = value * DoubleDouble(high_[at], low_[at]);
+            values[r] = carried + (value - part);
+            carried = part;
+        }
+        values[d] = carried;
+    }
+
+private:
+    static constexpr size_t most = max_degree * (max_degree + 1) / 2;
+    static size_t place(int d, int r) noexcept { return static_cast<size_t>(d * (d - 1) / 2 + r); }
+    void set(size_t at, const DoubleDouble &share) noexcept {
+        high_[at] = share.high;
+        low_[at] = share.low;
+    }
+
+    // Of the interval of each function; what is not used is not set.
+    double high_[most], low_[most];
+};
+
+template <class Number, class StepsOf>
 void extract(const double *knots, int degree, int64_t span, Number *matrix) noexcept {
+    const StepsOf to_start(knots, degree, span, knots[span]), to_end(knots, degree, span, knots[span + 1]);
     Number starts[max_basis] = {1}; // coefficients at `count` times the start of the span
     for (int count = 0; count <= degree; ++count) {
         Number column[max_basis];
         std::copy_n(starts, count + 1, column);
         for (int d = count + 1; d <= degree; ++d) {
-            raise(knots, d, span, knots[span + 1], column);
+            to_end.raise(d, column);
         }
         for (int j = 0; j <= degree; ++j) {
             matrix[j * (degree + 1) + degree - count] = column[j];
         }
         if (count < degree) {
-            raise(knots, count + 1, span, knots[span], starts);
+            to_start.raise(count + 1, starts);
         }
     }
 }
@@ -47,11 +82,11 @@ void extract(const double *knots, int degree, int64_t span, Number *matrix) noex
 } // namespace
 
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept {
-    extract(knots, degree, span, matrix);
+    extract<double, Steps>(knots, degree, span, matrix);
 }
 
 void bezier_extraction(const double *knots, int degree, int64_t span, DoubleDouble *matrix) noexcept {
-    extract(knots, degree, span, matrix);
+    extract<DoubleDouble, PreciseSteps>(knots, degree, span, matrix);
 }
 
 void bezier_extraction(const KnotVector &axis, double *matrices, int64_t *firsts, double *domains) {
