@@ -2967,8 +2967,8 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
 /** \brief A polynomial spline of given degrees with few control points that is proven to be within a tolerance
  * of another spline at all parameters: rational by polynomial, high degree by low, many knots by few. Samples
  * are fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The
- * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count has room for
- * them, periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees
+ * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count and the limit
+ * of work have room for them, periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees
  * raised, where nothing simpler is found. Where the limit of work ends the search, a tolerance may be met with
  * more control points than it needs, or missed.
  * \param[in] g a spline.
@@ -2980,7 +2980,8 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
  *   closest one that was met.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _TOLERANCE, _COUNT; _TOO_FEW_POINTS for a max_count below the
- *   product of degree + 1, _OVERFLOW, _NOT_REPRESENTABLE.
+ *   product of degree + 1, _OVERFLOW, _NOT_REPRESENTABLE; _NOT_CONVERGED where even the simplest fit takes more
+ *   work than its limit.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_approximate(const nurbs *g, const int32_t *degrees, double tolerance,
                                          int64_t max_count, double *bound, nurbs **out);

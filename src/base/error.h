@@ -12,17 +12,14 @@ namespace nrb::inline base {
 // beyond the exception object itself.
 class Error : public std::exception {
 public:
-    Error(Status status, const char *text, double needed = 0) noexcept;
+    Error(Status status, const char *text) noexcept;
     [[nodiscard]] const char *what() const noexcept override { return text_; }
     [[nodiscard]] Status status() const noexcept { return status_; }
-    // The least tolerance that can do, where a smaller one was the mistake; else 0.
-    [[nodiscard]] double needed() const noexcept { return needed_; }
 
     static constexpr int capacity = 320;
 
 private:
     Status status_;
-    double needed_;
     char text_[capacity];
 };
 
@@ -39,8 +36,5 @@ struct Number {
 
 // Throws Error with a printf-style message.
 [[noreturn]] __attribute__((format(printf, 2, 3))) void fail(Status status, const char *format, ...);
-// The same for a tolerance that is too small.
-[[noreturn]] __attribute__((format(printf, 3, 4))) void fail_needing(double tolerance, Status status,
-                                                                     const char *format, ...);
 
 } // namespace nrb::inline base

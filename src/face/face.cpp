@@ -5,7 +5,6 @@
 #include "base/numbers.h"
 #include "bounds/box.h"
 #include "face/trims/monotone.h"
-#include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
@@ -88,7 +87,7 @@ MadeCurve named_curve_under(const SplinePtr &surface, const Covering &covering, 
     try {
         return curve_under(surface, covering, edge, rule, effort);
     } catch (const Error &error) {
-        fail_needing(error.needed(), error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
+        fail(error.status(), "edge %zu of loop %zu: %s", index, loop, error.what());
     }
 }
 
@@ -119,7 +118,12 @@ void make_curves(FaceParts &parts, const Covering &covering) {
 } // namespace
 
 void make_curves(FaceParts &parts) {
-    make_curves(parts, Covering(*parts.surface, parts.tolerance));
+    const auto lacks = [](const Loop &loop) {
+        return std::ranges::any_of(loop, [](const Coedge &coedge) { return coedge.curve == nullptr; });
+    };
+    if (std::ranges::any_of(parts.loops, lacks)) {
+        make_curves(parts, Covering(*parts.surface, parts.tolerance));
+    }
 }
 
 Face::Face(FaceParts parts, std::vector<double> *gaps)
@@ -167,8 +171,8 @@ TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
         std::find_if(found.begin(), found.end(), [this](double gap) { return !(gap <= tolerance_); });
     has_gaps_ = open != found.end();
     if (!keep && has_gaps_) {
-        fail_needing(*open, Status::gap, "loop %td has a gap of %s, larger than the tolerance %s",
-                     open - found.begin(), Number(*open).text, Number(tolerance_).text);
+        fail(Status::gap, "loop %td has a gap of %s, larger than the tolerance %s", open - found.begin(),
+             Number(*open).text, Number(tolerance_).text);
     }
     return plane;
 }

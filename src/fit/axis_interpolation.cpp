@@ -214,7 +214,7 @@ void AxisInterpolation::rotate_transposed(std::vector<double> &values, int64_t w
     }
     for (size_t j = 0; knots_->periodic() && j < static_cast<size_t>(p); ++j) {
         auto &wrapped = functions[static_cast<size_t>(columns) + j];
-        auto &own = functions[j % static_cast<size_t>(columns)];
+        auto &own = functions[j % std::max<size_t>(static_cast<size_t>(columns), 1)];
         own.insert(own.end(), wrapped.begin(), wrapped.end());
     }
     int64_t bandwidth = 1;

@@ -102,7 +102,7 @@ private:
 // Where links lead to; the path itself where there is nothing yet.
 std::string target_of(const char *path) {
     struct Free {
-        void operator()(char *text) const noexcept { std::free(text); }
+        void operator()(char *text) const noexcept { std::free(text); } // NOLINT: as realpath() wants it
     };
     const std::unique_ptr<char, Free> target(::realpath(path, nullptr));
     if (!target && errno == ENOMEM) {

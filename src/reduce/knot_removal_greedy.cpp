@@ -144,18 +144,21 @@ void GreedyKnotRemoval::queue_all() {
     }
 }
 
-// One after the other those that cost next to nothing, such as knots that were inserted: each is looked at about once.
-int64_t GreedyKnotRemoval::remove_cheap(double cheap, double tolerance) {
+// One after the other those that cost no more than rounding, such as knots that were inserted: each is looked at about once. What
+// carries shape has to wait, since the order of its removals matters.
+int64_t GreedyKnotRemoval::remove_free(double tolerance) {
+    const double most = tolerance / 0x1p20;
     int64_t removed = 0;
     Window window;
     for (int64_t knot = knots_[static_cast<size_t>(head_)].next; knot != head_;) {
         Knot &at = knots_[static_cast<size_t>(knot)];
         const int64_t previous = at.previous;
         bool gone = false;
-        if (removable(knot) && (at.stale || at.key <= cheap)) {
+        if (removable(knot) && (at.stale || at.key <= most)) {
             at.key = key_of(knot, window);
             at.stale = false;
-            gone = at.key <= cheap && at.key < infinity && remove(knot, window, tolerance);
+            gone = at.key <= most && at.key < infinity && at.key <= rounding(window) &&
+                   remove(knot, window, tolerance);
             removed += gone ? 1 : 0;
         }
         // The copy before it is the last one now.
@@ -167,7 +170,7 @@ int64_t GreedyKnotRemoval::remove_cheap(double cheap, double tolerance) {
 
 int64_t GreedyKnotRemoval::run(double tolerance) {
     constexpr double rise = 64; // so that the order is about that of one heap
-    int64_t removed = remove_cheap(tolerance / 0x1p20, tolerance);
+    int64_t removed = remove_free(tolerance);
     queue_all();
     double dearest = tolerance / 0x1p42;
     do {

@@ -20,9 +20,9 @@ public:
     // Gaps of rational splines that may be no more than the rounding of their control points can count as 0.
     GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding);
 
-    // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of
-    // the domain stay. What moves the spline by a millionth of the tolerance goes first, in the order of the axis. Of very many knots those of one part of the axis go before those of the next: all that a removal
-    // depends on is near, and stays in the cache.
+    // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of the domain stay.
+    // Knots that cost no more than rounding go first, in the order of the axis. Of very many knots those of one part of the
+    // axis go before those of the next: all that a removal depends on is near, and stays in the cache.
     int64_t run(double tolerance);
     // Replaces the errors that were added up by measured ones: errors[i] belongs to [breaks[i], breaks[i +
     // 1]), where breaks are knots of the given spline over its domain.
@@ -84,6 +84,7 @@ private:
     void collect_layers(int64_t first, Window &window) noexcept;
     void find_gap(const Window &window) noexcept;
     double cost(const Window &window) noexcept;
+    [[nodiscard]] double rounding(const Window &window) const noexcept;
     double column_cost(const Window &window, int64_t at) const noexcept;
     double gap_rounding(const Window &window, const Column &column) const noexcept;
     double key_of(int64_t knot, Window &window);
@@ -92,7 +93,7 @@ private:
     template <class Body>
     void for_each_span(const Window &window, Body &&body);
     bool remove(int64_t knot, const Window &window, double tolerance);
-    int64_t remove_cheap(double cheap, double tolerance);
+    int64_t remove_free(double tolerance);
     bool solve(const Window &window);
     bool clear_rounded_weights(const Window &window, double *layer) const noexcept;
     void unlink(int64_t knot, const Window &window) noexcept;

@@ -192,6 +192,23 @@ double GreedyKnotRemoval::cost(const Window &window) noexcept {
     return std::isnan(largest) ? infinity : largest;
 }
 
+// Of the points of the window: what a knot that was inserted may cost.
+double GreedyKnotRemoval::rounding(const Window &window) const noexcept {
+    double largest = 0;
+    for (int64_t at = 0; at < length_; at += width_) {
+        if (!inert_.empty() && inert_[static_cast<size_t>(at / width_)] != 0) {
+            continue;
+        }
+        for (int i = 0; i < window.size; ++i) {
+            const double *record = window.points[i] + at;
+            const int dim = width_ - (spline_.rational() ? 1 : 0);
+            const double weight = spline_.rational() && record[dim] > 0 ? record[dim] : 1;
+            largest = std::max(largest, largest_magnitude({record, static_cast<size_t>(dim)}) / weight);
+        }
+    }
+    return 64 * eps * largest;
+}
+
 // Whether all weights of a new layer are positive; weights that are 0 apart from rounding become 0.
 bool GreedyKnotRemoval::clear_rounded_weights(const Window &window, double *layer) const noexcept {
     for (int64_t at = 0; at < length_; at += width_) {

@@ -216,6 +216,33 @@ TEST(Compose, far_away_costs_and_loses_no_more_than_the_place) {
     });
 }
 
+// Steps: a composition of degree 0 has the values of g at those of f.
+TEST(Compose, of_degree_0_steps_from_value_to_value) {
+    SplineData g;
+    g.degrees = {1, 1};
+    g.dim = 1;
+    g.counts = {2, 2};
+    g.knots = {{0, 0, 1, 1}, {0, 0, 1, 1}};
+    g.points = {0, 1, 2, 4};
+    SplineData f;
+    f.degrees = {0};
+    f.dim = 2;
+    f.counts = {2};
+    f.knots = {{0, 0.25, 1}};
+    f.points = {0.25, 0.5, 0.75, 0};
+    const auto h = compose(create(g).get(), create(f).get());
+    EXPECT_EQ(eval(h.get(), {0.125}), eval(create(g).get(), {0.25, 0.5}));
+    EXPECT_EQ(eval(h.get(), {0.5}), eval(create(g).get(), {0.75, 0}));
+    g.degrees = {0, 0};
+    g.knots = {{0, 0.5, 1}, {0, 0.5, 1}};
+    f.degrees = {1};
+    f.knots = {{0, 0, 1, 1}};
+    f.points = {0.25, 0.25, 0.75, 0.75};
+    const auto steps = compose(create(g).get(), create(f).get());
+    EXPECT_EQ(eval(steps.get(), {0.25}), std::vector{0.0});
+    EXPECT_EQ(eval(steps.get(), {0.75}), std::vector{4.0});
+}
+
 } // namespace
 
 } // namespace compose_knots_test

@@ -470,4 +470,27 @@ TEST(Hausdorff, no_sample_is_farther) {
     }
 }
 
+// Matched pieces prove what boxes cannot, at high degrees too.
+TEST(Distance, solids_of_high_degree_are_compared) {
+    SplineData solid;
+    solid.degrees = {10, 10, 10};
+    solid.dim = 3;
+    solid.counts = {11, 11, 11};
+    std::vector<double> knots(11, 0.0);
+    knots.insert(knots.end(), 11, 1.0);
+    solid.knots = {knots, knots, knots};
+    for (int i = 0; i < 1331; ++i) {
+        for (const int step : {121, 11, 1}) {
+            solid.points.push_back((i / step % 11) / 10.0 + (i == 665 ? 0.01 : 0));
+        }
+    }
+    SplineData moved = solid;
+    for (double &x : moved.points) {
+        x += 1e-5;
+    }
+    const Two found = hausdorff(create(solid).get(), create(moved).get(), 1e-3);
+    EXPECT_EQ(found.status, NURBS_CLOSEST_CERTIFIED);
+    EXPECT_LE(found.at_most[0], 1e-3);
+}
+
 } // namespace distance_test

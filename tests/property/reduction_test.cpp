@@ -266,6 +266,37 @@ TEST(Reduction, bounds_of_homogeneous_splines_are_bounds) {
     std::printf("%d splines were reduced\n", finite);
 }
 
+// What was inserted goes before anything that carries shape, whatever the tolerance allows.
+TEST(Reduction, inserted_knots_go_first) {
+    Random random(315000);
+    for (const int p : {1, 3, 5, 7}) {
+        SplineData data;
+        data.degrees = {p};
+        data.dim = 3;
+        data.counts = {p + 9};
+        data.knots = {std::vector<double>(static_cast<size_t>(p), 0.0)};
+        for (int i = 0; i <= 9; ++i) {
+            data.knots[0].push_back(i);
+        }
+        data.knots[0].insert(data.knots[0].end(), static_cast<size_t>(p), 9.0);
+        for (int i = 0; i < 3 * (p + 9); ++i) {
+            data.points.push_back(random.between(-1, 1));
+        }
+        std::vector<double> inserted;
+        for (int i = 0; i < 300; ++i) {
+            inserted.push_back(0.03 * (i + 0.5));
+        }
+        nurbs *fine = nullptr;
+        require_ok(nurbs_refine(create(data).get(), 0, std::ssize(inserted), inserted.data(), &fine));
+        const Handle refined(fine);
+        for (const double tolerance : {1e-10, 1e-7, 1e-5, 1e-3}) {
+            const Made made = reduce_knots(refined.get(), 0, tolerance);
+            EXPECT_EQ(read_back(made.spline.get()).counts[0], p + 9) << p << ' ' << tolerance;
+            EXPECT_LE(made.bound, 1e-11) << p << ' ' << tolerance;
+        }
+    }
+}
+
 } // namespace
 
 } // namespace reduction_test

@@ -65,7 +65,7 @@ public:
 private:
     static constexpr int stack_height = 64; // halvings of a leaf, after which nothing is left of it
     static constexpr double at_end = 0x1p-40;
-    static constexpr int64_t looks_between_counts = 64, work_of_a_look = 32;
+    static constexpr int64_t looks_between_counts = 64, work_of_a_look = 16;
 
     // A part [a, b] of a leaf, with a local minimum known to be at the lower end (1) or the upper end (2).
     struct LeafPart {
@@ -129,7 +129,9 @@ private:
     }
 
     void count(int64_t looks) {
-        count_work(looks * work_of_a_look * shape_.degree() * shape_.lanes());
+        const int64_t degree = shape_.degree();
+        count_work((looks * work_of_a_look * degree + steps_ * (degree * degree / 8 + 8)) * shape_.lanes());
+        steps_ = 0;
         work_ended_ = work_ended();
     }
 
@@ -228,10 +230,12 @@ private:
                 break;
             }
             Slope next = tools_.slope(records, target);
+            ++steps_;
             for (int back = 0; sign_ * next.square > sign_ * slope.square && back < 8 && move > 0x1p-30;
                  ++back) {
                 target = 0.5 * (s + target);
                 next = tools_.slope(records, target);
+                ++steps_;
             }
             s = target;
             slope = next;
@@ -266,6 +270,7 @@ private:
     BestPlaces best_;
     bool certified_ = true, work_ended_ = work_ended();
     int64_t budget_used_ = 0;
+    int64_t steps_ = 0; // to minima, since work was counted
     int64_t leaf_ = 0;
     int current_ = 0; // the part that is being divided
     LeafPart parts_[stack_height + 1];

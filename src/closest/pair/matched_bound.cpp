@@ -138,8 +138,8 @@ double largest_quotient_of(const RoundedPolynomial &numerator, const RoundedPoly
     return largest * (1 + 1e-14 * static_cast<double>(width + 4));
 }
 
-// Multiply-adds that a bound may take: those of solids of high degree would take minutes.
-constexpr int64_t most_work = 100000000;
+// Multiply-adds that a bound may take, some tenths of a second: the work that is left is looked at between bounds only.
+constexpr int64_t most_work = 1000000000;
 
 // Of y by a map that is linear along each axis of x.
 BernsteinShape shape_of_image(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {

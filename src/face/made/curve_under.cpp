@@ -79,10 +79,9 @@ public:
         const std::vector<double> point = points_at(edge_, {&t, 1});
         const closest::Foot foot = foot_of(point.data(), near);
         if (!(foot.distance <= rule_.tolerance)) {
-            fail_needing(
-                foot.distance, Status::gap,
-                "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
-                Number(foot.distance).text, Number(t).text, Number(rule_.tolerance).text);
+            fail(Status::gap,
+                 "the edge is %s from the surface at its parameter %s, expected at most the tolerance %s",
+                 Number(foot.distance).text, Number(t).text, Number(rule_.tolerance).text);
         }
         off_ = std::max(off_, foot.distance);
         Point2 x{foot.params[0], foot.params[1]};

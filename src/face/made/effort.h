@@ -7,13 +7,14 @@
 
 namespace nrb::face {
 
-// Points of curves and surfaces, and pieces of surfaces that are looked at for nearest ones, each about a microsecond: more than any
-// edge takes that lies on its surface, so that others come to an end.
+// Points of curves and surfaces, and pieces of surfaces that are looked at for nearest ones, each less than a microsecond: more than
+// edges take that lie on their surface, so that others come to an end.
 class Effort {
 public:
+    // For one more edge, or curve.
     void allow(const Spline &given) noexcept {
-        constexpr int64_t for_a_point = 256;
-        allowed_ += for_a_point * given.point_count();
+        constexpr int64_t for_each = 65536, for_a_point = 256;
+        allowed_ += for_each + for_a_point * given.point_count();
     }
     // Throws Status::not_converged.
     void spend(int64_t points) {

@@ -14,6 +14,7 @@ namespace {
 
 std::vector<double> control_point(const Spline &edge, int64_t i) {
     std::vector<double> point;
+    point.reserve(static_cast<size_t>(edge.dim()));
     for (int c = 0; c < edge.dim(); ++c) {
         point.push_back(edge.coordinate(i, c));
     }
@@ -98,9 +99,8 @@ MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
         }
     }
     if (!(farthest <= tolerance)) {
-        fail_needing(farthest, Status::gap,
-                     "the edge is %s from the plane of the surface, expected at most the tolerance %s",
-                     Number(farthest).text, Number(tolerance).text);
+        fail(Status::gap, "the edge is %s from the plane of the surface, expected at most the tolerance %s",
+             Number(farthest).text, Number(tolerance).text);
     }
     return {make_result(edge.knot_vectors(), 2, edge.rational() ? Form::rational : Form::polynomial, points,
                         weights),

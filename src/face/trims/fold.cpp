@@ -54,7 +54,8 @@ private:
             }
             const double first =
                 std::floor((piece.lower[at] - covering_.domain(k).lower) / covering_.period(k));
-            for (double copy = first; border(k, copy) < piece.upper[at]; ++copy) {
+            for (int64_t i = 0; border(k, first + static_cast<double>(i)) < piece.upper[at]; ++i) {
+                const double copy = first + static_cast<double>(i);
                 if (border(k, copy) > piece.lower[at]) {
                     result.push_back({plane_.place_of(piece, k, border(k, copy)), k, border(k, copy)});
                 }
@@ -113,7 +114,7 @@ private:
     }
     void pass(double before, double after, double at, int32_t loop) {
         const int upwards = after > before ? 1 : -1;
-        for (double copy = before; copy != after; copy += upwards) {
+        for (auto copies = static_cast<int64_t>(std::abs(after - before)); copies > 0; --copies) {
             result_.passages.push_back({at, upwards, loop});
         }
     }

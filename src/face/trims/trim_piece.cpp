@@ -79,8 +79,8 @@ private:
         bool cut = false;
         for (const int direction : {-1, 1}) {
             const double end = places_[direction < 0 ? 0 : 1];
-            for (double part = share; part < 1; part *= 4) {
-                const double before = t + (end - t) * part;
+            for (int k = 0; std::ldexp(share, 2 * k) < 1; ++k) {
+                const double before = t + (end - t) * std::ldexp(share, 2 * k);
                 if (before != t && before != end && narrow(before)) {
                     cut = true;
                     break;

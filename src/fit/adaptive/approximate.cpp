@@ -2,6 +2,7 @@
 #include "fit/adaptive/approximate.h"
 
 #include "analysis/continuity.h"
+#include "base/error.h"
 #include "base/representable.h"
 #include "base/watch.h"
 #include "bounds/deviation.h"
@@ -156,11 +157,11 @@ bool meets(const Approximation &found, double tolerance) noexcept {
 
 class ApproximationSearch {
 public:
-    // Knots where a derivative of g below an order jumps are kept, as multiple ones.
+    // Knots where a derivative of g below an order jumps are kept, as multiple ones. needed: there is no other answer.
     ApproximationSearch(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
-                        int64_t max_count, int order)
+                        int64_t max_count, int order, bool needed)
         : g_(g), degrees_(degrees), tolerance_(tolerance), max_count_(max_count),
-          domain_(domain_of(g, degrees, order)) {
+          domain_(domain_of(g, degrees, order)), needed_(needed) {
         wishes_.conditions = corners(*g, domain_);
     }
 
@@ -180,11 +181,16 @@ private:
         int64_t least = volume ? 32 : 64;
         for (int round = 0; round < most_rounds && !meets(found_, tolerance_); ++round) {
             const GridSamples samples(*g_, degrees_, least);
-            const ToleranceFit fit = fit_to_tolerance(samples.data(), {}, domain_, aim, max_count_, wishes_);
+            const double seconds = needed_ && found_.spline == nullptr ? 1 : 1.0 / 16;
+            const ToleranceFit fit =
+                fit_to_tolerance(samples.data(), {}, domain_, aim, max_count_, wishes_, seconds);
             const SplinePtr &made = fit.points.fit.spline;
+            if (made == nullptr) {
+                break;
+            }
             const double bound = compare(made);
             const bool more = has_few(samples, *made) && samples.data().params.count < most_samples;
-            if ((!fit.reached && !more) || !fit.complete) {
+            if (!fit.reached && !more) {
                 break;
             }
             least = more ? 2 * least : least;
@@ -204,7 +210,7 @@ private:
         return bound;
     }
     // Whether there are few samples for each control point, so that what lies between them is not seen.
-    [[nodiscard]] bool has_few(const GridSamples &samples, const Spline &made) const noexcept {
+    [[nodiscard]] static bool has_few(const GridSamples &samples, const Spline &made) noexcept {
         constexpr int64_t few = 6;
         for (int k = 0; k < made.axes(); ++k) {
             if (samples.along(static_cast<size_t>(k)) < few * made.count(k)) {
@@ -220,6 +226,7 @@ private:
     int64_t max_count_;
     FitDomain domain_;
     FitWishes wishes_;
+    bool needed_;
     Approximation found_{nullptr, INFINITY};
 };
 
@@ -252,23 +259,31 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
     }
     const UsualLimit usual(5 * usual_work(g->point_count(), 100000) / 8);
     const int64_t own = same ? (*same)->point_count() : max_count;
+    const bool itself_will_do = same && own <= max_count;
     int64_t limit = std::min(max_count, own); // more would not be taken
     Approximation found{nullptr, INFINITY};
+    const auto search = [&](int order) {
+        const bool needed = !itself_will_do && found.spline == nullptr;
+        const Approximation other = ApproximationSearch(g, degrees, tolerance, limit, order, needed).best();
+        if (found.spline == nullptr || is_better(other, found, tolerance)) {
+            found = other;
+        }
+    };
     if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
         const HalfOfWork half;
-        found = ApproximationSearch(g, degrees, tolerance, limit, max_degree).best();
+        search(max_degree);
         limit = meets(found, tolerance) ? std::min(limit, found.spline->point_count()) : limit;
     }
-    const Approximation plain = ApproximationSearch(g, degrees, tolerance, limit, 1).best();
-    if (found.spline == nullptr || is_better(plain, found, tolerance)) {
-        found = plain;
-    }
-    const bool is_worse = !meets(found, tolerance) || own <= found.spline->point_count();
-    if (same && is_worse && own <= max_count) {
+    search(1);
+    if (itself_will_do && (!meets(found, tolerance) || own <= found.spline->point_count())) {
         return itself();
+    }
+    if (found.spline == nullptr) { // kinks alone are too many
+        search(0);
     }
     if (found.spline == nullptr) {
         require_work();
+        fail(Status::not_converged, "no approximation within the usual limit of work");
     }
     return found;
 }

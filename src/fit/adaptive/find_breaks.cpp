@@ -102,15 +102,15 @@ std::vector<BreakSearch::Cluster> BreakSearch::clusters() const {
 }
 
 std::vector<Break> BreakSearch::breaks(const Data &all) const {
-    constexpr double widest = 128, narrowest = 4; // spans
-    constexpr size_t most_breaks = 64;            // more are noise
+    constexpr int widest = 128, narrowest = 4; // spans
+    constexpr size_t most_breaks = 64;         // more are noise
     const std::vector<Cluster> places = clusters();
     std::vector<Break> found;
     for (size_t i = 0; i < places.size() && places.size() <= most_breaks; ++i) {
         const Cluster room{i == 0 ? 0 : places[i - 1].last + 1,
                            i + 1 == places.size() ? data_.params.count - 1 : places[i + 1].first - 1};
         Break one{};
-        for (double window = widest; window >= narrowest; window /= 2) { // a long one sees through noise
+        for (int window = widest; window >= narrowest; window /= 2) { // a long one sees through noise
             if (find(places[i], room, window * span_, all, one)) {
                 found.push_back(one);
                 break;

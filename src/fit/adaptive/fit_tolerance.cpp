@@ -9,6 +9,7 @@
 #include "numeric/norm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nrb::fit {
@@ -77,16 +78,18 @@ public:
         }
     }
 
-    // Where the limit of work ends the search, all data are fitted once over the best knots that it met.
-    ToleranceFit fit() {
+    // Where the limit of work ends the search, all data are fitted once over the best knots that it met, if that takes no longer.
+    ToleranceFit fit(double seconds_for_one) {
         {
             const HalfOfWork half;
-            best_.complete = attempted([&] { search(); });
+            (void)attempted([&] { search(); });
         }
         if (best_.rounds == 0) {
-            const NeededWork needed;
             const Axes axes = met_.axes.empty() ? even_axes(1) : met_.axes;
-            keep_better(fit_points(all_, rules_, axes, wishes_, true));
+            if (takes(seconds_for_one, axes)) {
+                const NeededWork free;
+                keep_better(fit_points(all_, rules_, axes, wishes_, true));
+            }
         }
         return std::move(best_);
     }
@@ -95,6 +98,21 @@ private:
     // How many data are looked at first.
     [[nodiscard]] int64_t some() const noexcept { return domain_.degrees.size() == 1 ? 2000 : 20000; }
     static constexpr int64_t most_of_grid = 8100; // control points, whose equations take longest
+
+    // Whether a fit of all data takes no more than so many seconds, about: what fills in grows with the axes.
+    [[nodiscard]] bool takes(double seconds, const Axes &axes) const noexcept {
+        constexpr std::array<double, max_axes> unknowns_in_a_second{1e6, 20000, 6000};
+        constexpr double sums_in_a_second = 5e8;
+        double functions = 1, products = 1;
+        for (const KnotVectorPtr &axis : axes) {
+            functions *= axis->degree() + 1;
+            products *= 2 * axis->degree() + 1;
+        }
+        const double sums = static_cast<double>(all_.params.count) *
+                            (products + functions * static_cast<double>(all_.values.width));
+        return sums <= seconds * sums_in_a_second &&
+               static_cast<double>(unknowns_of(axes)) <= seconds * unknowns_in_a_second[axes.size() - 1];
+    }
 
     // With ever more of the data, until what does for them does for all.
     void search() {
@@ -363,12 +381,13 @@ private:
 } // namespace
 
 ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, const FitDomain &domain,
-                              double tolerance, int64_t max_count, const FitWishes &wishes) {
+                              double tolerance, int64_t max_count, const FitWishes &wishes,
+                              double seconds_for_one) {
     // Of all data, so that what is wrong with one is told by its index.
     check_data(*form_for(data, rules, simplest_axes(domain)), data, rules);
     const UsualLimit usual(usual_work(data.params.count, 200000));
     const auto search = [&](const Data &clean) {
-        return ToleranceSearch(clean, domain, tolerance, max_count, wishes).fit();
+        return ToleranceSearch(clean, domain, tolerance, max_count, wishes).fit(seconds_for_one);
     };
     if (is_clean(data, rules)) {
         return search(data);

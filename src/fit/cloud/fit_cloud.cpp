@@ -156,24 +156,26 @@ private:
         add_models(*now_.spline, cloud_, now_.feet, equations);
         equations.finish(lambda_, now_.x);
         const double before = now_.sum(lambda_);
-        for (; rounds_ < wishes_.rounds && mu_ <= most_mu; mu_ *= mu_ratio) {
+        while (rounds_ < wishes_.rounds && mu_ <= most_mu) {
             const std::optional<CloudEquations::Step> step = equations.step(mu_);
-            if (!step) {
-                continue;
+            if (const std::optional<bool> settled = step ? tried(*step, before) : std::nullopt) {
+                return *settled;
             }
-            std::optional<Candidate> other = step->promise > 0 ? moved(step->change) : std::nullopt;
-            const double gain = other ? before - other->sum(lambda_) : 0;
-            if (gain > 0) {
-                const bool settled = gain <= wishes_.tolerance * before && mu_ <= small_mu;
-                now_ = std::move(*other);
-                trust(gain / step->promise);
-                return settled;
-            }
-            if (step->promise <= wishes_.tolerance * before) {
-                return true;
-            }
+            mu_ *= mu_ratio;
         }
         return false;
+    }
+    // Whether that is all that can be had; nothing where the step did not lower the sum and a shorter one may.
+    std::optional<bool> tried(const CloudEquations::Step &step, double before) {
+        std::optional<Candidate> other = step.promise > 0 ? moved(step.change) : std::nullopt;
+        const double gain = other ? before - other->sum(lambda_) : 0;
+        if (gain > 0) {
+            const bool settled = gain <= wishes_.tolerance * before && mu_ <= small_mu;
+            now_ = std::move(*other);
+            trust(gain / step.promise);
+            return settled;
+        }
+        return step.promise <= wishes_.tolerance * before ? std::optional(true) : std::nullopt;
     }
     // None where control points overflow.
     std::optional<Candidate> moved(const std::vector<double> &change) {

@@ -87,7 +87,7 @@ class Multipliers {
 public:
     Multipliers(const std::vector<DoubleDouble> &matrix, const std::vector<DoubleDouble> &right, int width)
         : matrix_(matrix), right_(right), width_(static_cast<size_t>(width)),
-          count_(right.size() / static_cast<size_t>(width)) {}
+          count_(right.size() / std::max<size_t>(width_, 1)) {}
 
     std::vector<DoubleDouble> solve() {
         constexpr double dependent = 0x1p-70;

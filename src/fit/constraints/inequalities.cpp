@@ -182,7 +182,7 @@ std::vector<DoubleDouble> Inequalities::minimum(Numbers x) {
     constexpr int most = 60;
     constexpr double enough = 0x1p-54, possible = 0x1p-40;
     const double size = size_of(x, rows_, equal_);
-    InteriorPoint::Point inside = InteriorPoint(equations_, rows_, equal_).from(std::move(x));
+    InteriorPoint::Point inside = InteriorPoint(equations_, rows_, equal_).from(x);
     x = std::move(inside.x);
     multipliers_ = std::move(inside.multipliers);
     double miss = 0, before = 0;

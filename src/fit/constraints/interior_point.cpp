@@ -124,7 +124,7 @@ void InteriorPoint::take(const Step &step, double part) noexcept {
     }
 }
 
-InteriorPoint::Point InteriorPoint::from(Numbers x) {
+InteriorPoint::Point InteriorPoint::from(const Numbers &x) {
     constexpr int most = 60;
     constexpr double enough = 0x1p-90, inside = 0.995, least = 0x1p-10;
     start(x);

@@ -21,7 +21,7 @@ public:
     struct Point {
         std::vector<DoubleDouble> x, multipliers; // of all rows
     };
-    [[nodiscard]] Point from(std::vector<DoubleDouble> x);
+    [[nodiscard]] Point from(const std::vector<DoubleDouble> &x);
 
 private:
     using Numbers = std::vector<DoubleDouble>;

@@ -113,8 +113,8 @@ void CoordinateShape::for_each_run(size_t axis, int64_t layers, Visit &&visit) c
     for_each_index({}, counts, visit);
 }
 
-void CoordinateShape::add_row(size_t axis, const Index &first, std::vector<double> values, double least,
-                              std::vector<LinearRow> &rows) const {
+void CoordinateShape::add_row(size_t axis, const Index &first, const std::vector<double> &values,
+                              double least, std::vector<LinearRow> &rows) const {
     LinearRow row{{}, {least}};
     Index layer = first;
     for (const double value : values) {

@@ -43,7 +43,7 @@ private:
     // Calls visit(index of the first layer, axis) for each run of `layers` ones along an axis.
     template <class Visit>
     void for_each_run(size_t axis, int64_t layers, Visit &&visit) const;
-    void add_row(size_t axis, const Index &first, std::vector<double> values, double least,
+    void add_row(size_t axis, const Index &first, const std::vector<double> &values, double least,
                  std::vector<LinearRow> &rows) const;
     [[nodiscard]] bool is_convex(size_t axis, const Index &first, int64_t step,
                                  const std::vector<double> &points) const;

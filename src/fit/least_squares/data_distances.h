@@ -12,7 +12,7 @@ namespace nrb::fit {
 
 // Calls visit(index of the first datum, |y - s(t)| of it and those that follow) for one block of data after the other; NaN for
 // data that do not count.
-void for_each_distance(const Data &data, const eval::AxisRules &rules, int weight_exponent,
+void for_each_distance(const Data &data, const eval::AxisRules &given, int weight_exponent,
                        const Spline &spline,
                        const std::function<void(int64_t, std::span<const double>)> &visit);
 

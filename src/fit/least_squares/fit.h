@@ -35,9 +35,8 @@ struct Fitted {
     bool settled;    // whether a shape that the data leave open is found
 };
 
-// The spline over the axes. Throws what normal_equations(), PenalisedSystem, Conditions, check_shape()
-// and impose_shape() do, and Status::order if there is
-// a penalty and no axis has the degree for it.
-Fitted fit(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes);
+// The spline over the axes. Throws what normal_equations(), PenalisedSystem, Conditions, check_shape() and impose_shape() do, and
+// Status::order if there is a penalty and no axis has the degree for it.
+Fitted fit(const Statistics &statistics, const std::vector<KnotVectorPtr> &wanted, const FitWishes &given);
 
 } // namespace nrb::fit

@@ -12,12 +12,12 @@ namespace nrb::fit {
 // sqrt(b (G + lambda P)^(-1) b) for the functions b at each of the parameters: the standard error of a coordinate of the fit, for
 // data of deviation 1 at weight 1 (G. Wahba, "Bayesian confidence intervals for the cross-validated smoothing spline", J. R.
 // Statist. Soc. B 45 (1983)). NaN where a rule makes a parameter NaN. Throws what fit() does; parameters are checked.
-void standard_errors(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes, int penalty_order,
-                     double lambda, const ConstRecords &params, const eval::AxisRules &rules,
-                     const Records &errors);
+void standard_errors(const Statistics &statistics, const std::vector<KnotVectorPtr> &wanted,
+                     int penalty_order, double lambda, const ConstRecords &params,
+                     const eval::AxisRules &rules, const Records &errors);
 
 // For one factor of the penalty after the other.
-std::vector<Criteria> criteria(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes,
+std::vector<Criteria> criteria(const Statistics &statistics, const std::vector<KnotVectorPtr> &wanted,
                                int penalty_order, const std::vector<double> &lambdas);
 
 } // namespace nrb::fit

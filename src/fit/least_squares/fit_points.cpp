@@ -17,6 +17,7 @@ namespace {
 
 std::vector<Interval> domains_of(const std::vector<KnotVectorPtr> &axes) {
     std::vector<Interval> domains;
+    domains.reserve(axes.size());
     for (const KnotVectorPtr &axis : axes) {
         domains.push_back(axis->domain());
     }

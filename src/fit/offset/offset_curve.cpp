@@ -164,7 +164,8 @@ private:
     }
     // As much as is needed, or as is left: towards a larger tolerance where there are too few pieces. Whether any came in.
     bool refine() {
-        for (double wanted = rule_.tolerance;; wanted *= 2) {
+        for (int doublings = 0;; ++doublings) {
+            const double wanted = std::ldexp(rule_.tolerance, doublings);
             std::vector<int> parts;
             for (const double bound : bounds_) {
                 parts.push_back(parts_for(bound, wanted));

@@ -104,7 +104,8 @@ private:
     // As much as is needed, or as is left: towards a larger tolerance where there are too few patches. Whether any came in.
     bool refine() {
         const std::vector<Miss> misses = misses_of();
-        for (double wanted = rule_.tolerance;; wanted *= 2) {
+        for (int doublings = 0;; ++doublings) {
+            const double wanted = std::ldexp(rule_.tolerance, doublings);
             const Parts parts = parts_for_all(misses, wanted);
             PatchAxes next{cut(axes_[0], parts[0]), cut(axes_[1], parts[1])};
             if (patches(next) == patches(axes_) || !rising(next[0]) || !rising(next[1])) {

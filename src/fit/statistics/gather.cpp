@@ -56,7 +56,7 @@ public:
             for (int64_t some = first; some < end; some += batch) {
                 add_batch(some, std::min(end, some + batch));
             }
-            steps.next((end - first) * work_of_an_entry * layout_.entries());
+            steps.next((end - first) * layout_.entries());
         }
     }
 
@@ -88,7 +88,6 @@ public:
 
 private:
     static constexpr int64_t block = 1024, batch = 32;
-    static constexpr int64_t work_of_an_entry = 2; // integers of 128 bits
 
     // A value in units of the scale, and times its weight.
     struct Value {
@@ -226,9 +225,7 @@ private:
         put(values, 2 * p, place.from_end, high_[k].data());
     }
     static void put(const int64_t *values, int degree, bool reversed, int64_t *out) noexcept {
-        for (int i = 0; i <= degree; ++i) {
-            out[i] = values[reversed ? degree - i : i];
-        }
+        reversed ? std::reverse_copy(values, values + degree + 1, out) : std::copy_n(values, degree + 1, out);
     }
 
     void read_value(int64_t i, int64_t weight, Value *values) const {
@@ -297,10 +294,10 @@ private:
             set_functions(k, point.places[k]);
         }
         const std::span<const Value> values(point.values, static_cast<size_t>(form_.dim));
-        for_each_row(high_, 0, function_unit, [&](std::span<const int64_t> products) {
+        for_each_row(high_, [&](std::span<const int64_t> products) {
             sums = weighted_ ? add_times(sums, products, point.weight) : add_all_of(sums, products);
         });
-        for_each_row(low_, 0, function_unit, [&](std::span<const int64_t> products) {
+        for_each_row(low_, [&](std::span<const int64_t> products) {
             for (const int64_t product : products) {
                 for (const Value &value : values) {
                     *sums++ += Int128::product(product, value.weighted);
@@ -324,22 +321,21 @@ private:
         }
         return sums;
     }
-    // Products of functions of all axes, along the last one.
+    // Products of functions of all axes, along the last one; of those before it, `factor`.
     using Functions = std::array<std::vector<int64_t>, max_axes>;
     template <class Visit>
-    void for_each_row(const Functions &functions, size_t k, int64_t factor, const Visit &visit) const {
+    void for_each_row(const Functions &functions, const Visit &visit, size_t k = 0,
+                      int64_t factor = 0) const {
+        const auto with_own = [=](int64_t own) { return k == 0 ? own : function_product(factor, own); };
         if (k + 1 < finders_.size()) {
             for (const int64_t own : functions[k]) {
-                for_each_row(functions, k + 1, k == 0 ? own : function_product(factor, own), visit);
+                for_each_row(functions, visit, k + 1, with_own(own));
             }
             return;
         }
         std::array<int64_t, 2 * max_degree + 1> products;
-        const size_t count = functions[k].size();
-        for (size_t i = 0; i < count; ++i) {
-            products[i] = k == 0 ? functions[k][i] : function_product(factor, functions[k][i]);
-        }
-        visit(std::span<const int64_t>(products.data(), count));
+        std::ranges::transform(functions[k], products.begin(), with_own);
+        visit(std::span<const int64_t>(products.data(), functions[k].size()));
     }
 
     // Adds what is pending to the sums that have room for all.

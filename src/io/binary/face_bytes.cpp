@@ -31,7 +31,7 @@ face::FacePtr face_from(std::span<const unsigned char> bytes) {
     FaceReader faces(reader, sizes);
     const std::vector<SplinePtr> splines = splines_from(reader, count);
     reader.end();
-    const face::FacePtr face = faces.next(splines);
+    face::FacePtr face = faces.next(splines);
     faces.end();
     return face;
 }

@@ -57,6 +57,7 @@ std::vector<Axis> axes_from(ByteReader &reader, int axes) {
     check_axes(axes);
     reader.need(2 * uint64_t{max_axes});
     std::vector<Axis> found;
+    found.reserve(static_cast<size_t>(axes));
     for (int k = 0; k < axes; ++k) {
         found.push_back(axis_from(reader, k));
     }

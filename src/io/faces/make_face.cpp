@@ -108,20 +108,21 @@ bool lies_under(const Spline &surface, const Spline &curve, const Spline &edge, 
 face::FacePtr make_face(face::FaceParts parts, double tolerance) {
     set_tolerance(parts, tolerance);
     face::make_curves(parts);
-    const face::FacePtr face = face_if_oriented(parts, true);
+    face::FacePtr face = face_if_oriented(parts, true);
     return face != nullptr ? face : face_as(std::move(parts), false);
 }
 
 face::FacePtr make_nested_face(face::FaceParts parts, double tolerance) {
     set_tolerance(parts, tolerance);
     face::make_curves(parts);
-    const face::FacePtr face = face_if_oriented(parts, false);
+    face::FacePtr face = face_if_oriented(parts, false);
     if (face == nullptr) {
         return face_as(std::move(parts), true);
     }
     if (face::natural_loops(face->covering()).empty()) {
-        const face::FacePtr as_it_runs = face_if_oriented(parts, true);
-        return as_it_runs != nullptr ? as_it_runs : face;
+        if (face::FacePtr as_it_runs = face_if_oriented(parts, true)) {
+            return as_it_runs;
+        }
     }
     return face;
 }

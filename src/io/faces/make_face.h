@@ -44,7 +44,7 @@ void spend(Limits &limits, const face::Face &face);
 inline constexpr double most_of_stated = 1e4;
 
 // Calls make(tolerance) with a tolerance, or the least one larger by powers of ten that leaves no gap; returns it. None is larger
-// than `most` if the first one is not. Those of which an error says that they are too small are not tried.
+// than `most` if the first one is not.
 template <class Make>
 double least_tolerance(double tolerance, double most, Make &&make) {
     constexpr double rounding = 1.5; // of the powers, which are multiplied one by one
@@ -53,9 +53,7 @@ double least_tolerance(double tolerance, double most, Make &&make) {
             make(tolerance);
             return tolerance;
         } catch (const Error &error) {
-            do {
-                tolerance *= 10;
-            } while (tolerance < error.needed() && tolerance <= rounding * most);
+            tolerance *= 10;
             if (error.status() != Status::gap || !(tolerance <= rounding * most)) {
                 throw;
             }

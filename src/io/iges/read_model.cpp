@@ -227,7 +227,7 @@ private:
                 return;
             }
         }
-        throw *first;
+        throw Error(*first);
     }
     bool added(const Entry &entry, const FaceSource &source, const Way &way, std::optional<Error> &first) {
         try {

@@ -2,6 +2,7 @@
 // The layers of faces, and of curves and surfaces.
 #pragma once
 
+#include "base/error.h"
 #include "io/step/entities.h"
 
 #include <functional>

@@ -49,6 +49,9 @@ const std::vector<double> &ComposedLayer::make(const CommonKnots::Window &window
 
 void ComposedLayer::list_choices(const CommonKnots::Window &window, std::span<const double> knots) {
     choices_.clear();
+    if (window.size == 0 && f_.axis(0).degree() > 0) { // g is of degree 0 and takes no arguments
+        return;
+    }
     for_each_choice(window, f_.axis(0).degree(),
                     [&](const int *chosen, double) { choices_.push_back(choice_of(chosen, knots)); });
     for (size_t k = 0; k < static_cast<size_t>(g_.axes()); ++k) {
@@ -61,39 +64,39 @@ ComposedLayer::Choice ComposedLayer::choice_of(const int *chosen,
                                                std::span<const double> knots) const noexcept {
     Choice choice{{}, {}, 1};
     std::array<double, max_basis> arguments{};
-    auto end = arguments.begin();
+    double *end = arguments.data();
     int distinct = 0;
     for (size_t i = 0; i < knots.size(); ++i) {
         choice.copies[i] = chosen[i];
         end = std::fill_n(end, chosen[i], knots[i]);
         distinct += chosen[i] > 0 ? 1 : 0;
     }
-    const std::span<const double> given(arguments.begin(), end);
+    const std::span<const double> given(arguments.data(), end);
     const CurvePiece &piece = pieces_[cell_->piece];
     choice.weight = weighted_ ? piece.polar_weight(given) : 1;
     for (int k = 0; k < g_.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         const double value = piece.polar_value(k, given);
         choice.values[at] =
-            distinct > 1 ? value : snapped_value(*axes_[at], value, pieces_, cell_->piece, k, given[0]);
+            distinct == 1 ? snapped_value(*axes_[at], value, pieces_, cell_->piece, k, given[0]) : value;
     }
     return choice;
 }
 
 void ComposedLayer::order_choices(size_t k) {
     AxisChoices &ordered = of_axis_[k];
-    ordered.all.clear();
-    for (const Choice &choice : choices_) {
-        ordered.all.push_back(&choice);
-    }
     const KnotVector &axis = *axes_[k];
-    const auto is_knot = [&](const Choice *choice) {
-        const auto around = axis.knots().subspan(static_cast<size_t>(cell_->spans[k] - axis.degree() + 1),
-                                                 2 * static_cast<size_t>(axis.degree()));
-        return std::ranges::find(around, choice->values[k]) != around.end();
-    };
-    const auto rest = std::stable_partition(ordered.all.begin(), ordered.all.end(), is_knot);
-    ordered.knots = static_cast<size_t>(rest - ordered.all.begin());
+    const auto around = axis.knots().subspan(static_cast<size_t>(cell_->spans[k] - axis.degree() + 1),
+                                             2 * static_cast<size_t>(axis.degree()));
+    ordered.all.clear();
+    for (const bool knots : {true, false}) {
+        for (const Choice &choice : choices_) {
+            if ((std::ranges::find(around, choice.values[k]) != around.end()) == knots) {
+                ordered.all.push_back(&choice);
+            }
+        }
+        ordered.knots = knots ? ordered.all.size() : ordered.knots;
+    }
     ordered.most.resize(ordered.all.size());
     std::array<int, max_basis> most{};
     for (size_t i = ordered.all.size(); i-- > 0;) {

@@ -12,7 +12,8 @@ namespace {
 // Steps of raise_degree() of basis/bspline.h with one argument, for all degrees up to that of an axis.
 class Steps {
 public:
-    Steps(const double *knots, int, int64_t span, double t) noexcept : knots_(knots), span_(span), t_(t) {}
+    Steps(const double *knots, int /* degree */, int64_t span, double t) noexcept
+        : knots_(knots), span_(span), t_(t) {}
     void raise(int d, double *values) const noexcept { raise_degree(knots_, d, span_, t_, values); }
 
 private:

@@ -113,7 +113,7 @@ private:
     Vector3 part_direction(Reading &reading, const char *what);
 
     Surface read_surface(Reading &reading);
-    Surface plane(Reading &reading);
+    static Surface plane(Reading &reading);
     Surface elementary(Reading &reading);
     Surface ruled(Reading &reading);
     struct Rail {

@@ -42,7 +42,7 @@ public:
     LoopSource curve_on_surface(int64_t pointer);
     LoopSource boundary(int64_t pointer);
     // A loop (508). Its vertices are poles, which have no curves.
-    LoopSource loop(int64_t pointer, const EdgeLists &edges);
+    LoopSource loop(int64_t pointer, const EdgeLists &lists);
     // A closed curve of space alone.
     LoopSource closed_curve(int64_t pointer);
     // The vertices of the loops read so far.

@@ -133,6 +133,7 @@ int64_t TopologyWriter::parameter_curve(size_t index, const OrientedEdge &edge) 
 int64_t TopologyWriter::loop(size_t face, size_t index) {
     const std::vector<OrientedEdge> &edges = topology_.loops[face][index];
     std::vector<int64_t> curves;
+    curves.reserve(edges.size());
     for (const OrientedEdge &edge : edges) {
         curves.push_back(parameter_curve(face, edge));
     }

@@ -38,8 +38,8 @@ private:
     void add_vertices();
     void add_edges(Steps &steps);
     [[nodiscard]] int64_t edge_curve(size_t index);
-    int64_t surface(size_t face);
-    int64_t parameter_curve(size_t face, const OrientedEdge &edge);
+    int64_t surface(size_t index);
+    int64_t parameter_curve(size_t index, const OrientedEdge &edge);
     int64_t loop(size_t face, size_t index);
     int64_t vertex_loop(int64_t vertex);
     int64_t colour(const std::array<double, 3> &rgb);

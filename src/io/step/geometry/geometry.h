@@ -55,12 +55,12 @@ private:
 
     model::SurfaceShapePtr read_surface(const Instance &instance);
     model::SurfaceShape elementary(const Instance &instance, Attributes &attributes);
-    void set_degenerate_range(model::SurfaceShape &torus, Attributes &attributes) const;
+    static void set_degenerate_range(model::SurfaceShape &torus, Attributes &attributes);
     model::SurfaceShape revolution(Attributes &attributes);
     model::SurfaceShape extrusion(Attributes &attributes);
     model::SurfaceShapePtr offset(Attributes &attributes);
     model::SurfaceShapePtr surface_replica(const Instance &instance, Attributes &attributes);
-    void tell_scale(const Instance &replica, double scale, int64_t before);
+    void tell_scale(const Instance &instance, double scale, int64_t before);
     model::SurfaceShape rectangular_trimmed(Attributes &attributes);
     [[nodiscard]] double in_radians(double parameter, model::Measure measure) const noexcept;
 

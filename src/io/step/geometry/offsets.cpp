@@ -11,7 +11,6 @@ namespace nrb::io::step {
 namespace {
 
 using model::CurvePiece;
-using model::CurveShape;
 using model::CurveShapePtr;
 
 // Of directions that are parallel, after their rounding.

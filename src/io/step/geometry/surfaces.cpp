@@ -138,7 +138,7 @@ SurfaceShape Geometry::elementary(const Instance &instance, Attributes &attribut
 }
 
 // The tube meets the axis where s0 + s1 cos v = 0: outside of it the surface looks like an apple, inside like a lemon.
-void Geometry::set_degenerate_range(SurfaceShape &torus, Attributes &attributes) const {
+void Geometry::set_degenerate_range(SurfaceShape &torus, Attributes &attributes) {
     attributes.part("DEGENERATE_TOROIDAL_SURFACE");
     const bool outer = attributes.boolean("select_outer");
     if (!(torus.sizes[0] < torus.sizes[1])) {

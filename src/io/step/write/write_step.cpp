@@ -110,6 +110,7 @@ private:
             return text_.add("MANIFOLD_SOLID_BREP", name, Ref{outer});
         }
         std::vector<int64_t> oriented;
+        oriented.reserve(voids.size());
         for (const int64_t shell : voids) {
             oriented.push_back(
                 text_.add("ORIENTED_CLOSED_SHELL", step::no_name, step::derived, Ref{shell}, true));

@@ -127,6 +127,7 @@ int64_t TopologyWriter::with_parameter_curves(int64_t curve, const model::CurveP
         return curve;
     }
     std::vector<int64_t> numbers;
+    numbers.reserve(found.size());
     for (const Found &one : found) {
         numbers.push_back(
             geometry_.parameter_curve(*one.curve, surfaces_[static_cast<size_t>(one.face)].number));
@@ -160,6 +161,7 @@ void TopologyWriter::add_face(size_t index) {
         loops.push_back(vertex_loop(at));
     }
     std::vector<int64_t> bounds;
+    bounds.reserve(loops.size());
     for (const int64_t number : loops) {
         bounds.push_back(
             text_.add(loops.size() == 1 ? "FACE_OUTER_BOUND" : "FACE_BOUND", no_name, Ref{number}, true));
