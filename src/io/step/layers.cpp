@@ -47,6 +47,9 @@ private:
         while (attributes.more("assigned_items")) {
             items.push_back(attributes.reference("assigned_items"));
         }
+        const auto missing = std::ranges::find_if(
+            items, [this](int64_t number) { return entities_.instances().find(number) < 0; });
+        const int64_t first_missing = missing == items.end() ? 0 : *missing;
         const int64_t layer = number_of(name);
         for (const int64_t number : found_below(entities_, std::move(items), lies_in_layers, has_items)) {
             std::vector<int64_t> &layers = result_.of[number];
@@ -55,6 +58,10 @@ private:
                 entities_.spend(size_of_a_place);
                 layers.insert(at, layer);
             }
+        }
+        if (first_missing != 0) {
+            attributes.fail_attribute(Status::syntax, "assigned_items",
+                                      "#" + std::to_string(first_missing) + " is not in the file");
         }
     }
     int64_t number_of(const std::string &name) {

@@ -22,7 +22,7 @@ struct Layers {
 
 using TellError = std::function<void(const Instance &, const Error &)>;
 
-// Of PRESENTATION_LAYER_ASSIGNMENTs: those of an item hold for all that it consists of. One that cannot be read is told, and no layer.
+// Of PRESENTATION_LAYER_ASSIGNMENTs: those of an item hold for all that it consists of. What cannot be read of one is told.
 Layers read_layers(Entities &entities, const TellError &tell);
 
 } // namespace nrb::io::step

@@ -66,10 +66,12 @@ TEST(StepLayers, OfEqualNamesAreOneAndThoseOfNothingAreLeftOut) {
     for (const model::ModelFace &face : model.faces) {
         EXPECT_EQ(face.layers, (Numbers{0, 1}));
     }
-    ASSERT_EQ(model.notes.size(), 1U); // one without its attributes is told
-    EXPECT_EQ(model.notes.front().line, 9006);
-    EXPECT_TRUE(model.notes.front().text.starts_with("#9006 PRESENTATION_LAYER_ASSIGNMENT: "))
-        << model.notes.front().text;
+    ASSERT_EQ(model.notes.size(), 2U); // of nothing, and without its attributes
+    EXPECT_EQ(model.notes[0].line, 9005);
+    EXPECT_TRUE(model.notes[0].text.ends_with("#9999 is not in the file")) << model.notes[0].text;
+    EXPECT_EQ(model.notes[1].line, 9006);
+    EXPECT_TRUE(model.notes[1].text.starts_with("#9006 PRESENTATION_LAYER_ASSIGNMENT: "))
+        << model.notes[1].text;
 }
 
 // A face has the level of its solid unless it has one itself; several are in a property, and another one names a level.
