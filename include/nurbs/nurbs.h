@@ -2968,9 +2968,9 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
  * of another spline at all parameters: rational by polynomial, high degree by low, many knots by few. Samples
  * are fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The
  * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count and the limit
- * of work have room for them, periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its degrees
- * raised, where nothing simpler is found. Where the limit of work ends the search, a tolerance may be met with
- * more control points than it needs, or missed.
+ * of work have room for them, periodic axes stay periodic. A polynomial g of no higher degrees is returned
+ * itself, with its degrees raised, where nothing simpler is found. Where the limit of work ends the search, a
+ * tolerance may be met with more control points than it needs, or missed.
  * \param[in] g a spline.
  * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
  * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of these degrees

@@ -269,16 +269,25 @@ TEST(Reduction, bounds_of_homogeneous_splines_are_bounds) {
 // What was inserted goes before anything that carries shape, whatever the tolerance allows.
 TEST(Reduction, inserted_knots_go_first) {
     Random random(315000);
-    for (const int p : {1, 3, 5, 7}) {
+    for (const auto &[p, clamped, rational] : {std::tuple(1, true, false),
+                                               {3, true, false},
+                                               {5, true, false},
+                                               {7, true, false},
+                                               {3, false, false},
+                                               {5, false, true},
+                                               {3, true, true},
+                                               {7, true, true}}) {
         SplineData data;
         data.degrees = {p};
         data.dim = 3;
         data.counts = {p + 9};
-        data.knots = {std::vector<double>(static_cast<size_t>(p), 0.0)};
-        for (int i = 0; i <= 9; ++i) {
-            data.knots[0].push_back(i);
+        data.knots.emplace_back();
+        for (int i = -p; i <= 9 + p; ++i) {
+            data.knots[0].push_back(clamped ? std::clamp(i, 0, 9) : i);
         }
-        data.knots[0].insert(data.knots[0].end(), static_cast<size_t>(p), 9.0);
+        for (int i = 0; i < p + 9 && rational; ++i) {
+            data.weights.push_back(random.between(0.5, 2));
+        }
         for (int i = 0; i < 3 * (p + 9); ++i) {
             data.points.push_back(random.between(-1, 1));
         }
@@ -291,8 +300,9 @@ TEST(Reduction, inserted_knots_go_first) {
         const Handle refined(fine);
         for (const double tolerance : {1e-10, 1e-7, 1e-5, 1e-3}) {
             const Made made = reduce_knots(refined.get(), 0, tolerance);
-            EXPECT_EQ(read_back(made.spline.get()).counts[0], p + 9) << p << ' ' << tolerance;
-            EXPECT_LE(made.bound, 1e-11) << p << ' ' << tolerance;
+            EXPECT_EQ(read_back(made.spline.get()).counts[0], p + 9)
+                << p << clamped << rational << ' ' << tolerance;
+            EXPECT_LE(made.bound, 1e-11) << p << clamped << rational << ' ' << tolerance;
         }
     }
 }

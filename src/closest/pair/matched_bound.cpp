@@ -154,9 +154,9 @@ BernsteinShape shape_of_image(const pieces::BezierPiece &x, const pieces::Bezier
     return shape;
 }
 
-// Whether the difference of x and an image is made within the limit.
-bool is_affordable(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {
-    return shape_of_image(x, y).values() * x.coefficients() <= most_work;
+// Whether x and y have denominators without zeros, and the difference of x and an image is made within the limit.
+bool are_comparable(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {
+    return x.positive() && y.positive() && shape_of_image(x, y).values() * x.coefficients() <= most_work;
 }
 
 // The same by the squares, whose coefficients do not turn with the vectors: equal for concentric arcs.
@@ -196,7 +196,7 @@ std::vector<pieces::LocalParam> MatchedBound::corners_of(const pieces::BezierPie
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                            const pieces::LocalParam &guess, double enough) {
-    if (!x.positive() || !y.positive() || !is_affordable(x, y)) {
+    if (!are_comparable(x, y)) {
         return infinity;
     }
     std::vector<pieces::LocalParam> corners = corners_of(x);
@@ -212,7 +212,7 @@ double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPie
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                            const std::vector<pieces::LocalParam> &corners, double enough) {
-    if (!x.positive() || !y.positive() || !is_affordable(x, y)) {
+    if (!are_comparable(x, y)) {
         return infinity;
     }
     const int dim = x.dim();
