@@ -172,4 +172,29 @@ TEST(Approximate, ends_at_a_limit_of_work_with_what_it_has) {
     }
 }
 
+// Of a rational solid with a kink at every knot, whose least fit that keeps them has 28^3 control points: they are given up.
+TEST(Approximate, gives_kinks_up_that_take_too_long) {
+    Random random(925000);
+    SplineData kinked;
+    kinked.degrees = {1, 1, 1};
+    kinked.dim = 3;
+    kinked.counts = {10, 10, 10};
+    std::vector<double> knots(12);
+    for (int i = 0; i < 12; ++i) {
+        knots[static_cast<size_t>(i)] = std::clamp(i - 1, 0, 9);
+    }
+    kinked.knots = {knots, knots, knots};
+    for (int i = 0; i < 1000; ++i) {
+        kinked.weights.push_back(random.between(0.5, 2));
+        for (int c = 0; c < 3; ++c) {
+            kinked.points.push_back(random.between(-1, 1));
+        }
+    }
+    const Handle g = create(kinked);
+    const Approximated found = approximated(g.get(), {3, 3, 3}, 1e-6);
+    EXPECT_LT(found.count(), 28 * 28 * 28);
+    EXPECT_GT(found.bound, 1e-6);
+    EXPECT_LT(found.bound, 20);
+}
+
 } // namespace approximate_test
