@@ -268,6 +268,7 @@ private:
 class NeededWork {
 public:
     NeededWork() noexcept;
+    [[nodiscard]] bool is_free() const noexcept { return free_.has_value(); }
 
 private:
     std::optional<NotCounted> free_;

@@ -85,9 +85,13 @@ public:
             (void)attempted([&] { search(); });
         }
         if (best_.rounds == 0) {
-            const Axes axes = met_.axes.empty() ? even_axes(1) : met_.axes;
-            if (takes(seconds_for_one, axes)) {
-                const NeededWork free;
+            const NeededWork needed;
+            const bool counted = !needed.is_free(); // for a limit of the caller, which then is the only one
+            Axes axes = met_.axes.empty() ? even_axes(1) : met_.axes;
+            if (!counted && !takes(seconds_for_one, axes)) {
+                axes = even_axes(1);
+            }
+            if (counted || takes(seconds_for_one, axes)) {
                 keep_better(fit_points(all_, rules_, axes, wishes_, true));
             }
         }
