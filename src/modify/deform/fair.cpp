@@ -181,7 +181,7 @@ private:
         };
         std::optional<Side> near, far; // within the tolerance and beyond it
         const std::optional<Side> *stayed = nullptr;
-        double at = first, slope = 1;
+        double at = first, slope = 1, longest = most - least;
         Steps steps(most_places);
         for (int i = 0; i < most_places; ++i, steps.next()) {
             const Side side{at, std::clamp(std::log10(distance_at(at) / tolerance_), -300.0, 300.0)};
@@ -193,16 +193,18 @@ private:
                 other->value /= 2;
             } else if (own && !other) {
                 slope = std::clamp((own->value - side.value) / (at - own->at), 1e-3, 1.0);
+                longest = 2 * std::abs(at - own->at); // the distance may fall faster farther on
             }
             own = side;
             stayed = &other;
             if (other) {
                 at = near->at + (far->at - near->at) * (near->value / (near->value - far->value));
-                if (near->at - far->at < narrowest) {
+                if (near->at - std::max(at, far->at) < narrowest) { // nothing is gained any more
                     return;
                 }
             } else {
-                at = std::clamp(at + (side.value + (side.value > 0 ? enough : 0)) / slope, least, most);
+                const double step = (side.value + (side.value > 0 ? enough : 0)) / slope;
+                at = std::clamp(at + std::clamp(step, -longest, longest), least, most);
                 if (at == side.at) {
                     return;
                 }

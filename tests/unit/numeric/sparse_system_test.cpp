@@ -101,6 +101,45 @@ TEST(SparseSystem, solves_grids) {
     }
 }
 
+// Large enough that systems are solved by iteration; every solution is where the next one begins.
+TEST(SparseSystem, solves_for_many_shifts) {
+    support::Random random(2);
+    const int64_t side = 60, reach = 3, n = side * side;
+    std::vector<Entry> entries;
+    std::vector<double> diagonal(static_cast<size_t>(n)), right(static_cast<size_t>(3 * n)), x;
+    for (int64_t i = 0; i < n; ++i) {
+        diagonal[static_cast<size_t>(i)] = random.between(0.5, 2);
+        for (int64_t j = i + 1; j < n; ++j) {
+            if (j / side - i / side <= reach && std::abs(j % side - i % side) <= reach) {
+                const double bond = random.between(0, 1); // pulls both together
+                entries.insert(entries.end(), {{i, i, bond}, {j, j, bond}, {i, j, -bond}, {j, i, -bond}});
+            }
+        }
+    }
+    for (double &r : right) {
+        r = random.between(-1, 1);
+    }
+    SparseSystem system(entries, diagonal, grid_order({{{side, reach, false}, {side, reach, false}, {}}}));
+    for (const double rho : {1e3, 1e2, 99.0, 99.01, 1e-3, 1.1e-3, 1.0999e-3, 1.0999e-3, 0.5, 2e3}) {
+        for (const double sign : {1.0, -1.0}) { // a new right side has nothing to do with the old one
+            for (size_t i = 0; i < right.size(); i += 2) {
+                right[i] *= sign;
+            }
+            ASSERT_TRUE(system.solve(rho, right, 3, x));
+            std::vector<double> image = times(entries, x, 3);
+            std::array<double, 3> left{}, whole{};
+            for (size_t i = 0; i < right.size(); ++i) {
+                const double error = image[i] + rho * diagonal[i / 3] * x[i] - right[i];
+                left[i % 3] += error * error;
+                whole[i % 3] += right[i] * right[i];
+            }
+            for (size_t c = 0; c < 3; ++c) {
+                EXPECT_LE(std::sqrt(left[c]), 2e-10 * std::sqrt(whole[c])) << rho << ' ' << c;
+            }
+        }
+    }
+}
+
 TEST(SparseSystem, tells_a_matrix_that_is_not_positive) {
     std::vector<double> x;
     const std::vector<Entry> entries{{0, 0, 1}, {1, 1, 1}, {0, 1, 2}, {1, 0, 2}};

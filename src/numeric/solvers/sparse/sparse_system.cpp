@@ -5,6 +5,7 @@
 #include "base/watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::inline numeric {
 
@@ -94,118 +95,6 @@ std::vector<double> times(const std::vector<Entry> &entries, const std::vector<d
     return result;
 }
 
-// Conjugate gradients for several right sides at once, each with steps of its own.
-class SparseSystem::Iteration {
-public:
-    Iteration(const SparseSystem &system, double rho, int64_t width)
-        : matrix_(system.shifted(rho)), factors_(system.factorised_ ? &*system.factors_ : nullptr),
-          width_(width), n_(matrix_.size()), inverse_diagonal_(static_cast<size_t>(n_)) {
-        for (int64_t j = 0; j < n_; ++j) {
-            inverse_diagonal_[static_cast<size_t>(j)] = 1 / element(j, j);
-        }
-    }
-
-    // Replaces the right side by the solution; false if it is not found in `most` steps.
-    bool solve(std::vector<double> &right, int most) {
-        constexpr double enough = 1e-10; // of the right side: the energy is off by its square
-        std::vector<double> x(right.size(), 0.0), residual = right, conditioned, direction,
-                                                  image(right.size());
-        const std::vector<double> size = dots(right, right);
-        std::vector<double> energy(size.size(), 0.0);
-        for (int step = 0; step <= most; ++step) {
-            if (small(residual, size, enough)) {
-                right.swap(x);
-                return true;
-            }
-            conditioned = residual;
-            precondition(conditioned);
-            const std::vector<double> next = dots(residual, conditioned);
-            direction.resize(conditioned.size(), 0.0);
-            add_scaled(direction, quotients(next, energy), conditioned);
-            energy = next;
-            multiply(direction, image);
-            const std::vector<double> along = quotients(energy, dots(direction, image));
-            for (size_t i = 0; i < x.size(); ++i) {
-                const double part = along[i % static_cast<size_t>(width_)];
-                x[i] += part * direction[i];
-                residual[i] -= part * image[i];
-            }
-        }
-        return false;
-    }
-
-private:
-    [[nodiscard]] double element(int64_t row, int64_t column) const noexcept {
-        const auto first = matrix_.rows.begin() + matrix_.starts[static_cast<size_t>(column)],
-                   end = matrix_.rows.begin() + matrix_.starts[static_cast<size_t>(column) + 1];
-        return matrix_.values[static_cast<size_t>(std::lower_bound(first, end, static_cast<int32_t>(row)) -
-                                                  matrix_.rows.begin())];
-    }
-    // By right sides.
-    [[nodiscard]] std::vector<double> dots(const std::vector<double> &a, const std::vector<double> &b) const {
-        std::vector<double> sums(static_cast<size_t>(width_), 0.0);
-        for (size_t i = 0; i < a.size(); ++i) {
-            sums[i % sums.size()] += a[i] * b[i];
-        }
-        return sums;
-    }
-    static std::vector<double> quotients(const std::vector<double> &a, const std::vector<double> &b) {
-        std::vector<double> result(a.size());
-        std::transform(a.begin(), a.end(), b.begin(), result.begin(),
-                       [](double x, double y) { return y > 0 ? x / y : 0; });
-        return result;
-    }
-    [[nodiscard]] bool small(const std::vector<double> &residual, const std::vector<double> &size,
-                             double part) const {
-        const std::vector<double> squares = dots(residual, residual);
-        for (size_t c = 0; c < squares.size(); ++c) {
-            if (!(squares[c] <= part * part * size[c])) {
-                return false;
-            }
-        }
-        return true;
-    }
-    // direction = conditioned + part * direction.
-    void add_scaled(std::vector<double> &direction, const std::vector<double> &part,
-                    const std::vector<double> &conditioned) const {
-        for (size_t i = 0; i < direction.size(); ++i) {
-            direction[i] = conditioned[i] + part[i % static_cast<size_t>(width_)] * direction[i];
-        }
-    }
-    void precondition(std::vector<double> &x) const {
-        if (factors_ != nullptr) {
-            factors_->solve(x.data(), width_);
-            return;
-        }
-        for (size_t i = 0; i < x.size(); ++i) {
-            x[i] *= inverse_diagonal_[i / static_cast<size_t>(width_)];
-        }
-    }
-    // The columns of a symmetric matrix are its rows.
-    void multiply(const std::vector<double> &x, std::vector<double> &image) const {
-        for (int64_t j = 0; j < n_; ++j) {
-            double *out = image.data() + j * width_;
-            std::fill_n(out, width_, 0.0);
-            const int64_t first = matrix_.starts[static_cast<size_t>(j)],
-                          end = matrix_.starts[static_cast<size_t>(j) + 1];
-            count_work(2 * width_ * (end - first));
-            for (int64_t p = first; p < end; ++p) {
-                const double value = matrix_.values[static_cast<size_t>(p)];
-                const double *from = x.data() + int64_t{matrix_.rows[static_cast<size_t>(p)]} * width_;
-                for (int64_t c = 0; c < width_; ++c) {
-                    out[c] += value * from[c];
-                }
-            }
-        }
-    }
-
-    SparseColumns matrix_;
-    const SparseLdlt *factors_;
-    int64_t width_;
-    int64_t n_;
-    std::vector<double> inverse_diagonal_;
-};
-
 SparseSystem::SparseSystem(const std::vector<Entry> &entries, std::vector<double> diagonal,
                            std::vector<int64_t> order)
     : order_(std::move(order)), entries_(ascending(by_columns(entries, numbers_of(order_)))) {
@@ -225,20 +114,31 @@ SparseColumns SparseSystem::shifted(double rho) const {
     return sum;
 }
 
-bool SparseSystem::solve_ordered(double rho, std::vector<double> &x, int64_t width) {
-    constexpr int many = 60, few = 12; // the latter with factors, which cost more to use
+// Whether the iteration with the factors ends in few steps: the eigenvalues of the preconditioned matrix lie within the quotient of
+// both rho.
+bool SparseSystem::factors_suit(double rho) const noexcept {
+    const double root = std::sqrt(std::max(rho / factors_rho_, factors_rho_ / rho));
+    return 2 * std::pow((root - 1) / (root + 1), few_steps) < 1e-10;
+}
+
+bool SparseSystem::iterate(double rho, std::vector<double> &x, int64_t width) {
+    constexpr int many = 60;
     const double product = 2 * static_cast<double>(entries_.rows.size());
-    if (factors_->cost() > many * product) {
-        const std::vector<double> right = x;
-        if (Iteration(*this, rho, width).solve(x, factorised_ ? few : many)) {
-            return true;
-        }
-        x = right;
+    if (factors_->cost() <= many * product || (factorised_ && !factors_suit(rho))) {
+        return false;
     }
+    std::vector<double> solution = x;
+    ConjugateGradients iteration(shifted(rho), rho, diagonal_, factorised_ ? &*factors_ : nullptr, width);
+    const bool found = iteration.solve(solution, factorised_ ? few_steps : many, known_);
+    if (found) {
+        x.swap(solution);
+    }
+    return found;
+}
+
+bool SparseSystem::factorise(double rho) {
     factorised_ = factors_->factorise(shifted(rho)) < 0;
-    if (factorised_) {
-        factors_->solve(x.data(), width);
-    }
+    factors_rho_ = rho;
     return factorised_;
 }
 
@@ -249,14 +149,33 @@ bool SparseSystem::solve(double rho, const std::vector<double> &right, int64_t w
         std::copy_n(right.begin() + order_[i] * width, width,
                     ordered.begin() + static_cast<int64_t>(i) * width);
     }
-    if (!solve_ordered(rho, ordered, width)) {
-        return false;
+    if (ordered != right_) {
+        right_ = ordered;
+        known_.clear();
+    }
+    if (!iterate(rho, ordered, width)) {
+        if (!factorise(rho)) {
+            return false;
+        }
+        factors_->solve(ordered.data(), width);
     }
     x.resize(ordered.size());
     for (size_t i = 0; i < order_.size(); ++i) {
         std::copy_n(ordered.begin() + static_cast<int64_t>(i) * width, width, x.begin() + order_[i] * width);
     }
-    return all_finite(x);
+    if (!all_finite(x)) {
+        return false;
+    }
+    remember(rho, std::move(ordered));
+    return true;
+}
+
+void SparseSystem::remember(double rho, std::vector<double> x) {
+    constexpr size_t most = 4;
+    known_.push_front({rho, std::move(x)});
+    if (known_.size() > most) {
+        known_.pop_back();
+    }
 }
 
 } // namespace nrb::inline numeric

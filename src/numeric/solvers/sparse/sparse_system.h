@@ -2,9 +2,10 @@
 // Sparse symmetric positive systems.
 #pragma once
 
-#include "numeric/solvers/sparse/sparse_ldlt.h"
+#include "numeric/solvers/sparse/conjugate_gradients.h"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -20,9 +21,9 @@ struct Entry {
 // K x for x[unknowns][width].
 std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width);
 
-// K + rho D for many rho. Where factors cost more than many products with K, systems are solved by conjugate gradients
-// (M. Hestenes, E. Stiefel 1952), preconditioned by the diagonal; if these do not converge in some steps, as with a
-// small rho, by the factors for this rho, which then precondition the systems for others.
+// K + rho D for many rho. Where factors cost more than many products with K, systems are solved by conjugate gradients from the best
+// combination of the last solutions, preconditioned by the diagonal; if these do not converge in some steps, as with a small rho, by the
+// factors for this rho, which then precondition the systems for others nearby.
 class SparseSystem {
 public:
     // Entries between unknowns 0 to n - 1, a diagonal, and the order in which the unknowns are eliminated. Precondition:
@@ -34,15 +35,22 @@ public:
                              std::vector<double> &x);
 
 private:
-    class Iteration;
+    static constexpr int few_steps = 5; // that cost less than new factors
+
     [[nodiscard]] SparseColumns shifted(double rho) const;
-    [[nodiscard]] bool solve_ordered(double rho, std::vector<double> &x, int64_t width);
+    [[nodiscard]] bool factors_suit(double rho) const noexcept;
+    bool iterate(double rho, std::vector<double> &x, int64_t width);
+    bool factorise(double rho);
+    void remember(double rho, std::vector<double> x);
 
     std::vector<double> diagonal_; // in the order of elimination, as what follows
     std::vector<int64_t> order_;
     SparseColumns entries_;
     std::optional<SparseLdlt> factors_;
-    bool factorised_ = false; // for some rho
+    bool factorised_ = false; // for factors_rho_
+    double factors_rho_ = 0;
+    std::vector<double> right_;
+    std::deque<ShiftedSolution> known_; // for this right side
 };
 
 } // namespace nrb::inline numeric
