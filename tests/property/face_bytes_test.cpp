@@ -98,6 +98,26 @@ Ground any_ground(Random &random) {
     }
 }
 
+// Constant between knots along one axis or both.
+Ground stepped(Random &random) {
+    SplineData data{{0, random.whole(0, 1)}, {}, {}, 3, {}, {}, 0};
+    if (random.chance(50)) {
+        std::swap(data.degrees[0], data.degrees[1]);
+    }
+    for (const int degree : data.degrees) {
+        const int count = random.whole(2, 4);
+        data.counts.push_back(count);
+        data.knots.emplace_back();
+        for (int i = 0; i <= count + degree; ++i) {
+            data.knots.back().push_back(std::clamp(i - degree, 0, count - degree));
+        }
+    }
+    for (int64_t i = 0; i < 3 * data.counts[0] * data.counts[1]; ++i) {
+        data.points.push_back(random.between(-1, 1));
+    }
+    return ground_of(create(data), false, false);
+}
+
 Handle any_star(Random &random, const Ground &ground, double radius) {
     Star kind;
     kind.degree = random.whole(1, 7);
@@ -123,6 +143,16 @@ TEST(FaceBytes, whole_surfaces_survive) {
     for_each_case(1200100, 20, [](Random &random, uint64_t seed) {
         const Ground ground = any_ground(random);
         expect_survives(random, seed, ground, face_of(ground.surface.get(), {}));
+    });
+}
+
+// Such faces have no area, but places in them.
+TEST(FaceBytes, faces_of_steps_survive) {
+    for_each_case(1200400, 10, [](Random &random, uint64_t seed) {
+        const Ground ground = stepped(random);
+        expect_survives(random, seed, ground, face_of(ground.surface.get(), {}));
+        const Handle curve = any_star(random, ground, 0.4);
+        expect_survives(random, seed, ground, face_of(ground.surface.get(), {{curve.get()}}));
     });
 }
 

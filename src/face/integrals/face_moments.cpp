@@ -34,8 +34,9 @@ struct PanelPart {
 
 class FaceIntegral {
 public:
-    FaceIntegral(PanelRule &rule, const measure::Integrand &integrand)
-        : rule_(rule), values_(static_cast<size_t>(integrand.values())) {}
+    // eps_off: how many eps of their sizes derivatives may be off.
+    FaceIntegral(PanelRule &rule, const measure::Integrand &integrand, int eps_off)
+        : rule_(rule), values_(static_cast<size_t>(integrand.values())), off_(eps_off * eps) {}
 
     measure::Integrals integrate(const std::vector<Panel> &panels, double tolerance) {
         left_ = least_work;
@@ -46,7 +47,7 @@ public:
             left_ += rules_for_a_panel * 64 * work_of_a_node;
             queue_.push(std::move(part));
         }
-        const double goal = std::max(tolerance * size_, 16 * eps * magnitude_);
+        const double goal = std::max(tolerance * size_, 16 * eps * magnitude_ + off_ * spread_);
         while (!queue_.empty() && error_ > goal && left_ > 0) {
             refine();
         }
@@ -69,11 +70,13 @@ private:
         error_ += part.error;
         size_ += part.sums.values[0];
         magnitude_ += part.sums.magnitude;
+        spread_ += part.sums.spread;
     }
     void forget(const PanelPart &part) noexcept {
         error_ -= part.error;
         size_ -= part.sums.values[0];
         magnitude_ -= part.sums.magnitude;
+        spread_ -= part.sums.spread;
     }
     [[nodiscard]] static double worst(const std::vector<double> &errors) {
         return *std::max_element(errors.begin(), errors.end());
@@ -95,6 +98,7 @@ private:
             part.error = 0;
             size_ += part.sums.values[0];
             magnitude_ += part.sums.magnitude;
+            spread_ += part.sums.spread;
             queue_.push(std::move(part));
         }
     }
@@ -130,15 +134,16 @@ private:
         }
         error_ = result.errors[0];
         result.size = magnitude_;
-        result.rounding = 64 * eps * magnitude_;
+        result.rounding = 64 * eps * magnitude_ + off_ * spread_;
         return result;
     }
 
     PanelRule &rule_;
     size_t values_;
+    double off_;
     std::priority_queue<PanelPart> queue_;
     int64_t left_ = 0;
-    double error_ = 0, size_ = 0, magnitude_ = 0;
+    double error_ = 0, size_ = 0, magnitude_ = 0, spread_ = 0;
 };
 
 } // namespace
@@ -151,7 +156,9 @@ measure::Moments moments(const Face &face, measure::MomentOrder order, double re
     const std::vector<Panel> panels =
         panels_of(face.trims(), pieces::breaks_in(surface.axis(0), surface.axis(0).domain()),
                   pieces::breaks_in(surface.axis(1), surface.axis(1).domain()));
-    const measure::Integrals sums = FaceIntegral(rule, integrand).integrate(panels, relative_tolerance);
+    const int eps_off = 4 * (surface.axis(0).degree() + surface.axis(1).degree() + 2);
+    const measure::Integrals sums =
+        FaceIntegral(rule, integrand, eps_off).integrate(panels, relative_tolerance);
     return measure::moments_from(sums, 0, {1, 1, 1, 2}, frame, order, relative_tolerance);
 }
 

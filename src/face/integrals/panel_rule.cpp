@@ -60,17 +60,22 @@ void PanelRule::visit_nodes() {
     out_.resize(nodes_.size() * values_);
     eval::evaluate_points(surface_, {}, 1, {params_.data(), count, 2, 2, 1},
                           {derivatives_.data(), count, width, width, 1});
+    spreads_.resize(nodes_.size());
     std::vector<double> place(dim_), along(2 * dim_);
     const double scale = frame_.scaled(1);
     for (size_t i = 0; i < nodes_.size(); ++i) {
         const double *jet = derivatives_.data() + i * static_cast<size_t>(width);
         const Panel::Jet &by = jets_[i];
+        const double part = by.by_x[0] * by.by_y[1] - by.by_x[1] * by.by_y[0]; // of the domain
+        double u = 0, v = 0;
         for (size_t c = 0; c < dim_; ++c) {
             place[c] = frame_.coordinate(c, jet[c]);
-            const double u = jet[dim_ + c] * scale, v = jet[2 * dim_ + c] * scale;
-            along[c] = u * by.by_x[0] + v * by.by_x[1];
-            along[dim_ + c] = u * by.by_y[0] + v * by.by_y[1];
+            along[c] = jet[dim_ + c] * scale * part;
+            along[dim_ + c] = jet[2 * dim_ + c] * scale;
+            u += along[c] * along[c];
+            v += along[dim_ + c] * along[dim_ + c];
         }
+        spreads_[i] = std::sqrt(u * v);
         double *out = out_.data() + i * values_;
         integrand_(place.data(), along.data(), out);
         if (out[0] < 0) {
@@ -97,6 +102,7 @@ PanelRule::Sums PanelRule::evaluate(const Panel &panel, const std::array<int, 2>
             sums.errors[0][j] += (x - lower_x) * y * value;
             sums.errors[1][j] += x * (y - lower_y) * value;
         }
+        sums.spread += x * y * spreads_[i];
     }
     for (size_t j = 0; j < values_; ++j) {
         sums.values[j] *= panel.factor;
@@ -105,6 +111,7 @@ PanelRule::Sums PanelRule::evaluate(const Panel &panel, const std::array<int, 2>
         }
     }
     sums.magnitude = std::abs(panel.factor) * magnitudes[0];
+    sums.spread *= std::abs(panel.factor);
     return sums;
 }
 

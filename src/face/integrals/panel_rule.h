@@ -22,6 +22,7 @@ public:
         std::vector<double> values;                // times the factor of the panel
         std::array<std::vector<double>, 2> errors; // what a higher rule is likely to change
         double magnitude = 0;                      // of the first value
+        double spread = 0; // the same if derivatives were at right angles; they are off by a few eps of it
     };
     Sums evaluate(const Panel &panel, const std::array<int, 2> &levels);
 
@@ -36,7 +37,7 @@ private:
     size_t dim_, values_;
     std::vector<std::array<size_t, 2>> nodes_; // places in the rules
     std::vector<Panel::Jet> jets_;
-    std::vector<double> params_, derivatives_, out_;
+    std::vector<double> params_, derivatives_, out_, spreads_;
 };
 
 } // namespace nrb::face

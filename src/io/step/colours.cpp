@@ -28,13 +28,13 @@ class ColourReader {
 public:
     explicit ColourReader(Entities &entities) : entities_(entities), instances_(entities.instances()) {}
 
-    Colours read() {
+    Colours read(const TellError &tell) {
         for (const Instance &instance : instances_.all()) {
             if (instance.kind() == Kind::styled_item) {
                 try {
                     read_item(instance);
-                } catch (const Error &) { // has no colour
-                    continue;
+                } catch (const Error &error) {
+                    tell(instance, error);
                 }
             }
         }
@@ -62,15 +62,20 @@ private:
         attributes.skip("name");
         attributes.part("STYLED_ITEM");
         std::optional<Colour> colour;
+        std::vector<int64_t> styles;
         attributes.open("styles");
         while (attributes.more("styles")) {
-            const int64_t style = attributes.reference("styles");
-            colour = colour ? colour : colour_below(style);
+            styles.push_back(attributes.reference("styles"));
+            colour = colour ? colour : colour_below(styles.back());
         }
         const int64_t item = attributes.reference("item");
         if (colour) {
             styled_.push_back({*colour, faces_below(item)});
         }
+        for (const int64_t style : styles) {
+            entities_.at(style, attributes, "styles");
+        }
+        entities_.at(item, attributes, "item");
     }
     // Through what presents surfaces, in the order of the file; curves have colours of their own.
     std::optional<Colour> colour_below(int64_t style) {
@@ -133,8 +138,8 @@ private:
 
 } // namespace
 
-Colours read_colours(Entities &entities) {
-    return ColourReader(entities).read();
+Colours read_colours(Entities &entities, const TellError &tell) {
+    return ColourReader(entities).read(tell);
 }
 
 } // namespace nrb::io::step

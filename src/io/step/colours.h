@@ -13,7 +13,7 @@ namespace nrb::io::step {
 using Colours = std::map<int64_t, std::array<double, 3>>;
 
 // Of styled items: the colour of the filled area of a side of a surface, which holds for all faces below the item, unless one of
-// them has a style of its own. Styles that cannot be read have no colour.
-Colours read_colours(Entities &entities);
+// them has a style of its own. What cannot be read of an item is told.
+Colours read_colours(Entities &entities, const TellError &tell);
 
 } // namespace nrb::io::step

@@ -3,9 +3,11 @@
 // and within a limit of what may be made of a file.
 #pragma once
 
+#include "base/error.h"
 #include "io/limits.h"
 #include "io/step/structure/attributes.h"
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -44,5 +46,8 @@ private:
     std::map<int64_t, std::string> remarks_;
     int64_t approximations_ = 0;
 };
+
+// Takes what is wrong with an instance.
+using TellError = std::function<void(const Instance &, const Error &)>;
 
 } // namespace nrb::io::step

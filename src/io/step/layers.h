@@ -2,10 +2,8 @@
 // The layers of faces, and of curves and surfaces.
 #pragma once
 
-#include "base/error.h"
 #include "io/step/entities.h"
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,8 +17,6 @@ struct Layers {
 
     [[nodiscard]] std::vector<int64_t> at(int64_t number) const;
 };
-
-using TellError = std::function<void(const Instance &, const Error &)>;
 
 // Of PRESENTATION_LAYER_ASSIGNMENTs: those of an item hold for all that it consists of. What cannot be read of one is told.
 Layers read_layers(Entities &entities, const TellError &tell);

@@ -35,10 +35,12 @@ public:
         read_all([&](int64_t place) { return faces && is(place, Kind::edge_curve); },
                  [this](int64_t place) { add_edge(place); });
         steps.next();
-        colours_ = step::read_colours(entities_);
-        solids_ = step::read_solids(entities_);
-        layers_ = step::read_layers(
-            entities_, [this](const Instance &instance, const Error &error) { note_error(instance, error); });
+        const auto tell = [this](const Instance &instance, const Error &error) {
+            note_error(instance, error);
+        };
+        colours_ = step::read_colours(entities_, tell);
+        solids_ = step::read_solids(entities_, tell);
+        layers_ = step::read_layers(entities_, tell);
         model_.layers = layers_.names;
         read_all([&](int64_t place) { return faces && is(place, Kind::face); },
                  [this](int64_t place) { add_face(place); });

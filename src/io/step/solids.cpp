@@ -10,12 +10,13 @@ class SolidReader {
 public:
     explicit SolidReader(Entities &entities) : entities_(entities), instances_(entities.instances()) {}
 
-    PlacesInSolids read() {
+    PlacesInSolids read(const TellError &tell) {
         for (const Instance &instance : instances_.all()) {
             if (instance.kind() == Kind::topology && is_solid(instance)) {
                 try {
                     read_solid(instance);
-                } catch (const Error &) { // its faces are read without it
+                } catch (const Error &error) { // the other faces are read without it
+                    tell(instance, error);
                 }
                 ++place_.solid;
             }
@@ -83,8 +84,8 @@ private:
 
 } // namespace
 
-PlacesInSolids read_solids(Entities &entities) {
-    return SolidReader(entities).read();
+PlacesInSolids read_solids(Entities &entities, const TellError &tell) {
+    return SolidReader(entities).read(tell);
 }
 
 } // namespace nrb::io::step

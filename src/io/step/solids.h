@@ -15,10 +15,10 @@ struct PlaceInSolid {
     bool turned = false; // the material is on the side of its outer normal, unless that is turned
 };
 
-// By the numbers of the faces; the first solid has a face that several name. What cannot be read has no solid.
+// By the numbers of the faces; the first solid has a face that several name. What cannot be read of a solid is told.
 using PlacesInSolids = std::map<int64_t, PlaceInSolid>;
 
 // MANIFOLD_SOLID_BREP and its subtypes; voids of BREP_WITH_VOIDS are oriented so that normals point out of the material.
-PlacesInSolids read_solids(Entities &entities);
+PlacesInSolids read_solids(Entities &entities, const TellError &tell);
 
 } // namespace nrb::io::step

@@ -9,8 +9,10 @@ namespace {
 using namespace step_test;
 using nrb::Status;
 
-nrb::model::Note note_of(const std::string &data) {
-    return only_note(read(StepBuilder::around(data)));
+using Reader = nrb::model::Model (*)(std::span<const char>, const nrb::io::ReadSettings &);
+
+nrb::model::Note note_of(const std::string &data, Reader reader = nrb::io::read) {
+    return only_note(reader(StepBuilder::around(data), {}));
 }
 
 const std::string frame = "#1=CARTESIAN_POINT('',(0.,0.,0.));#2=AXIS2_PLACEMENT_3D('',#1,$,$);";
@@ -22,10 +24,10 @@ struct Case {
     std::string text;
 };
 
-void expect_notes(const std::vector<Case> &cases) {
+void expect_notes(const std::vector<Case> &cases, Reader reader = nrb::io::read) {
     for (const Case &wrong : cases) {
         SCOPED_TRACE(wrong.data);
-        const nrb::model::Note note = note_of(wrong.data);
+        const nrb::model::Note note = note_of(wrong.data, reader);
         EXPECT_EQ(note.reason, wrong.reason);
         EXPECT_EQ(note.text, wrong.text);
         EXPECT_EQ(note.entity_type, 0);
@@ -104,6 +106,26 @@ TEST(StepDamage, counts) {
          "#3 B_SPLINE_CURVE: says nothing about its knots"},
         {two + "#3=POLYLINE('',(#1));", Status::too_few_points, "#3 POLYLINE: points: fewer than 2 points"},
     });
+}
+
+// Faces are read without the colours and solids that name what is missing.
+TEST(StepDamage, styles_and_solids) {
+    const std::string red = "#3=FILL_AREA_STYLE_COLOUR('',#4);#4=DRAUGHTING_PRE_DEFINED_COLOUR('red');";
+    const std::string ball = frame + "#5=SPHERICAL_SURFACE('',#2,1.);#6=ADVANCED_FACE('',(),#5,.T.);";
+    expect_notes(
+        {
+            {ball + red + "#7=STYLED_ITEM('',(#3),#9);", Status::syntax,
+             "#7 STYLED_ITEM: item: #9 is not in the file"},
+            {ball + red + "#7=STYLED_ITEM('',(#3,#9),#6);", Status::syntax,
+             "#7 STYLED_ITEM: styles: #9 is not in the file"},
+            {ball + "#7=STYLED_ITEM('',(3),#6);", Status::syntax,
+             "#7 STYLED_ITEM: styles[0]: found 3, expected an instance such as #1"},
+            {ball + "#7=MANIFOLD_SOLID_BREP('',#9);", Status::syntax,
+             "#7 MANIFOLD_SOLID_BREP: outer: #9 is not in the file"},
+            {ball + "#7=MANIFOLD_SOLID_BREP('',#8);#8=CLOSED_SHELL('',7);", Status::syntax,
+             "#7 MANIFOLD_SOLID_BREP: #8 CLOSED_SHELL: cfs_faces: found 7, expected a list"},
+        },
+        nrb::io::read_model);
 }
 
 // Values behind those that are needed, and parentheses that nobody needs to see closed.
