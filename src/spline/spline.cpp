@@ -45,11 +45,17 @@ bool all_active(const KnotVector &axis) noexcept {
     return (axis[axis.degree() + 1] > lower && axis[axis.count() - 1] < upper) || axis.periodic();
 }
 
+int64_t points_of(const Spline::Axes &axes) noexcept {
+    return std::accumulate(
+        axes.begin(), axes.end(), int64_t{1},
+        [](int64_t product, const KnotVectorPtr &axis) { return product * axis->count(); });
+}
+
 } // namespace
 
 Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights)
-    : axes_(std::move(axes)), axis_count_(static_cast<int>(axes_.size())), dim_(dim), form_(form),
-      points_(std::move(points)), weights_(std::move(weights)) {
+    : axes_(std::move(axes)), axis_count_(static_cast<int>(axes_.size())), point_count_(points_of(axes_)),
+      dim_(dim), form_(form), points_(std::move(points)), weights_(std::move(weights)) {
     pad(points_);
     inert_ =
         !std::all_of(axes_.begin(), axes_.end(), [](const KnotVectorPtr &axis) { return all_active(*axis); });
@@ -79,12 +85,6 @@ bool Spline::moderate() const noexcept {
         return found;
     }
     return true;
-}
-
-int64_t Spline::point_count() const noexcept {
-    return std::accumulate(
-        axes_.begin(), axes_.end(), int64_t{1},
-        [](int64_t product, const KnotVectorPtr &axis) { return product * axis->count(); });
 }
 
 std::span<const double> Spline::records() const {
@@ -138,11 +138,6 @@ void Spline::copy_records(int64_t first, int64_t count, double *out) const noexc
 double Spline::scaled_weight(int64_t i) const noexcept {
     const double stored = weights_[static_cast<size_t>(i)];
     return weight_exponent_ == 0 ? stored : std::ldexp(stored, -weight_exponent_);
-}
-
-double Spline::coordinate(int64_t i, int c) const noexcept {
-    const double stored = points_[static_cast<size_t>(i * stored_width() + c)];
-    return form_ == Form::homogeneous ? stored / weight(i) : stored;
 }
 
 } // namespace nrb::inline spline

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const KnotVector &axis(int k) const noexcept { return *axes_[static_cast<size_t>(k)]; }
     [[nodiscard]] const Axes &knot_vectors() const noexcept { return axes_; }
     [[nodiscard]] int64_t count(int k) const noexcept { return axis(k).count(); }
-    [[nodiscard]] int64_t point_count() const noexcept;
+    [[nodiscard]] int64_t point_count() const noexcept { return point_count_; }
     [[nodiscard]] int dim() const noexcept { return dim_; }
     [[nodiscard]] Form form() const noexcept { return form_; }
     [[nodiscard]] bool rational() const noexcept { return form_ != Form::polynomial; }
@@ -80,7 +80,10 @@ public:
     // Whether all stored values are finite and so far from overflow that differences of records are, too.
     [[nodiscard]] bool moderate() const noexcept;
     // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
-    [[nodiscard]] double coordinate(int64_t i, int c) const noexcept;
+    [[nodiscard]] double coordinate(int64_t i, int c) const noexcept {
+        const double stored = points_[static_cast<size_t>(i * stored_width() + c)];
+        return form_ == Form::homogeneous ? stored / weight(i) : stored;
+    }
 
     // The same shape, in which control points without influence are moved onto others that have some. They
     // are those whose function vanishes on the domain, and those of weight 0 that are not at infinity. Every
@@ -164,6 +167,7 @@ private:
 
     Axes axes_;
     int axis_count_;
+    int64_t point_count_;
     int dim_;
     Form form_;
     std::vector<double> points_; // and padding

@@ -334,7 +334,7 @@ private:
     std::vector<bool> used_;
     const std::string &product_;
     std::vector<iges::Damage> damages_;
-    iges::Topology topology_;
+    iges::TopologyEntities topology_;
     iges::Assembly assembly_;
     iges::EdgeLists edges_;
     std::map<int64_t, Around> around_;  // of faces and shells

@@ -30,13 +30,19 @@ Record::Record(std::string text, Delimiters delimiters) : text_(std::move(text))
 }
 
 size_t Record::skip_blanks(size_t at) const noexcept {
-    return std::min(text_.find_first_not_of(' ', at), text_.size());
+    while (at < text_.size() && text_[at] == ' ') {
+        ++at;
+    }
+    return at;
 }
 
 // Leaves `at` on the delimiter that ends the parameter.
 Record::Parameter Record::scan(size_t &at) const {
     at = skip_blanks(at);
-    const size_t digits_end = std::min(text_.find_first_not_of("0123456789", at), text_.size());
+    size_t digits_end = at; // find_first_not_of() would look each character up
+    while (digits_end < text_.size() && text_[digits_end] >= '0' && text_[digits_end] <= '9') {
+        ++digits_end;
+    }
     if (digits_end > at && digits_end < text_.size() && text_[digits_end] == 'H') {
         int64_t length = 0;
         const std::string_view digits = std::string_view(text_).substr(at, digits_end - at);
@@ -49,6 +55,7 @@ Record::Parameter Record::scan(size_t &at) const {
         return scan_string(at, static_cast<size_t>(length));
     }
     const size_t start = at;
+    at = digits_end;
     while (at < text_.size() && text_[at] != delimiters_.parameter && text_[at] != delimiters_.record) {
         ++at;
     }

@@ -2,6 +2,7 @@
 #include "io/iges/text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -63,6 +64,24 @@ bool parse_unsigned_real(std::string_view number, double &value) noexcept {
     return std::isfinite(value);
 }
 
+// Where the exponent of a number in double precision begins, or its end. find_first_of() would look each character up.
+size_t mark_of_d(std::string_view number) noexcept {
+    return static_cast<size_t>(std::ranges::find_if(number, [](char c) { return c == 'D' || c == 'd'; }) -
+                               number.begin());
+}
+
+bool parse_with_e(std::string_view number, size_t mark, double &value) {
+    std::array<char, 64> usual;
+    if (number.size() > usual.size()) {
+        std::string copy(number);
+        copy[mark] = 'e';
+        return parse_unsigned_real(copy, value);
+    }
+    std::ranges::copy(number, usual.begin());
+    usual[mark] = 'e';
+    return parse_unsigned_real({usual.data(), number.size()}, value);
+}
+
 // Whether char is signed depends on the machine.
 bool control(char c) noexcept {
     return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
@@ -110,13 +129,9 @@ bool parse_real(std::string_view text, double &value) {
     if (text.empty() || !(digit(text.front()) || text.front() == '.')) {
         return false;
     }
-    bool valid = parse_unsigned_real(text, value);
-    if (const size_t mark = valid ? std::string_view::npos : text.find_first_of("dD");
-        mark != std::string_view::npos) {
-        std::string with_e(text);
-        with_e[mark] = 'e';
-        valid = parse_unsigned_real(with_e, value);
-    }
+    const size_t mark = mark_of_d(text);
+    const bool valid =
+        mark < text.size() ? parse_with_e(text, mark, value) : parse_unsigned_real(text, value);
     value = negative ? -value : value;
     return valid;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <nurbs/nurbs.h>
+#include <string_view>
 
 namespace {
 
@@ -25,13 +26,18 @@ double area_of(const nurbs_model *model, int64_t index) {
     return area;
 }
 
-bench::files::Answer read(const char *path, bool areas) {
+nurbs_model *model_of(const char *path) {
     nurbs_read_options options;
     nurbs_model *model = nullptr;
-    bench::files::Answer answer;
     check(nurbs_read_options_init(&options, sizeof options));
     options.unit = 0.001; // as others have it
     check(nurbs_read_model_file(path, &options, &model));
+    return model;
+}
+
+bench::files::Answer read(const char *path, bool areas) {
+    nurbs_model *model = model_of(path);
+    bench::files::Answer answer;
     check(nurbs_model_counts(model, nullptr, nullptr, &answer.faces, nullptr, nullptr));
     for (int64_t i = 0; areas && i < answer.faces; ++i) {
         answer.area += area_of(model, i);
@@ -40,8 +46,17 @@ bench::files::Answer read(const char *path, bool areas) {
     return answer;
 }
 
+// PROGRAM FILE COPY writes a file that was read, as the name of the copy ends.
+int write(const char *path, const char *copy) {
+    nurbs_model *model = model_of(path);
+    const bool step = std::string_view(copy).ends_with(".step");
+    check(nurbs_model_write_file(model, copy, step ? NURBS_FORMAT_STEP : NURBS_FORMAT_IGES, nullptr));
+    nurbs_model_destroy(model);
+    return 0;
+}
+
 } // namespace
 
 int main(int count, char **arguments) {
-    return bench::files::run(count, arguments, read);
+    return count == 3 ? write(arguments[1], arguments[2]) : bench::files::run(count, arguments, read);
 }

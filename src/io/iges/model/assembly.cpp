@@ -50,7 +50,8 @@ struct Instance {
 
 class AssemblyReader {
 public:
-    AssemblyReader(Entities &entities, double factor, const Topology &topology, std::vector<Damage> &damages)
+    AssemblyReader(Entities &entities, double factor, const TopologyEntities &topology,
+                   std::vector<Damage> &damages)
         : entities_(entities), directory_(entities.directory()), factor_(factor), topology_(topology),
           damages_(damages) {
         result_.told.assign(directory_.entries().size(), false);
@@ -257,7 +258,7 @@ private:
     Entities &entities_;
     const Directory &directory_;
     double factor_;
-    const Topology &topology_;
+    const TopologyEntities &topology_;
     std::vector<Damage> &damages_;
     std::map<int64_t, int64_t> subfigures_;           // pointer to part
     std::map<int64_t, int64_t> collections_;          // the same with the groups that are parts
@@ -271,7 +272,7 @@ private:
 
 } // namespace
 
-Assembly read_assembly(Entities &entities, double factor, const Topology &topology,
+Assembly read_assembly(Entities &entities, double factor, const TopologyEntities &topology,
                        std::vector<Damage> &damages) {
     return AssemblyReader(entities, factor, topology, damages).read();
 }

@@ -28,7 +28,7 @@ struct Assembly {
 // Groups (402) hand what they list on to the subfigure that lists them; one that several list is a part of its own. Placements are
 // in the unit that is wanted, of which that of the file is `factor`. Uses that would put a part into itself are told and left out.
 // Cost: n log n in the size of the file, whatever the parts would be if they were multiplied.
-Assembly read_assembly(Entities &entities, double factor, const Topology &topology,
+Assembly read_assembly(Entities &entities, double factor, const TopologyEntities &topology,
                        std::vector<Damage> &damages);
 
 } // namespace nrb::io::iges

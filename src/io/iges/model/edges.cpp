@@ -19,7 +19,7 @@ Place end_of(const Spline &curve, bool upper) {
 
 class EdgeReader {
 public:
-    EdgeReader(Geometry &geometry, const Topology &topology, model::Model &model,
+    EdgeReader(Geometry &geometry, const TopologyEntities &topology, model::Model &model,
                std::vector<Damage> &damages)
         : geometry_(geometry), topology_(topology), model_(model), damages_(damages) {}
 
@@ -104,7 +104,7 @@ private:
     }
 
     Geometry &geometry_;
-    const Topology &topology_;
+    const TopologyEntities &topology_;
     model::Model &model_;
     std::vector<Damage> &damages_;
     std::map<std::pair<int64_t, int64_t>, int64_t> vertices_; // by list and index
@@ -147,7 +147,7 @@ void add_vertices(const face::Face &face, const std::vector<OwnEdge> &edges, std
 
 } // namespace
 
-EdgeLists read_edges(Geometry &geometry, const Topology &topology, model::Model &model,
+EdgeLists read_edges(Geometry &geometry, const TopologyEntities &topology, model::Model &model,
                      std::vector<Damage> &damages) {
     return EdgeReader(geometry, topology, model, damages).run();
 }

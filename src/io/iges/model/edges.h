@@ -14,7 +14,7 @@
 namespace nrb::io::iges {
 
 // The edges of all lists (504), with their vertices, added to the model. Those that could not be read become damages.
-EdgeLists read_edges(Geometry &geometry, const Topology &topology, model::Model &model,
+EdgeLists read_edges(Geometry &geometry, const TopologyEntities &topology, model::Model &model,
                      std::vector<Damage> &damages);
 
 // The edges that a face alone has, added to the model with vertices where two of them meet. Their keys begin at that of the next

@@ -36,7 +36,7 @@ using EdgeLists = std::map<int64_t, std::vector<ListedEdge>>;
 // Throw Error where neither the curves in space nor those in the domain can be read: Status::syntax, unsupported.
 class LoopReader {
 public:
-    LoopReader(Geometry &geometry, const Topology &topology, const Surface &surface) noexcept
+    LoopReader(Geometry &geometry, const TopologyEntities &topology, const Surface &surface) noexcept
         : geometry_(geometry), topology_(topology), surface_(surface) {}
 
     LoopSource curve_on_surface(int64_t pointer);
@@ -58,7 +58,7 @@ private:
     SplinePtr spline(const model::CurvePiece &piece);
 
     Geometry &geometry_;
-    const Topology &topology_;
+    const TopologyEntities &topology_;
     const Surface &surface_;
     std::vector<Vector3> poles_;
 };

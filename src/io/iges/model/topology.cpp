@@ -135,7 +135,7 @@ public:
     TopologyReader(Entities &entities, double factor, std::vector<Damage> &damages)
         : entities_(entities), factor_(factor), damages_(damages) {}
 
-    Topology run() {
+    TopologyEntities run() {
         for (const Entry &entry : entities_.directory().entries()) {
             try {
                 labelling(entry, [&] { read(entry); });
@@ -186,12 +186,12 @@ private:
     Entities &entities_;
     double factor_;
     std::vector<Damage> &damages_;
-    Topology result_;
+    TopologyEntities result_;
 };
 
 } // namespace
 
-Topology read_topology(Entities &entities, double factor, std::vector<Damage> &damages) {
+TopologyEntities read_topology(Entities &entities, double factor, std::vector<Damage> &damages) {
     return TopologyReader(entities, factor, damages).run();
 }
 

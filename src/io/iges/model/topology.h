@@ -74,7 +74,7 @@ struct EdgeEntity {
 };
 
 // By their pointers. What cannot be read is not here.
-struct Topology {
+struct TopologyEntities {
     std::map<int64_t, CurveOnSurface> curves_on_surfaces;
     std::map<int64_t, TrimmedSurface> trimmed;
     std::map<int64_t, Boundary> boundaries;
@@ -96,6 +96,6 @@ struct Damage {
 };
 
 // `factor`: from the unit of the file to the one that is wanted.
-Topology read_topology(Entities &entities, double factor, std::vector<Damage> &damages);
+TopologyEntities read_topology(Entities &entities, double factor, std::vector<Damage> &damages);
 
 } // namespace nrb::io::iges

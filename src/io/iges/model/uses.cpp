@@ -6,7 +6,7 @@ namespace {
 
 class UseMarker {
 public:
-    UseMarker(const Topology &topology, const Directory &directory, std::vector<bool> &used)
+    UseMarker(const TopologyEntities &topology, const Directory &directory, std::vector<bool> &used)
         : topology_(topology), directory_(directory), used_(used) {}
 
     void run() {
@@ -71,14 +71,14 @@ private:
         }
     }
 
-    const Topology &topology_;
+    const TopologyEntities &topology_;
     const Directory &directory_;
     std::vector<bool> &used_;
 };
 
 } // namespace
 
-void mark_used(const Topology &topology, const Directory &directory, std::vector<bool> &used) {
+void mark_used(const TopologyEntities &topology, const Directory &directory, std::vector<bool> &used) {
     UseMarker(topology, directory, used).run();
 }
 

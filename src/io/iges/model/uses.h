@@ -8,6 +8,6 @@ namespace nrb::io::iges {
 
 // Sets the flag of each directory entry that a face, an edge or a boundary of a face names, whether it can be read or not. Curves
 // on surfaces (142) and boundaries (141) that no face names use nothing.
-void mark_used(const Topology &topology, const Directory &directory, std::vector<bool> &used);
+void mark_used(const TopologyEntities &topology, const Directory &directory, std::vector<bool> &used);
 
 } // namespace nrb::io::iges
