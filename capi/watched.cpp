@@ -181,6 +181,23 @@ nurbs_status nurbs_curve_features_with(const nurbs *g, uint32_t kinds, int64_t c
         call, [&] { return nurbs_curve_features(g, kinds, cap, params, found, values, count, complete); });
 }
 
+nurbs_status nurbs_roots_with(const nurbs *g, double value, double tolerance, int64_t cap, double *params,
+                              int32_t *kinds, double *ranges, int64_t *count, int32_t *complete,
+                              const nurbs_call_options *call) {
+    return watched(
+        call, [&] { return nurbs_roots(g, value, tolerance, cap, params, kinds, ranges, count, complete); });
+}
+
+nurbs_status nurbs_curve_level_with(const nurbs *g, int32_t degree, const double *coefficients,
+                                    double tolerance, int64_t cap, double *params, int32_t *kinds,
+                                    double *ranges, int64_t *count, int32_t *complete,
+                                    const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_curve_level(g, degree, coefficients, tolerance, cap, params, kinds, ranges, count,
+                                 complete);
+    });
+}
+
 nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result, double *positive,
                                   double *negative, const nurbs_call_options *call) {
     return watched(call, [&] { return nurbs_fold_test(g, reference, result, positive, negative); });

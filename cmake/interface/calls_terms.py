@@ -92,6 +92,7 @@ FUNCTIONS = {
     "homogeneous": lambda flags: flags >> 30 & 1,  # NURBS_HOMOGENEOUS
     "basis_width": lambda order, degree: (order + 1) * (degree + 1),
     "matrix_size": lambda degree: (degree + 1) ** 2,
+    "monomials": lambda dim, degree: math.comb(dim + degree, degree) if 1 <= degree <= 8 else 0,
     "knot_count": lambda degree, count: degree + 1 + count,
     "bezier_count": lambda degree, pieces: degree * pieces + 1,
 }

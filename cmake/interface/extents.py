@@ -28,6 +28,7 @@ FUNCTIONS = {
     "periodic_count": "control points of a degree, breaks of a period and multiplicities",
     "basis_width": "(order + 1) (degree + 1); 0 where the library refuses them",
     "matrix_size": "(degree + 1)^2; 0 where the library refuses the degree",
+    "monomials": "coefficients of a polynomial of a degree in so many variables; 0 where the library refuses the degree",
 }
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*"}
 

@@ -23,7 +23,7 @@ CRATE = {
              "WriteOptions"],
     "moments": ["moments_of"],
     "placement": ["dimension_of", "pointer", "require_length", "Placement", "Turn"],
-    "sizes": ["axes_of", "basis_width", "bezier_count", "bezier_points", "homogeneous", "knot_count", "matrix_size",
+    "sizes": ["axes_of", "basis_width", "bezier_count", "bezier_points", "homogeneous", "knot_count", "matrix_size", "monomials",
               "periodic_count", "positive", "product", "sum", "times"],
     "spline": ["handles", "some_handles", "Spline"],
     "statistics": ["statistics_handles", "Statistics"],

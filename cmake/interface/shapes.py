@@ -81,6 +81,8 @@ class Shapes:
         words = [self.text(argument) for argument in term.arguments]
         if term.name == "slots":
             return f"slots(axes_of({self.spline(term.of)}), {words[0]})"
+        if term.name == "monomials":
+            return f"monomials({', '.join(words)})"
         if term.name == "homogeneous":
             return f"(({words[0]} & NURBS_HOMOGENEOUS) != 0)"
         if term.name in OF_SPLINE:

@@ -584,11 +584,11 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * and writes nothing.
  *
  * **Without a limit of the caller's** the functions that go on until something holds (distances of two
- * splines, features of curves, the fold test, constraints, bends, free-form deformations, fits to a tolerance
- * and of clouds, approximations) have one of their own: some 10^9 multiply-adds, about a second, and 20000 to
- * 1500000 for each control point or datum. They answer there as at a limit of the caller's, with
- * NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK; fits always have an answer. A larger `work`, or a
- * budget, takes its place.
+ * splines, features of curves, the fold test, roots, constraints, bends, free-form deformations,
+ * fits to a tolerance and of clouds, approximations) have one of their own: some 10^9 multiply-adds, about a
+ * second, and 20000 to 1500000 for each control point or datum. They answer there as at a limit of the
+ * caller's, with NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK; fits always have an answer. A
+ * larger `work`, or a budget, takes its place.
  * @{ */
 
 /** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends
@@ -5228,6 +5228,97 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
 NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result,
                                             double *positive, double *negative,
                                             const nurbs_call_options *call);
+/** @} */
+
+/** \defgroup intersections Where shapes meet
+ * \code
+ * const double plane[] = {0, 0, 1, -0.5}; // z = 0.5
+ * double params[8];
+ * int64_t count = 0;
+ * int32_t complete = 0; // 1: proven that there are no others
+ * nurbs_curve_level(curve, 1, plane, 1e-9, 8, params, NULL, NULL, &count, &complete);
+ * \endcode
+ * Every answer says what is proven. Each hit has a kind and a range of parameters, and it is proven that
+ * there is no solution outside of the ranges; `complete` is 1 if no hit is undecided. With a tolerance of 0
+ * only what double precision proves is decided: what touches to rounding is undecided, unless the control
+ * points say without any rounding that it touches.
+ * @{ */
+
+/** \name Kinds of hits
+ * @{ */
+#define NURBS_HIT_CROSSING 1  /**< from one side to the other, or an end that is reached */
+#define NURBS_HIT_TANGENT 2   /**< a touch, as far as rounding and the tolerance can tell */
+#define NURBS_HIT_CONTACT 3   /**< proven apart, but by no more than the tolerance: the nearest place */
+#define NURBS_HIT_OVERLAP 4   /**< within the tolerance in all of the range, a span or more */
+#define NURBS_HIT_JUMP 5      /**< from one side to the other where the curve jumps, and meets nothing */
+#define NURBS_HIT_UNDECIDED 6 /**< a range in which it is left open what there is */
+/** @} */
+
+/** \brief Roots of a scalar curve: where f(t) = value. Signs of Bernstein coefficients prove how many there
+ * are (Descartes' rule), so that none is lost or given twice, also at knots and ends. Where |f - value| <=
+ * tolerance on a whole span of the knots or more, that range is one hit, an overlap, unless there is just one
+ * root in it.
+ * \param[in] g a curve of dimension 1.
+ * \param[in] value what f has to come to, finite.
+ * \param[in] tolerance largest |f - value| that counts as none, >= 0.
+ * \param[in] cap length of the outputs: 0, or at least the number of hits.
+ * \param[out] params [cap] or NULL: where, in rising order; the middle of an overlap or of a range that is
+ *   undecided. A root at the seam of a periodic curve is at its lower end.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
+ * \param[out] ranges [cap][2] or NULL: of parameters, the range of a crossing or a tangent that holds the
+ *   root, and that of a contact or an overlap in which |f - value| <= tolerance. On periodic curves they may
+ *   end in the next period. Where the curve jumps, the limit from either side may be meant.
+ * \param[out] count or NULL: number of hits.
+ * \param[out] complete or NULL: 1 if none of them is undecided, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
+ *   _NOT_REPRESENTABLE; _POINT_NOT_FINITE if value is not finite, _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_roots(const nurbs *g, double value, double tolerance, int64_t cap,
+                                   double *params, int32_t *kinds, double *ranges, int64_t *count,
+                                   int32_t *complete);
+
+/** \brief nurbs_roots() as a call that can be watched and ended.
+ * \param[in] g,value,tolerance,cap as for nurbs_roots().
+ * \param[out] params,kinds,ranges,count,complete as for nurbs_roots().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_roots(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_roots_with(const nurbs *g, double value, double tolerance, int64_t cap,
+                                        double *params, int32_t *kinds, double *ranges, int64_t *count,
+                                        int32_t *complete, const nurbs_call_options *call);
+
+/** \brief Where a curve meets a line, a plane, a conic, a sphere, a quadric or another set f(x) = 0 of a
+ * polynomial f. Its coefficients are those of the products x_i x_j ... of `degree` factors with i <= j <=
+ * ..., in lexicographic order, where x_dim stands for 1:
+ *     a x + b y + c of a line in the plane, a x + b y + c z + d of a plane,
+ *     a x x + b x y + c x + d y y + e y + f of a conic,
+ *     a x x + b x y + c x z + d x + e y y + f y z + g y + h z z + i z + j of a quadric.
+ * \param[in] g a curve.
+ * \param[in] degree of f, 1 to 8.
+ * \param[in] coefficients [M], M = (dim + degree)! / (dim! degree!), not all of them 0 but the last.
+ * \param[in] tolerance largest |f| that counts as none, >= 0: a distance, if degree is 1 and (a, b, c) a unit
+ *   vector; of a sphere as (|x - m|^2 - r^2) / (2 r) nearly so.
+ * \param[in] cap length of the outputs: 0, or at least the number of hits.
+ * \param[out] params,kinds,ranges,count,complete as for nurbs_roots(), of f on the curve.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
+ *   _DEGREE, _POINT_NOT_FINITE if a coefficient is not finite, _DIRECTION if all but the last are 0, _SIZE if
+ *   cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_level(const nurbs *g, int32_t degree, const double *coefficients,
+                                         double tolerance, int64_t cap, double *params, int32_t *kinds,
+                                         double *ranges, int64_t *count, int32_t *complete);
+
+/** \brief nurbs_curve_level() as a call that can be watched and ended.
+ * \param[in] g,degree,coefficients,tolerance,cap as for nurbs_curve_level().
+ * \param[out] params,kinds,ranges,count,complete as for nurbs_curve_level().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_level(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_level_with(const nurbs *g, int32_t degree, const double *coefficients,
+                                              double tolerance, int64_t cap, double *params, int32_t *kinds,
+                                              double *ranges, int64_t *count, int32_t *complete,
+                                              const nurbs_call_options *call);
+
 /** @} */
 
 /** \defgroup edit Weights and control points

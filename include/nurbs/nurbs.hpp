@@ -48,6 +48,7 @@
 #include <nurbs/cpp/fitting.hpp>
 #include <nurbs/cpp/frames.hpp>
 #include <nurbs/cpp/handles.hpp>
+#include <nurbs/cpp/intersections.hpp>
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>

@@ -120,8 +120,11 @@ double HomogeneousPiece::parameter(int k, double place) const noexcept {
                       : std::clamp(range.lower * (1 - place) + range.upper * place, range.lower, range.upper);
 }
 
-PieceMaker::PieceMaker(const Spline &spline, const Part &part)
-    : spline_(spline), weighted_(spline.rational() && !refine::equal_weights(spline)) {
+PieceMaker::PieceMaker(const Spline &spline, const Part &part) : PieceMaker(spline, part, {}) {}
+
+PieceMaker::PieceMaker(const Spline &spline, const Part &part, std::vector<double> centre)
+    : spline_(spline), weighted_(spline.rational() && !refine::equal_weights(spline)),
+      centre_(std::move(centre)) {
     for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
         breaks_[k] = breaks_in(spline.axis(static_cast<int>(k)), part[k]);
     }
@@ -185,7 +188,7 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
     const Spline sub = sub_spline(spans);
     const bool homogeneous = sub.form() == Form::homogeneous;
     const bool weighted = weighted_ || homogeneous;
-    piece.centre = local_centre(sub);
+    piece.centre = centre_.empty() ? local_centre(sub) : centre_;
     const CentredRecords records =
         centred_records(sub, piece.centre, weighted, weighted ? weight_exponent(sub) : 0);
     const BernsteinNet net(sub, records, ends, degrees),

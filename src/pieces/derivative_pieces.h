@@ -28,6 +28,8 @@ struct HomogeneousPiece {
 class PieceMaker {
 public:
     PieceMaker(const Spline &spline, const Part &part);
+    // About a centre that they all have.
+    PieceMaker(const Spline &spline, const Part &part, std::vector<double> centre);
 
     [[nodiscard]] int64_t count() const noexcept;
     [[nodiscard]] int64_t count(int k) const noexcept {
@@ -43,6 +45,7 @@ private:
 
     const Spline &spline_;
     bool weighted_;
+    std::vector<double> centre_; // none: each has its own
     BernsteinNet::Breaks breaks_;
 };
 

@@ -125,6 +125,11 @@ static void curve_shapes() {
     const CurveFeatures kink = features(polyline(2, {0, 0, 1, 0, 1, 1}), feature_kink | feature_cusp);
     EXPECT(near(kink.params, {1}) && kink.found == std::vector{feature_kink});
     EXPECT(near(kink.values, {pi / 2}));
+    const Hits zeros = roots(Spline::create_bezier({2}, 1, {0.75, -1.25, 0.75}));
+    EXPECT(near(zeros.params, {0.25, 0.75}) && zeros.kinds == (std::vector{hit_crossing, hit_crossing}) &&
+           zeros.complete);
+    const Hits level = curve_level(circle({}, 1), 1, {1, 2, 0});
+    EXPECT(level.kinds == (std::vector{hit_crossing, hit_crossing}) && level.complete);
     const MonotonePieces pieces = monotone_pieces(circle({}, 1), {1, 0});
     EXPECT(near(pieces.starts, {0, 0.5}) && pieces.signs == (std::vector{-1, 1}) && pieces.complete);
     EXPECT(convexity(circle({}, 1)) == convexity_left && convexity(base()) == convexity_straight);

@@ -187,7 +187,8 @@ contains
         type(nurbs_spline) :: g
         real(c_double), allocatable :: params(:), values(:)
         integer(c_int32_t), allocatable :: found(:), signs(:)
-        real(c_double) :: corners(3, 2), bezier(4, 2)
+        real(c_double), allocatable :: ranges(:, :)
+        real(c_double) :: corners(3, 2), bezier(4, 2), parabola(3, 1)
         logical :: complete
         bezier(:, 1) = [0, 1, 2, 3]
         bezier(:, 2) = [0, 2, -2, 0]
@@ -199,6 +200,12 @@ contains
         call create_polyline(g, corners)
         call curve_features(g, NURBS_FEATURE_KINK + NURBS_FEATURE_CUSP, params, found, values)
         call expect(near([params, values], [1d0, pi / 2]) .and. all(found == NURBS_FEATURE_KINK), 'a kink')
+        parabola(:, 1) = [0.75d0, -1.25d0, 0.75d0]
+        call g%create_bezier([2], parabola)
+        call roots(g, params, signs, ranges, complete)
+        call expect(near(params, [0.25d0, 0.75d0]) .and. complete .and. all(signs == NURBS_HIT_CROSSING), 'roots')
+        call curve_level(ring, 1, [1d0, 2d0, 0d0], params, signs, ranges, complete)
+        call expect(size(params) == 2 .and. complete .and. all(shape(ranges) == [2, 2]), 'a line through a ring')
         call monotone_pieces(ring, [1d0, 0d0], params, signs, complete)
         call expect(near(params, [0d0, 0.5d0]) .and. all(signs == [-1, 1]) .and. complete, 'monotone pieces')
     end subroutine curve_shapes

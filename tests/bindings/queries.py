@@ -194,6 +194,24 @@ def cusp():
     return nurbs.Spline.bezier([[3, -1], [-1, 1], [-1, -1], [3, 1]])
 
 
+class Intersections(unittest.TestCase):
+    def test_roots(self):
+        found = nurbs.Spline.bezier([[0.75], [-1.25], [0.75]]).roots()
+        near(found.params, [0.25, 0.75])
+        self.assertEqual((found.kinds.tolist(), found.complete), ([nurbs.NURBS_HIT_CROSSING] * 2, True))
+        self.assertEqual(found.ranges.shape, (2, 2))
+        self.assertEqual(nurbs.Spline.bezier([[0.75], [-1.25], [0.75]]).roots(-1).params.shape, (0,))
+
+    def test_levels(self):
+        circle = nurbs.circle()
+        near(circle.curve_level(1, [0, 1, -0.5]).params, [1 / 12, 5 / 12], by=0.01)
+        self.assertEqual(circle.curve_level(2, [0.25, 0, 0, 4, 0, -1]).params.size, 4)
+        with self.assertRaises(ValueError):
+            circle.curve_level(2, [1, 0, 0])
+        with self.assertRaises(nurbs.ArgumentError):
+            circle.curve_level(9, [0] * 55)
+
+
 class Features(unittest.TestCase):
     def test_features(self):
         bend = nurbs.Spline.bezier([[0, 0], [1, 2], [2, -2], [3, 0]])

@@ -147,6 +147,9 @@ fn curve_shapes() -> Result<()> {
     let kink = corner.features(sys::NURBS_FEATURE_KINK | sys::NURBS_FEATURE_CUSP)?.found[0];
     assert_eq!(kink.kind, sys::NURBS_FEATURE_KINK);
     assert!(near(&[kink.param, kink.value], &[1., PI / 2.]));
+    let zeros = Spline::bezier(&[2], 1, &[0.75, -1.25, 0.75], None)?.roots(0., 0.)?;
+    assert!(near(&zeros.params, &[0.25, 0.75]) && zeros.complete && zeros.ranges.len() == 2);
+    assert_eq!(circle(1.)?.curve_level(1, &[1., 2., 0.], 0.)?.kinds, [sys::NURBS_HIT_CROSSING; 2]);
     let ways = circle(1.)?.monotone_pieces(&[1., 0.])?;
     let (starts, signs): (Vec<f64>, Vec<i32>) = ways.pieces.into_iter().unzip();
     assert!(near(&starts, &[0., 0.5]) && signs == [-1, 1] && ways.complete);

@@ -53,6 +53,7 @@ module nurbs
     use nurbs_measures
     use nurbs_bounds
     use nurbs_features
+    use nurbs_intersections
     use nurbs_edits
     use nurbs_deformations
     use nurbs_segments

@@ -2793,6 +2793,62 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_fold_test_with
+        ! --- Where shapes meet
+        !> Roots of a scalar curve: where f(t) = value.
+        function nurbs_roots(g, value, tolerance, cap, params, kinds, ranges, count, complete) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: value, tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_roots
+        !> nurbs_roots() as a call that can be watched and ended.
+        function nurbs_roots_with(g, value, tolerance, cap, params, kinds, ranges, count, complete, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: value, tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_roots_with
+        !> Where a curve meets a line, a plane, a conic, a sphere, a quadric or another set f(x) = 0 of a
+        !> polynomial f.
+        function nurbs_curve_level(g, degree, coefficients, tolerance, cap, params, kinds, ranges, count, &
+                complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: degree
+            real(c_double), intent(in) :: coefficients(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_curve_level
+        !> nurbs_curve_level() as a call that can be watched and ended.
+        function nurbs_curve_level_with(g, degree, coefficients, tolerance, cap, params, kinds, ranges, &
+                count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: degree
+            real(c_double), intent(in) :: coefficients(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_level_with
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.

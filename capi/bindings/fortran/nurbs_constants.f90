@@ -401,6 +401,19 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_FOLD_FOUND = 1  ! proven: there is one
     integer(c_int32_t), parameter :: NURBS_FOLD_UNDECIDED = 2  ! neither
 
+    ! --- Kinds of hits
+    ! from one side to the other, or an end that is reached
+    integer(c_int32_t), parameter :: NURBS_HIT_CROSSING = 1
+    ! a touch, as far as rounding and the tolerance can tell
+    integer(c_int32_t), parameter :: NURBS_HIT_TANGENT = 2
+    ! proven apart, but by no more than the tolerance: the nearest place
+    integer(c_int32_t), parameter :: NURBS_HIT_CONTACT = 3
+    ! within the tolerance in all of the range, a span or more
+    integer(c_int32_t), parameter :: NURBS_HIT_OVERLAP = 4
+    ! from one side to the other where the curve jumps, and meets nothing
+    integer(c_int32_t), parameter :: NURBS_HIT_JUMP = 5
+    integer(c_int32_t), parameter :: NURBS_HIT_UNDECIDED = 6  ! a range in which it is left open what there is
+
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_VALUE = 0

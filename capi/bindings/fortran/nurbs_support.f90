@@ -13,7 +13,7 @@ module nurbs_support
     public :: shape_error, full_turn, any_size, given, settle, string, infinity, dimension_of, step, column, fits
     public :: size_if_given, statistics_axes_of, face_dim_of
     public :: fitting, held, axes_of, dim_of, points_of, rational_of, count_of, degree_of, slots_of, active_of, net_size
-    public :: knot_count, bezier_count, periodic_count, matrix_size, homogeneous
+    public :: knot_count, bezier_count, periodic_count, matrix_size, monomials, homogeneous
 
     !> NURBS_ERROR_SIZE found on this side, where the library has no message for it.
     integer(c_int32_t), parameter :: shape_error = -NURBS_ERROR_SIZE
@@ -317,6 +317,18 @@ contains
         integer(c_int64_t), intent(in) :: degree
         matrix_size = (degree + 1)**2
     end function matrix_size
+
+    !> Coefficients of a polynomial in the coordinates; 0 where the library refuses the degree.
+    pure integer(c_int64_t) function monomials(dim, degree)
+        integer(c_int64_t), intent(in) :: dim
+        integer(c_int32_t), intent(in) :: degree
+        integer(c_int64_t) :: i
+        monomials = merge(1_c_int64_t, 0_c_int64_t, degree >= 1 .and. degree <= 8)
+        do i = 1, degree
+            if (monomials > huge(i) / (dim + i)) monomials = 0
+            monomials = monomials * (dim + i) / i
+        end do
+    end function monomials
 
     !> The column of weights that points have beside their dim coordinates.
     pure integer(c_int64_t) function homogeneous(flags)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <string>
@@ -164,6 +165,15 @@ inline std::int64_t basis_width(std::int32_t degree, std::int32_t order) {
 }
 inline std::int64_t matrix_size(std::int32_t degree) {
     return is_degree(degree) ? std::int64_t{degree + 1} * (degree + 1) : 0;
+}
+// Coefficients of a polynomial in the coordinates; 0 where the library will refuse the degree.
+inline std::int64_t monomials(std::int32_t dim, std::int32_t degree) {
+    std::int64_t count = degree >= 1 && degree <= 8 ? 1 : 0;
+    for (std::int32_t i = 1; i <= degree && count > 0; ++i) {
+        const bool fits = count <= (std::numeric_limits<std::int64_t>::max)() / (std::int64_t{dim} + i);
+        count = fits ? count * (std::int64_t{dim} + i) / i : 0;
+    }
+    return count;
 }
 
 } // namespace detail

@@ -31,7 +31,7 @@ TrimMap::TrimMap(FoldedPieces folded, const Covering &covering, const std::vecto
 }
 
 size_t TrimMap::bucket(double u) const noexcept {
-    const double column = (u - covering_->domain(0).lower) * columns_per_unit_;
+    const double column = (u - covering_->domain(0).lower) / covering_->period(0) * columns_;
     const auto last = static_cast<double>(starts_.size() - 2);
     return static_cast<size_t>(std::clamp(column, 0.0, last));
 }
@@ -45,7 +45,7 @@ void TrimMap::fill_buckets() {
     }
     const double columns =
         std::clamp(std::floor((most_items - 1) * n / std::max(widths, 1.0)), 1.0, 2 * n + 1);
-    columns_per_unit_ = columns / covering_->period(0);
+    columns_ = columns;
     starts_.assign(static_cast<size_t>(columns) + 1, 0);
     const auto for_each = [&](auto &&put) {
         for (size_t i = 0; i < all.size(); ++i) {

@@ -87,7 +87,7 @@ private:
     const Covering *covering_;
     std::vector<Item> items_;
     std::vector<size_t> starts_;
-    double columns_per_unit_ = 0;
+    double columns_ = 0;
     std::vector<bool> turned_;
     int corner_ = 1; // the value at the corner
 };

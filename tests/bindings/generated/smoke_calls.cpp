@@ -2164,6 +2164,40 @@ void query(const Inputs &in) {
         show("negative", found.negative);
     }
     {
+        begin("roots");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = n::roots(ramp, 0.5, 0.0);
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("roots count");
+        const n::Spline round = n::Spline::create_bezier({2}, 1, {0.0, 2.0, 9.0});
+        const auto found = n::roots(round, 3.0, 1e-09);
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_level");
+        const auto found = n::curve_level(in.curve, 1, {0.1, 0.9, -0.3}, 1e-09);
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_level conic");
+        const auto found = n::curve_level(in.loop, 2, {1.0, 0.0, 0.0, 1.0, 0.0, -0.5}, 0.0);
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
         begin("fold_test seen from above");
         const auto found = n::fold_test(in.surface, {1.0, 2.0, 3.0});
         show("result", found.result);
@@ -2514,6 +2548,40 @@ void query(const Inputs &in) {
         show("result", found.result);
         show("positive", found.positive);
         show("negative", found.negative);
+    }
+    {
+        begin("roots_with");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = n::roots(ramp, 0.5, 0.0, watched());
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("roots_with count");
+        const n::Spline round = n::Spline::create_bezier({2}, 1, {0.0, 2.0, 9.0});
+        const auto found = n::roots(round, 3.0, 1e-09, watched());
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_level_with");
+        const auto found = n::curve_level(in.curve, 1, {0.1, 0.9, -0.3}, 1e-09, watched());
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_level_with conic");
+        const auto found = n::curve_level(in.loop, 2, {1.0, 0.0, 0.0, 1.0, 0.0, -0.5}, 0.0, watched());
+        show("params", found.params);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
     }
     {
         begin("fold_test_with seen from above");

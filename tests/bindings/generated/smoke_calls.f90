@@ -3731,6 +3731,66 @@ contains
             call show('positive', positive_found)
             call show('negative', negative_found)
         end block
+        call begin('roots')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            call roots(g=ramp, params=params_found, kinds=kinds_found, ranges=ranges_found, complete=complete_found, &
+                value=0.5d0, tolerance=0.0d0)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
+        call begin('roots count')
+        block
+            type(nurbs_spline) :: round
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            call round%create_bezier(degrees=[2], points=reshape([0.0d0, 2.0d0, 9.0d0], [3, 1], order=[2, 1]))
+            call roots(g=round, params=params_found, kinds=kinds_found, ranges=ranges_found, complete=complete_found, &
+                value=3.0d0, tolerance=1d-09)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
+        call begin('curve_level')
+        block
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            call curve_level(g=curve, degree=1, coefficients=[0.1d0, 0.9d0, -0.3d0], params=params_found, &
+                kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=1d-09)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
+        call begin('curve_level conic')
+        block
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            call curve_level(g=loop, degree=2, coefficients=[1.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, -0.5d0], &
+                params=params_found, kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=0.0d0)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
         call begin('fold_test seen from above')
         block
             integer(c_int32_t) :: fold_found
@@ -4271,6 +4331,71 @@ contains
             call show('result', fold_found)
             call show('positive', positive_found)
             call show('negative', negative_found)
+        end block
+        call begin('roots_with')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            call roots(g=ramp, params=params_found, kinds=kinds_found, ranges=ranges_found, complete=complete_found, &
+                value=0.5d0, tolerance=0.0d0, call=watching)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
+        call begin('roots_with count')
+        block
+            type(nurbs_spline) :: round
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call round%create_bezier(degrees=[2], points=reshape([0.0d0, 2.0d0, 9.0d0], [3, 1], order=[2, 1]))
+            call roots(g=round, params=params_found, kinds=kinds_found, ranges=ranges_found, complete=complete_found, &
+                value=3.0d0, tolerance=1d-09, call=watching)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
+        call begin('curve_level_with')
+        block
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call curve_level(g=curve, degree=1, coefficients=[0.1d0, 0.9d0, -0.3d0], params=params_found, &
+                kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=1d-09, call=watching)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
+        end block
+        call begin('curve_level_with conic')
+        block
+            real(c_double), allocatable :: params_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call curve_level(g=loop, degree=2, coefficients=[1.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, -0.5d0], &
+                params=params_found, kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=0.0d0, &
+                call=watching)
+            call show('params', params_found)
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+            call show('complete', complete_found)
         end block
         call begin('fold_test_with seen from above')
         block

@@ -3081,6 +3081,42 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("positive", &found.positive);
         show("negative", &found.negative);
     }
+    begin("roots");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = ramp.roots(0.5, 0.0)?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("roots count");
+    {
+        let round = Spline::bezier(&[2], 1, &[0.0, 2.0, 9.0], None)?;
+        let found = round.roots(3.0, 1e-09)?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("curve_level");
+    {
+        let found = given.curve.curve_level(1, &[0.1, 0.9, -0.3], 1e-09)?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("curve_level conic");
+    {
+        let found = given
+            .r#loop
+            .curve_level(2, &[1.0, 0.0, 0.0, 1.0, 0.0, -0.5], 0.0)?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
     begin("fold_test seen from above");
     {
         let found = given.surface.fold_test(&[1.0, 2.0, 3.0])?;
@@ -3532,6 +3568,50 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("result", &found.result);
         show("positive", &found.positive);
         show("negative", &found.negative);
+    }
+    begin("roots_with");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = ramp.roots_with(0.5, 0.0, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("roots_with count");
+    {
+        let round = Spline::bezier(&[2], 1, &[0.0, 2.0, 9.0], None)?;
+        let found = round.roots_with(3.0, 1e-09, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("curve_level_with");
+    {
+        let found = given.curve.curve_level_with(
+            1,
+            &[0.1, 0.9, -0.3],
+            1e-09,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("curve_level_with conic");
+    {
+        let found = given.r#loop.curve_level_with(
+            2,
+            &[1.0, 0.0, 0.0, 1.0, 0.0, -0.5],
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
     }
     begin("fold_test_with seen from above");
     {

@@ -137,6 +137,15 @@ inline int64_t slots(int32_t axes, int32_t order) {
     return ask<int64_t>(nurbs_derivative_slots, axes, order);
 }
 
+// Coefficients of a polynomial; 0 where the library refuses the degree.
+inline int64_t monomials(int32_t dim, int32_t degree) {
+    int64_t count = degree >= 1 && degree <= 8 ? 1 : 0;
+    for (int32_t i = 1; i <= degree && count > 0; ++i) {
+        count = count <= INT64_MAX / (dim + i) ? count * (dim + i) / i : 0;
+    }
+    return count;
+}
+
 } // namespace shape_terms
 
 #endif

@@ -64,6 +64,7 @@ from ._fit import *  # noqa: F403
 from ._fitting import *  # noqa: F403
 from ._fitting import _restored_statistics
 from ._frames import *  # noqa: F403
+from ._intersections import *  # noqa: F403
 from ._knots import *  # noqa: F403
 from ._linear import *  # noqa: F403
 from ._measure import *  # noqa: F403

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Sequence, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, Optional
 
 import numpy
 
 from ._arrays import address, if_given
 from ._base import SplineBase
-from ._calls import watched
+from ._calls import listed, watched
 from ._library import call, get, lib
 from .constants import (NURBS_FEATURE_CURVATURE_MAXIMUM, NURBS_FEATURE_CURVATURE_MINIMUM, NURBS_FEATURE_CUSP,
                         NURBS_FEATURE_INFLECTION, NURBS_FEATURE_JUMP, NURBS_FEATURE_KINK, NURBS_FEATURE_TORSION)
@@ -106,18 +106,6 @@ class ShapeFactor(NamedTuple):
 
 _PLANE = (NURBS_FEATURE_INFLECTION | NURBS_FEATURE_CURVATURE_MAXIMUM | NURBS_FEATURE_CURVATURE_MINIMUM
           | NURBS_FEATURE_CUSP | NURBS_FEATURE_KINK | NURBS_FEATURE_JUMP)
-_Found = TypeVar("_Found")
-
-
-def _listed(result: Callable[..., _Found], arrays: Callable[[int], Sequence[Any]], function: Any,
-            *arguments: Any) -> _Found:
-    """What function(arguments..., cap, arrays..., count, complete) lists in arrays(count)."""
-    count, complete = ctypes.c_int64(), ctypes.c_int32()
-    ends = ctypes.byref(count), ctypes.byref(complete)
-    call(function, *arguments, 0, *[None] * len(arrays(0)), *ends)
-    found = arrays(count.value)
-    call(function, *arguments, count.value, *(array.ctypes.data for array in found), *ends)
-    return result(*found, bool(complete.value))
 
 
 class Analysis(SplineBase):
@@ -129,13 +117,13 @@ class Analysis(SplineBase):
         all kinds unless a sum of NURBS_FEATURE_ constants is given."""
         if kinds is None:
             kinds = _PLANE | NURBS_FEATURE_TORSION if self.dimension == 3 else _PLANE
-        return _listed(CurveFeatures, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty(n)),
+        return listed(CurveFeatures, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty(n)),
                        watched(lib.nurbs_curve_features, progress, work, 2), self._handle, kinds)
 
     def monotone_pieces(self, direction: ArrayLike) -> MonotonePieces:
         """The pieces of a curve on which direction . C(t) rises, falls or stays; direction (dimension,)."""
         along = self._coordinates(direction, "a direction")
-        return _listed(MonotonePieces, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32)),
+        return listed(MonotonePieces, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32)),
                        lib.nurbs_curve_monotone_pieces, self._handle, along.ctypes.data)
 
     def convexity(self) -> int:
@@ -166,7 +154,7 @@ class Analysis(SplineBase):
     def singular_points(self, tolerance: float) -> SingularPoints:
         """Places where C' = 0, or S_u x S_v = 0; the tolerance is a part of the domain's length."""
         axes = self.axes
-        return _listed(SingularPoints, lambda n: (numpy.empty((n, axes)), numpy.empty((n, axes, 2))),
+        return listed(SingularPoints, lambda n: (numpy.empty((n, axes)), numpy.empty((n, axes, 2))),
                        lib.nurbs_singular_points, self._handle, tolerance)
 
     def fold_test(self, reference: Optional[ArrayLike] = None, *, progress: Progress = None,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ctypes
 import threading
-from typing import TYPE_CHECKING, Any, Callable, Dict, Generator, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Generator, List, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 
@@ -224,6 +224,8 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_enclosed_volume, lib.nurbs_enclosed_volume_with),
         (lib.nurbs_curve_features, lib.nurbs_curve_features_with),
         (lib.nurbs_fold_test, lib.nurbs_fold_test_with),
+        (lib.nurbs_roots, lib.nurbs_roots_with),
+        (lib.nurbs_curve_level, lib.nurbs_curve_level_with),
         (lib.nurbs_fit_errors, lib.nurbs_fit_errors_with),
         (lib.nurbs_fit_criteria, lib.nurbs_fit_criteria_with),
         (lib.nurbs_face_classify, lib.nurbs_face_classify_with),
@@ -316,6 +318,9 @@ class _Watched:
 _FUNCTIONS = {plain.__name__: _Interruptible(plain, form(plain, long)) for form, pairs in _LONG for plain, long in pairs}
 
 
+_Found = TypeVar("_Found")
+
+
 def watched(function: Any, progress: Progress, work: Optional[int], calls: int = 1) -> Any:
     """A function of the library to be called with its plain arguments, as many as `calls` times, each with the limit of
     `work`: in its long form, if it is one that has one and that nobody has replaced."""
@@ -327,3 +332,14 @@ def watched(function: Any, progress: Progress, work: Optional[int], calls: int =
     if not isinstance(progress, (bool, type(None))) and not callable(progress):
         raise TypeError(f"progress is to be a function, True or None, not {type(progress).__name__}")
     return _Watched(long, progress, 0 if work is None else int64(work), calls)
+
+
+def listed(result: Callable[..., _Found], arrays: Callable[[int], Sequence[Any]], function: Any,
+           *arguments: Any) -> _Found:
+    """What function(arguments..., cap, arrays..., count, complete) lists in arrays(count)."""
+    count, complete = ctypes.c_int64(), ctypes.c_int32()
+    ends = ctypes.byref(count), ctypes.byref(complete)
+    call(function, *arguments, 0, *[None] * len(arrays(0)), *ends)
+    found = arrays(count.value)
+    call(function, *arguments, count.value, *(array.ctypes.data for array in found), *ends)
+    return result(*found, bool(complete.value))

@@ -24,6 +24,7 @@ from ._edit import Edits
 from ._evaluation import Evaluation
 from ._forms import Forms, Transformations
 from ._frames import Frames
+from ._intersections import Intersections
 from ._linear import Linear
 from ._measure import Measures
 from ._plot import Plots
@@ -42,8 +43,8 @@ __all__ = ["Spline"]
 
 
 class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Sweeps,
-             Frames, Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Clouds, Linear,
-             Plots):
+             Frames, Distances, Measures, Bounds, Analysis, Intersections, Edits, Constraints, Deformations, Clouds,
+             Linear, Plots):
     """A curve, surface or volume: C(t) = sum_i w_i N_i(t) P_i / sum_j w_j N_j(t).
 
         s = nurbs.Spline(2, [0, 0, 0, 1, 1, 1], [[1, 0], [1, 1], [0, 1]], [1, 0.5**0.5, 1])

@@ -274,6 +274,14 @@ NURBS_FOLD_NONE = 0  # proven: there is none
 NURBS_FOLD_FOUND = 1  # proven: there is one
 NURBS_FOLD_UNDECIDED = 2  # neither
 
+# --- Kinds of hits
+NURBS_HIT_CROSSING = 1  # from one side to the other, or an end that is reached
+NURBS_HIT_TANGENT = 2  # a touch, as far as rounding and the tolerance can tell
+NURBS_HIT_CONTACT = 3  # proven apart, but by no more than the tolerance: the nearest place
+NURBS_HIT_OVERLAP = 4  # within the tolerance in all of the range, a span or more
+NURBS_HIT_JUMP = 5  # from one side to the other where the curve jumps, and meets nothing
+NURBS_HIT_UNDECIDED = 6  # a range in which it is left open what there is
+
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
 NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way

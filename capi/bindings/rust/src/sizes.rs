@@ -87,6 +87,15 @@ pub(crate) fn matrix_size(degree: i32) -> usize {
     }
 }
 
+/// Coefficients of a polynomial in the coordinates; 0 where the library refuses the degree.
+pub(crate) fn monomials(dim: usize, degree: i32) -> usize {
+    if !(1..=8).contains(&degree) {
+        return 0;
+    }
+    let count = (1..=degree as u128).try_fold(1u128, |count, i| Some(count.checked_mul(dim as u128 + i)? / i));
+    count.and_then(|count| usize::try_from(count).ok()).unwrap_or(0)
+}
+
 impl Spline {
     /// The number of derivatives up to an order.
     pub(crate) fn slots(&self, order: i32) -> Result<usize> {

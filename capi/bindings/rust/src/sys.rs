@@ -840,6 +840,20 @@ pub const NURBS_FOLD_FOUND: i32 = 1;
 /// neither
 pub const NURBS_FOLD_UNDECIDED: i32 = 2;
 
+// --- Kinds of hits
+/// from one side to the other, or an end that is reached
+pub const NURBS_HIT_CROSSING: i32 = 1;
+/// a touch, as far as rounding and the tolerance can tell
+pub const NURBS_HIT_TANGENT: i32 = 2;
+/// proven apart, but by no more than the tolerance: the nearest place
+pub const NURBS_HIT_CONTACT: i32 = 3;
+/// within the tolerance in all of the range, a span or more
+pub const NURBS_HIT_OVERLAP: i32 = 4;
+/// from one side to the other where the curve jumps, and meets nothing
+pub const NURBS_HIT_JUMP: i32 = 5;
+/// a range in which it is left open what there is
+pub const NURBS_HIT_UNDECIDED: i32 = 6;
+
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
 pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
@@ -3446,6 +3460,68 @@ extern "C" {
         result: *mut i32,
         positive: *mut f64,
         negative: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    // --- Where shapes meet
+    /// Roots of a scalar curve: where f(t) = value.
+    ///
+    /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`.
+    pub fn nurbs_roots(
+        g: *const nurbs,
+        value: f64,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_roots() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`, `call`.
+    pub fn nurbs_roots_with(
+        g: *const nurbs,
+        value: f64,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Where a curve meets a line, a plane, a conic, a sphere, a quadric or another set f(x) = 0 of a
+    /// polynomial f.
+    ///
+    /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`.
+    pub fn nurbs_curve_level(
+        g: *const nurbs,
+        degree: i32,
+        coefficients: *const f64,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_curve_level() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`, `call`.
+    pub fn nurbs_curve_level_with(
+        g: *const nurbs,
+        degree: i32,
+        coefficients: *const f64,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
     // --- Weights and control points

@@ -193,6 +193,34 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_fold_test(in.surface, nullptr, o.states, o.values, o.values + 2);
      }},
+    {"roots",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         return nurbs_roots(made_ramp, 0.5, 0, 4, o.values, o.states, o.values + 4, o.spans, o.states + 4);
+     }},
+    {"roots count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_round(in, make_round);
+         if (made_round.status() != NURBS_OK) {
+             return made_round.status();
+         }
+         return nurbs_roots(made_round, 3, 1e-09, 0, nullptr, nullptr, nullptr, o.spans, o.states);
+     }},
+    {"curve_level",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {0.1, 0.9, -0.3};
+         return nurbs_curve_level(in.curve, 1, coefficients, 1e-09, 16, o.values, o.states, o.values + 16,
+             o.spans, o.states + 16);
+     }, true},
+    {"curve_level conic",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {1, 0, 0, 1, 0, -0.5};
+         return nurbs_curve_level(in.loop, 2, coefficients, 0, 16, o.values, o.states, o.values + 16, o.spans,
+             o.states + 16);
+     }, true},
     {"fold_test seen from above",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_fold_test(in.surface, arrays::center, o.states, o.values, o.values + 2);
@@ -501,6 +529,43 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fold_test_with(in.surface, nullptr, o.states, o.values, o.values + 2, &call);
      }},
+    {"roots_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_roots_with(made_ramp, 0.5, 0, 4, o.values, o.states, o.values + 4, o.spans, o.states + 4,
+             &call);
+     }},
+    {"roots_with count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_round(in, make_round);
+         if (made_round.status() != NURBS_OK) {
+             return made_round.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_roots_with(made_round, 3, 1e-09, 0, nullptr, nullptr, nullptr, o.spans, o.states, &call);
+     }},
+    {"curve_level_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {0.1, 0.9, -0.3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_level_with(in.curve, 1, coefficients, 1e-09, 16, o.values, o.states, o.values + 16,
+             o.spans, o.states + 16, &call);
+     }, true},
+    {"curve_level_with conic",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {1, 0, 0, 1, 0, -0.5};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_level_with(in.loop, 2, coefficients, 0, 16, o.values, o.states, o.values + 16,
+             o.spans, o.states + 16, &call);
+     }, true},
     {"fold_test_with seen from above",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Where shapes meet.
+#include "checks.h"
+#include "guard.h"
+#include "outputs.h"
+
+#include "base/tolerance.h"
+#include "intersect/curve_level.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+constexpr int most_degree = 8;
+constexpr int64_t most_coefficients = 10000;
+
+// Where hits go; all may be null.
+struct HitArrays {
+    double *params;
+    int32_t *kinds;
+    double *ranges;
+    int64_t *count;
+    int32_t *complete;
+};
+
+void put_hits(const intersect::CurveHits &hits, int64_t cap, const HitArrays &out,
+              std::initializer_list<Memory> inputs) {
+    const int64_t filled = checked_cap(cap, std::ssize(hits.list));
+    check_apart({memory("params", out.params, filled), memory("kinds", out.kinds, filled),
+                 memory("ranges", out.ranges, 2 * filled), memory("count", out.count, 1),
+                 memory("complete", out.complete, 1)},
+                inputs);
+    for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+        const intersect::CurveHit &hit = hits.list[i];
+        put(out.params, i, hit.at);
+        put(out.kinds, i, static_cast<int32_t>(hit.kind));
+        put(out.ranges, 2 * i, hit.range.lower);
+        put(out.ranges, 2 * i + 1, hit.range.upper);
+    }
+    put(out.count, int64_t{std::ssize(hits.list)});
+    put(out.complete, int32_t{hits.complete()});
+}
+
+intersect::ImplicitForm checked_form(int dim, int32_t degree, const double *coefficients) {
+    require(coefficients, "coefficients");
+    if (degree < 1 || degree > most_degree) {
+        fail(Status::degree, "degree = %d of the polynomial, expected 1 to %d", degree, most_degree);
+    }
+    const int64_t count = intersect::monomials(dim, degree);
+    if (degree > 1 && count > most_coefficients) {
+        fail(Status::degree,
+             "degree = %d of the polynomial: %lld coefficients in dimension %d, expected at most %lld",
+             degree, static_cast<long long>(count), dim, static_cast<long long>(most_coefficients));
+    }
+    const std::span<const double> all(coefficients, static_cast<size_t>(count));
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (!std::isfinite(all[i])) {
+            fail(Status::point_not_finite, "coefficients[%zu] = %s, expected a finite value", i,
+                 Number(all[i]).text);
+        }
+    }
+    if (std::ranges::all_of(all.first(all.size() - 1), [](double c) { return c == 0; })) {
+        fail(Status::direction, "coefficients: all but the last of %zu are 0", all.size());
+    }
+    return {dim, degree, all};
+}
+
+} // namespace
+
+nurbs_status nurbs_roots(const nurbs *g, double value, double tolerance, int64_t cap, double *params,
+                         int32_t *kinds, double *ranges, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &curve = curve_of(g);
+        check_dimension(curve, 1, 1);
+        if (!std::isfinite(value)) {
+            fail(Status::point_not_finite, "value = %s, expected a finite value", Number(value).text);
+        }
+        check_tolerance(tolerance);
+        check_length(cap, "cap");
+        const std::array<double, 2> form{1, -value};
+        put_hits(intersect::curve_level(curve, {1, 1, form}, tolerance), cap,
+                 {params, kinds, ranges, count, complete}, {});
+    });
+}
+
+nurbs_status nurbs_curve_level(const nurbs *g, int32_t degree, const double *coefficients, double tolerance,
+                               int64_t cap, double *params, int32_t *kinds, double *ranges, int64_t *count,
+                               int32_t *complete) {
+    return guard([&] {
+        const Spline &curve = curve_of(g);
+        const intersect::ImplicitForm form = checked_form(curve.dim(), degree, coefficients);
+        check_tolerance(tolerance);
+        check_length(cap, "cap");
+        put_hits(intersect::curve_level(curve, form, tolerance), cap,
+                 {params, kinds, ranges, count, complete},
+                 {memory("coefficients", coefficients, std::ssize(form.coefficients()))});
+    });
+}

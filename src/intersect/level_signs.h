@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where a function along a curve is, or may be, zero, and where it is near 0.
+#pragma once
+
+#include "intersect/curve_function.h"
+
+#include "bernstein/sign_runs.h"
+
+#include <vector>
+
+namespace nrb::intersect {
+
+// A range in which a zero is proven, or hidden by rounding.
+struct ZeroRange {
+    Interval range;
+    double at;                 // the best estimate
+    bool simple = false;       // exactly one zero
+    bool inside = false;       // of one piece, hidden: there is no estimate
+    bool exact = false;        // one without any rounding, at an end of a piece or all over it
+    bool whole = false;        // a piece vanishes to rounding
+    int order = 1;             // of the zero at an end of a piece; the higher one of two pieces
+    int before = 0, after = 0; // certain signs, 0: none, at an end of the curve
+};
+
+struct LevelSigns {
+    std::vector<ZeroRange>
+        zeros; // rising; those that touch are one. On a periodic axis the last one may end in the next period
+    std::vector<Interval>
+        near; // |f| may be at most the tolerance, which is > 0; the same. All the rest is farther away
+    std::vector<Interval> unknown; // the weight has no certain sign, or the limit of work was reached
+    std::vector<double> jumps;     // from one certain sign to the other without a zero
+};
+
+LevelSigns level_signs(const CurveFunction &f, double tolerance);
+
+// Where |f| is smallest in a range, which may end in the next period.
+double place_of_least(const CurveFunction &f, Interval range);
+
+} // namespace nrb::intersect

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT */
+/* Roots of scalar curves, and where curves meet lines, conics and quadrics: known ones, and what is refused. */
+#include "shapes.h"
+
+enum { most = 16 };
+
+struct hits {
+    double params[most], ranges[2 * most];
+    int32_t kinds[most], complete;
+    int64_t count;
+};
+
+static struct hits roots_of(const nurbs *g, double value, double tolerance) {
+    struct hits h;
+    CHECK_OK(nurbs_roots(g, value, tolerance, most, h.params, h.kinds, h.ranges, &h.count, &h.complete));
+    return h;
+}
+
+static struct hits level_of(const nurbs *g, int32_t degree, const double *coefficients, double tolerance) {
+    struct hits h;
+    CHECK_OK(nurbs_curve_level(g, degree, coefficients, tolerance, most, h.params, h.kinds, h.ranges,
+                               &h.count, &h.complete));
+    return h;
+}
+
+static nurbs *scalar(int32_t degree, int64_t count, const double *knots, const double *values,
+                     uint32_t flags) {
+    nurbs *g = NULL;
+    CHECK_OK(
+        nurbs_create(1, &degree, &count, knots, count + degree + 1, 1, values, 0, 0, NULL, 0, flags, &g));
+    return g;
+}
+
+static void expect(const struct hits *h, int64_t i, double at, int32_t kind) {
+    CHECK(i < h->count);
+    CHECK(fabs(h->params[i] - at) <= 1e-15);
+    CHECK_INT(h->kinds[i], kind);
+    CHECK(h->ranges[2 * i] <= h->params[i] && h->params[i] <= h->ranges[2 * i + 1]);
+}
+
+/* 4 (t - 1/4) (t - 3/4), over [0, 1]. */
+static void a_parabola(void) {
+    const double knots[] = {0, 0, 0, 1, 1, 1}, values[] = {0.75, -1.25, 0.75};
+    nurbs *g = scalar(2, 3, knots, values, 0);
+    struct hits h = roots_of(g, 0, 0);
+    CHECK_INT(h.count, 2);
+    CHECK_INT(h.complete, 1);
+    expect(&h, 0, 0.25, NURBS_HIT_CROSSING);
+    expect(&h, 1, 0.75, NURBS_HIT_CROSSING);
+    CHECK(h.ranges[1] - h.ranges[0] < 1e-13);
+    h = roots_of(g, -1, 0);
+    CHECK_INT(h.count, 0);
+    CHECK_INT(h.complete, 1);
+    h = roots_of(g, -1, 0.26); /* the lowest value is -1/4 */
+    CHECK_INT(h.count, 0);
+    h = roots_of(g, -0.5, 0.3);
+    CHECK_INT(h.count, 1);
+    expect(&h, 0, 0.5, NURBS_HIT_CONTACT);
+    h = roots_of(g, 0.75, 0); /* both ends, whose control points say so without rounding */
+    CHECK_INT(h.count, 2);
+    CHECK_INT(h.complete, 1);
+    expect(&h, 0, 0, NURBS_HIT_CROSSING);
+    expect(&h, 1, 1, NURBS_HIT_CROSSING);
+    nurbs_destroy(g);
+}
+
+/* A touch is left open unless a tolerance is given; a third is no double. */
+static void touches(void) {
+    const double knots[] = {0, 0, 0, 3, 3, 3}, values[] = {1, -2, 4}; /* (t - 1)^2 over [0, 3] */
+    nurbs *g = scalar(2, 3, knots, values, 0);
+    struct hits h = roots_of(g, 0, 0);
+    CHECK_INT(h.count, 1);
+    CHECK_INT(h.complete, 0);
+    CHECK_INT(h.kinds[0], NURBS_HIT_UNDECIDED);
+    CHECK(h.ranges[0] <= 1 && 1 <= h.ranges[1]);
+    h = roots_of(g, 0, 1e-12);
+    CHECK_INT(h.count, 1);
+    CHECK_INT(h.complete, 1);
+    CHECK_INT(h.kinds[0], NURBS_HIT_TANGENT);
+    CHECK(fabs(h.params[0] - 1) < 1e-7);
+    h = roots_of(g, -1e-9, 1e-8);
+    CHECK_INT(h.count, 1);
+    CHECK_INT(h.kinds[0], NURBS_HIT_CONTACT);
+    CHECK(fabs(h.params[0] - 1) < 1e-7);
+    nurbs_destroy(g);
+}
+
+/* A polygon with values 1, 0, 1, -1, -1, 0 at 0 to 5: it touches at 1, crosses at 2.5 and ends at 0; it jumps where a knot is
+ * doubled, and stays at 0 between others. */
+static void knots(void) {
+    const double line[] = {0, 0, 1, 2, 3, 4, 5, 5}, values[] = {1, 0, 1, -1, -1, 0};
+    nurbs *g = scalar(1, 6, line, values, 0);
+    struct hits h = roots_of(g, 0, 0);
+    CHECK_INT(h.count, 3);
+    CHECK_INT(h.complete, 1);
+    expect(&h, 0, 1, NURBS_HIT_TANGENT);
+    expect(&h, 1, 2.5, NURBS_HIT_CROSSING);
+    expect(&h, 2, 5, NURBS_HIT_CROSSING);
+    nurbs_destroy(g);
+    const double broken[] = {0, 0, 1, 1, 2, 3, 4, 4}, steps[] = {1, 1, -1, 0, 0, 1};
+    g = scalar(1, 6, broken, steps, 0);
+    h = roots_of(g, 0, 0);
+    CHECK_INT(h.count, 2);
+    CHECK_INT(h.complete, 1);
+    expect(&h, 0, 1, NURBS_HIT_JUMP);
+    expect(&h, 1, 2.5, NURBS_HIT_OVERLAP);
+    CHECK(h.ranges[2] == 2 && h.ranges[3] == 3);
+    nurbs_destroy(g);
+}
+
+/* What lies behind a jump is found, with a tolerance too. */
+static void jumps(void) {
+    const double broken[] = {0, 0, 1, 1, 2, 3, 3}, values[] = {1, 1, -1, -0.05, -1};
+    const double steps[] = {0, 1, 2, 3, 4}, low[] = {1, -1, -0.05, -1}, zero[] = {1, -1, 0, 1};
+    nurbs *g = scalar(1, 5, broken, values, 0);
+    struct hits h = roots_of(g, 0, 0.1);
+    CHECK_INT(h.count, 2);
+    expect(&h, 0, 1, NURBS_HIT_JUMP);
+    expect(&h, 1, 2, NURBS_HIT_CONTACT);
+    nurbs_destroy(g);
+    g = scalar(0, 4, steps, low, 0);
+    h = roots_of(g, 0, 0.1);
+    CHECK_INT(h.count, 2);
+    expect(&h, 0, 1, NURBS_HIT_JUMP);
+    expect(&h, 1, 2.5, NURBS_HIT_OVERLAP);
+    nurbs_destroy(g);
+    g = scalar(0, 4, steps, zero, 0);
+    h = roots_of(g, 0, 0.1);
+    CHECK_INT(h.count, 2);
+    expect(&h, 0, 1, NURBS_HIT_JUMP);
+    expect(&h, 1, 2.5, NURBS_HIT_OVERLAP);
+    nurbs_destroy(g);
+}
+
+/* Roots at the seam are given once. */
+static void periods(void) {
+    const double knots[] = {-1, 0, 1, 2, 3, 4, 5}, values[] = {0, 1, 0, -1, 0}; /* corners at 0 to 4 */
+    nurbs *g = scalar(1, 5, knots, values, NURBS_PERIODIC);
+    struct hits h = roots_of(g, 0, 0);
+    CHECK_INT(h.count, 2);
+    CHECK_INT(h.complete, 1);
+    expect(&h, 0, 0, NURBS_HIT_CROSSING);
+    expect(&h, 1, 2, NURBS_HIT_CROSSING);
+    h = roots_of(g, 0, 0.125);
+    CHECK_INT(h.count, 2);
+    CHECK_INT(h.kinds[0], NURBS_HIT_CROSSING);
+    nurbs_destroy(g);
+    const double more[] = {-1, 0, 1, 2, 3, 4, 5, 6, 7},
+                 round[] = {-0.0078125, 1, 0.0625, 1, 1, 1, -0.0078125};
+    g = scalar(1, 7, more, round, NURBS_PERIODIC); /* near 0 around the seam, and at 2 */
+    h = roots_of(g, 0, 0.125);
+    CHECK_INT(h.count, 3);
+    CHECK(h.params[0] < 0.01 && h.params[2] > 5.99);
+    CHECK_INT(h.kinds[1], NURBS_HIT_CONTACT);
+    CHECK(h.params[1] == 2);
+    nurbs_destroy(g);
+}
+
+/* A roof whose ridge touches, and one whose end does: coordinates alone are compared without rounding. */
+static void a_plane_at_control_points(void) {
+    const double knots[] = {0, 0, 1, 2, 2}, roof[] = {-1, -1, 0, 0, 1, -1}, high[] = {0, 1, 0};
+    const int32_t degree = 1;
+    const int64_t count = 3;
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 5, 2, roof, 0, 0, NULL, 0, 0, &g));
+    struct hits h = level_of(g, 1, high, 0);
+    CHECK_INT(h.count, 1);
+    expect(&h, 0, 1, NURBS_HIT_TANGENT);
+    nurbs_destroy(g);
+}
+
+/* A unit circle of four arcs, and what it meets. */
+static void circles(void) {
+    nurbs *g = NULL;
+    const double center[] = {0, 0}, axis[] = {0.6, 0.8, 0}, high[] = {0, 1, -1}, away[] = {0, 1, -1.25};
+    const double ellipse[] = {0.25, 0, 0, 4, 0, -1}, own[] = {1, 0, 0, 1, 0, -1};
+    struct hits h;
+    CHECK_OK(nurbs_curve_circle(2, center, NULL, NULL, 1, NURBS_ARC_QUARTERS, &g));
+    h = level_of(g, 1, axis, 0);
+    CHECK_INT(h.count, 2);
+    CHECK_INT(h.complete, 1);
+    CHECK_INT(h.kinds[0], NURBS_HIT_CROSSING);
+    h = level_of(g, 1, high, 1e-9);
+    CHECK_INT(h.count, 1);
+    CHECK_INT(h.kinds[0], NURBS_HIT_TANGENT);
+    h = level_of(g, 1, away, 0.25 + 1e-12);
+    CHECK_INT(h.count, 1);
+    h = level_of(g, 1, away, 0.2);
+    CHECK_INT(h.count, 0);
+    h = level_of(g, 2, ellipse, 0);
+    CHECK_INT(h.count, 4);
+    CHECK_INT(h.complete, 1);
+    h = level_of(g, 2, own, 1e-12);
+    CHECK_INT(h.count, 1);
+    CHECK_INT(h.kinds[0], NURBS_HIT_OVERLAP);
+    nurbs_destroy(g);
+}
+
+/* The long forms answer alike, and at a limit of work with what is left open. */
+static void watched(void) {
+    const double knots[] = {0, 0, 0, 1, 1, 1}, values[] = {0.75, -1.25, 0.75}, plane[] = {0, 1, -0.5};
+    nurbs *g = scalar(2, 3, knots, values, 0), *c = make(arch());
+    nurbs_call_options call;
+    int64_t count = -1;
+    int32_t complete = -1;
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    CHECK_OK(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
+    CHECK(count == 2 && complete == 1);
+    CHECK_OK(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
+    CHECK(count == level_of(c, 1, plane, 0).count && complete == 1);
+    call.work = 1;
+    CHECK_OK(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
+    CHECK_INT(complete, 0);
+    CHECK_OK(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
+    CHECK_INT(complete, 0);
+    call.struct_size = 1;
+    CHECK_FAILS(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call), NURBS_ERROR_OPTIONS,
+                "struct_size");
+    CHECK_FAILS(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call),
+                NURBS_ERROR_OPTIONS, "struct_size");
+    nurbs_destroy(c);
+    nurbs_destroy(g);
+}
+
+static void refused(void) {
+    nurbs *g = make(arch()), *s = make(trough()), *line = NULL;
+    const double knots[] = {0, 0, 0, 1, 1, 1}, values[] = {1, -2, 1};
+    double own[most] = {0, 1, -0.5};
+    const double plane[] = {1, 0, 0}, none[] = {0, 0, 1}, bad[] = {1, NAN, 0};
+    double a[most], b[2 * most];
+    int32_t i[most], complete = 0;
+    int64_t count = 0;
+    FILL(a);
+    FILL(b);
+    FILL(i);
+    line = scalar(2, 3, knots, values, 0);
+    CHECK_FAILS(nurbs_roots(NULL, 0, 0, most, a, i, b, &count, &complete), NURBS_ERROR_NULL, "g is NULL");
+    CHECK_FAILS(nurbs_roots(s, 0, 0, most, a, i, b, &count, &complete), NURBS_ERROR_AXES, "curve");
+    CHECK_FAILS(nurbs_roots(g, 0, 0, most, a, i, b, &count, &complete), NURBS_ERROR_DIMENSION, "dimension 2");
+    CHECK_FAILS(nurbs_roots(line, NAN, 0, most, a, i, b, &count, &complete), NURBS_ERROR_POINT_NOT_FINITE,
+                "value = ");
+    CHECK_FAILS(nurbs_roots(line, 0, -1, most, a, i, b, &count, &complete), NURBS_ERROR_TOLERANCE,
+                "tolerance = -1");
+    CHECK_FAILS(nurbs_roots(line, 0, 0, -1, a, i, b, &count, &complete), NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_roots(line, 0, 0, 1, a, i, b, &count, &complete), NURBS_ERROR_SIZE, "cap = 1|2");
+    CHECK_FAILS(nurbs_roots(line, 0, 0, 2, a, i, a + 1, &count, &complete), NURBS_ERROR_OVERLAP,
+                "ranges|params");
+    CHECK_FAILS(nurbs_curve_level(NULL, 1, plane, 0, most, a, i, b, &count, &complete), NURBS_ERROR_NULL,
+                "g is NULL");
+    CHECK_FAILS(nurbs_curve_level(s, 1, plane, 0, most, a, i, b, &count, &complete), NURBS_ERROR_AXES,
+                "curve");
+    CHECK_FAILS(nurbs_curve_level(g, 1, NULL, 0, most, a, i, b, &count, &complete), NURBS_ERROR_NULL,
+                "coefficients");
+    CHECK_FAILS(nurbs_curve_level(g, 0, plane, 0, most, a, i, b, &count, &complete), NURBS_ERROR_DEGREE,
+                "degree = 0");
+    CHECK_FAILS(nurbs_curve_level(g, 9, plane, 0, most, a, i, b, &count, &complete), NURBS_ERROR_DEGREE,
+                "degree = 9");
+    CHECK_FAILS(nurbs_curve_level(g, 1, none, 0, most, a, i, b, &count, &complete), NURBS_ERROR_DIRECTION,
+                "all but the last of 3");
+    CHECK_FAILS(nurbs_curve_level(g, 1, bad, 0, most, a, i, b, &count, &complete),
+                NURBS_ERROR_POINT_NOT_FINITE, "coefficients[1]");
+    CHECK_FAILS(nurbs_curve_level(g, 1, plane, NAN, most, a, i, b, &count, &complete), NURBS_ERROR_TOLERANCE,
+                "tolerance");
+    CHECK_FAILS(nurbs_curve_level(g, 1, plane, 0, -1, a, i, b, &count, &complete), NURBS_ERROR_COUNT, "cap");
+    CHECK_FAILS(nurbs_curve_level(g, 1, own, 0, most, own, i, b, &count, &complete), NURBS_ERROR_OVERLAP,
+                "params|coefficients");
+    CHECK_UNTOUCHED(a);
+    CHECK_UNTOUCHED(b);
+    CHECK_UNTOUCHED(i);
+    nurbs_destroy(line);
+    nurbs_destroy(s);
+    nurbs_destroy(g);
+}
+
+int main(void) {
+    a_parabola();
+    touches();
+    knots();
+    jumps();
+    periods();
+    a_plane_at_control_points();
+    circles();
+    watched();
+    refused();
+    return check_summary("intersections");
+}
