@@ -6,6 +6,7 @@
 #include "intersect/level_signs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nrb::intersect {
 
@@ -25,7 +26,8 @@ public:
         for (const Interval &range : signs_.unknown) {
             hits_.list.push_back({range.lower / 2 + range.upper / 2, range, HitKind::undecided});
         }
-        std::ranges::stable_sort(hits_.list, {}, &CurveHit::at);
+        std::ranges::sort(hits_.list, {},
+                          [](const CurveHit &hit) { return std::pair(hit.at, hit.range.lower); });
         return std::move(hits_);
     }
 
