@@ -90,7 +90,7 @@ public:
     [[nodiscard]] FunctionPiece piece(int64_t e) const override {
         const pieces::HomogeneousPiece piece = maker().piece(e);
         FunctionPiece result{form_.on(piece), constant(1), piece.positive};
-        for (int i = 0; i < form_.degree() && piece.weight.shape.coefficients() > 1; ++i) {
+        for (int i = 0; i < form_.degree(); ++i) {
             result.weight = result.weight * piece.weight;
         }
         return result;

@@ -34,20 +34,21 @@ public:
 private:
     // What lies at the start of a period in a range that goes on into it belongs behind the end.
     void go_around() {
-        const bool around = !signs_.near.empty() && signs_.near.back().upper > f_.domain().upper;
-        const double end = around ? signs_.near.back().upper - f_.period() : f_.domain().lower;
+        if (signs_.near.empty() || !(signs_.near.back().upper > f_.domain().upper)) {
+            return;
+        }
+        const double period = f_.period(), end = signs_.near.back().upper - period;
         std::vector<ZeroRange> &zeros = signs_.zeros;
-        while (around && !zeros.empty() && zeros.front().range.lower <= end) {
-            ZeroRange moved = zeros.front();
-            moved.range = {moved.range.lower + f_.period(), moved.range.upper + f_.period()};
-            zeros.erase(zeros.begin());
-            zeros.push_back(moved);
-        }
+        const auto zero =
+            std::ranges::find_if(zeros, [end](const ZeroRange &x) { return x.range.lower > end; });
+        std::for_each(zeros.begin(), zero, [period](ZeroRange &x) {
+            x.range = {x.range.lower + period, x.range.upper + period};
+        });
+        std::rotate(zeros.begin(), zero, zeros.end());
         std::vector<double> &jumps = signs_.jumps;
-        while (around && !jumps.empty() && jumps.front() <= end) {
-            jumps.push_back(jumps.front() + f_.period());
-            jumps.erase(jumps.begin());
-        }
+        const auto jump = std::ranges::upper_bound(jumps, end);
+        std::for_each(jumps.begin(), jump, [period](double &at) { at += period; });
+        std::rotate(jumps.begin(), jump, jumps.end());
     }
 
     // What comes before a range has nothing to do with it.

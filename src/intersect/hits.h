@@ -4,6 +4,7 @@
 
 #include "basis/knot_vector.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,12 +30,7 @@ struct CurveHit {
 struct CurveHits {
     std::vector<CurveHit> list; // rising
     [[nodiscard]] bool complete() const noexcept {
-        for (const CurveHit &hit : list) {
-            if (hit.kind == HitKind::undecided) {
-                return false;
-            }
-        }
-        return true;
+        return std::ranges::none_of(list, [](const CurveHit &hit) { return hit.kind == HitKind::undecided; });
     }
 };
 

@@ -23,10 +23,10 @@ struct ZeroRange {
 };
 
 struct LevelSigns {
-    std::vector<ZeroRange>
-        zeros; // rising; those that touch are one. On a periodic axis the last one may end in the next period
-    std::vector<Interval>
-        near; // |f| may be at most the tolerance, which is > 0; the same. All the rest is farther away
+    // Rising; on a periodic axis the last one may end in the next period. Those that touch are one.
+    std::vector<ZeroRange> zeros;
+    // The same, if the tolerance is above 0: where |f| may be at most that. All the rest is farther away.
+    std::vector<Interval> near;
     std::vector<Interval> unknown; // the weight has no certain sign, or the limit of work was reached
     std::vector<double> jumps;     // from one certain sign to the other without a zero
 };

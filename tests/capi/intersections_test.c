@@ -169,6 +169,21 @@ static void a_plane_at_control_points(void) {
     nurbs_destroy(g);
 }
 
+/* Steps of homogeneous points: 0.2 and 2, each with the weight 3; a distance is that of the points. */
+static void weighted_steps(void) {
+    const double knots[] = {0, 1, 2}, records[] = {0.6, 3, 6, 3}, axis[] = {1, 0};
+    const int32_t degree = 0;
+    const int64_t count = 2;
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 3, 1, records, 0, 0, 0, &g));
+    struct hits h = level_of(g, 1, axis, 0.25);
+    CHECK_INT(h.count, 1);
+    expect(&h, 0, 0.5, NURBS_HIT_OVERLAP);
+    h = level_of(g, 1, axis, 0.15);
+    CHECK_INT(h.count, 0);
+    nurbs_destroy(g);
+}
+
 /* A unit circle of four arcs, and what it meets. */
 static void circles(void) {
     nurbs *g = NULL;
@@ -279,6 +294,7 @@ int main(void) {
     jumps();
     periods();
     a_plane_at_control_points();
+    weighted_steps();
     circles();
     watched();
     refused();

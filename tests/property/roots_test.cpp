@@ -156,7 +156,7 @@ TEST(Roots, are_as_many_as_in_exact_arithmetic) {
         found += wanted.roots;
     });
     std::cout << "complete " << complete << " of " << all << ", " << found << " roots\n";
-    EXPECT_GE(complete, of_whole_run(850));
+    EXPECT_GE(complete, of_whole_run(990));
     EXPECT_GE(found, of_whole_run(500));
 }
 
