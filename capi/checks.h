@@ -31,6 +31,11 @@ inline const Spline &spline_of(const ::nurbs *g) {
     return *g->spline;
 }
 
+// One of several, called by its name.
+inline const Spline &named(const ::nurbs *g, const char *name) {
+    require(g, name);
+    return *g->spline;
+}
 const Spline &curve_of(const ::nurbs *g);
 const Spline &surface_of(const ::nurbs *g);
 

@@ -21,11 +21,6 @@ namespace {
 constexpr int64_t default_budget = 200000;
 constexpr int64_t default_far_budget = 2000000; // pieces of both splines
 
-const Spline &named(const nurbs *g, const char *name) {
-    require(g, name);
-    return *g->spline;
-}
-
 // The limit where the caller has none; a third of it for each of two searches, which go in small steps.
 int64_t work_of(int64_t budget, const Spline &a, const Spline &b) noexcept {
     return budget == 0 ? usual_work(a.point_count() + b.point_count())

@@ -6,6 +6,7 @@
 
 #include "base/tolerance.h"
 #include "intersect/curve_level.h"
+#include "intersect/pairs/curve_curve.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -46,6 +47,35 @@ void put_hits(const intersect::CurveHits &hits, int64_t cap, const HitArrays &ou
     }
     put(out.count, int64_t{std::ssize(hits.list)});
     put(out.complete, int32_t{hits.complete()});
+}
+
+struct PairArrays {
+    double *params_a, *params_b;
+    int32_t *kinds;
+    double *ranges_a, *ranges_b;
+    int64_t *count;
+    int32_t *complete;
+};
+
+void put_hits(const intersect::PairHits &hits, int64_t cap, const PairArrays &out) {
+    const int64_t filled = checked_cap(cap, std::ssize(hits.list));
+    check_apart({memory("params_a", out.params_a, filled), memory("params_b", out.params_b, filled),
+                 memory("kinds", out.kinds, filled), memory("ranges_a", out.ranges_a, 2 * filled),
+                 memory("ranges_b", out.ranges_b, 2 * filled), memory("count", out.count, 1),
+                 memory("complete", out.complete, 1)},
+                {});
+    for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+        const intersect::PairHit &hit = hits.list[i];
+        put(out.params_a, i, hit.a);
+        put(out.params_b, i, hit.b);
+        put(out.kinds, i, static_cast<int32_t>(hit.kind));
+        put(out.ranges_a, 2 * i, hit.range_a.lower);
+        put(out.ranges_a, 2 * i + 1, hit.range_a.upper);
+        put(out.ranges_b, 2 * i, hit.from_b);
+        put(out.ranges_b, 2 * i + 1, hit.to_b);
+    }
+    put(out.count, int64_t{std::ssize(hits.list)});
+    put(out.complete, int32_t{hits.complete});
 }
 
 intersect::ImplicitForm checked_form(int dim, int32_t degree, const double *coefficients) {
@@ -101,5 +131,34 @@ nurbs_status nurbs_curve_level(const nurbs *g, int32_t degree, const double *coe
         put_hits(intersect::curve_level(curve, form, tolerance), cap,
                  {params, kinds, ranges, count, complete},
                  {memory("coefficients", coefficients, std::ssize(form.coefficients()))});
+    });
+}
+
+nurbs_status nurbs_curve_intersections(const nurbs *a, const nurbs *b, double tolerance, int64_t cap,
+                                       double *params_a, double *params_b, int32_t *kinds, double *ranges_a,
+                                       double *ranges_b, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &first = named(a, "a"), &second = named(b, "b");
+        check_kind(first, 1, "a");
+        check_kind(second, 1, "b");
+        check_tolerance(tolerance);
+        check_length(cap, "cap");
+        if (&first == &second) {
+            fail(Status::same, "a and b are one curve, whose meets with itself are another question");
+        }
+        put_hits(intersect::curve_curve(first, second, tolerance), cap,
+                 {params_a, params_b, kinds, ranges_a, ranges_b, count, complete});
+    });
+}
+
+nurbs_status nurbs_curve_self_intersections(const nurbs *g, double tolerance, int64_t cap, double *params_a,
+                                            double *params_b, int32_t *kinds, double *ranges_a,
+                                            double *ranges_b, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &curve = curve_of(g);
+        check_tolerance(tolerance);
+        check_length(cap, "cap");
+        put_hits(intersect::curve_itself(curve, tolerance), cap,
+                 {params_a, params_b, kinds, ranges_a, ranges_b, count, complete});
     });
 }

@@ -198,6 +198,37 @@ nurbs_status nurbs_curve_level_with(const nurbs *g, int32_t degree, const double
     });
 }
 
+nurbs_status nurbs_curve_intersections_with(const nurbs *a, const nurbs *b, double tolerance, int64_t cap,
+                                            double *params_a, double *params_b, int32_t *kinds,
+                                            double *ranges_a, double *ranges_b, int64_t *count,
+                                            int32_t *complete, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_curve_intersections(a, b, tolerance, cap, params_a, params_b, kinds, ranges_a, ranges_b,
+                                         count, complete);
+    });
+}
+
+nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, double tolerance, int64_t cap,
+                                                 double *params_a, double *params_b, int32_t *kinds,
+                                                 double *ranges_a, double *ranges_b, int64_t *count,
+                                                 int32_t *complete, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_curve_self_intersections(g, tolerance, cap, params_a, params_b, kinds, ranges_a,
+                                              ranges_b, count, complete);
+    });
+}
+
+nurbs_status nurbs_surface_rays_with(const nurbs *g, int64_t n, const double *origins, int64_t origin_stride,
+                                     int64_t origin_component_stride, const double *directions,
+                                     int64_t direction_stride, int64_t direction_component_stride,
+                                     double *params, double *distances, int32_t *status,
+                                     const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_surface_rays(g, n, origins, origin_stride, origin_component_stride, directions,
+                                  direction_stride, direction_component_stride, params, distances, status);
+    });
+}
+
 nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result, double *positive,
                                   double *negative, const nurbs_call_options *call) {
     return watched(call, [&] { return nurbs_fold_test(g, reference, result, positive, negative); });

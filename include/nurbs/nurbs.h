@@ -351,6 +351,7 @@ enum {
     NURBS_ERROR_RANK = 66,        /**< data or conditions do not determine the result */
     NURBS_ERROR_SCALE = 67,       /**< a value or weight is above the scale of the statistics */
     NURBS_ERROR_ORIENTATION = 68, /**< loops of a face have no common inside, or enclose nothing */
+    NURBS_ERROR_SAME = 69,        /**< one handle where two different shapes are needed */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -584,7 +585,7 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * and writes nothing.
  *
  * **Without a limit of the caller's** the functions that go on until something holds (distances of two
- * splines, features of curves, the fold test, roots, constraints, bends, free-form deformations,
+ * splines, features of curves, the fold test, where curves meet, constraints, bends, free-form deformations,
  * fits to a tolerance and of clouds, approximations) have one of their own: some 10^9 multiply-adds, about a
  * second, and 20000 to 1500000 for each control point or datum. They answer there as at a limit of the
  * caller's, with NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK; fits always have an answer. A
@@ -5237,6 +5238,11 @@ NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *refere
  * int64_t count = 0;
  * int32_t complete = 0; // 1: proven that there are no others
  * nurbs_curve_level(curve, 1, plane, 1e-9, 8, params, NULL, NULL, &count, &complete);
+ *
+ * const double eye[] = {0, 0, 10}, down[] = {0, 0, -1};
+ * double uv[2], distance;
+ * int32_t status = 0; // NURBS_RAY_HIT | NURBS_RAY_CERTIFIED: proven to be the first
+ * nurbs_surface_rays(surface, 1, eye, 0, 0, down, 0, 0, uv, &distance, &status);
  * \endcode
  * Every answer says what is proven. Each hit has a kind and a range of parameters, and it is proven that
  * there is no solution outside of the ranges; `complete` is 1 if no hit is undecided. With a tolerance of 0
@@ -5248,7 +5254,7 @@ NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *refere
  * @{ */
 #define NURBS_HIT_CROSSING 1  /**< from one side to the other, or an end that is reached */
 #define NURBS_HIT_TANGENT 2   /**< a touch, as far as rounding and the tolerance can tell */
-#define NURBS_HIT_CONTACT 3   /**< proven apart, but by no more than the tolerance: the nearest place */
+#define NURBS_HIT_CONTACT 3   /**< within the tolerance, but proven apart: the nearest place */
 #define NURBS_HIT_OVERLAP 4   /**< within the tolerance in all of the range, a span or more */
 #define NURBS_HIT_JUMP 5      /**< from one side to the other where the curve jumps, and meets nothing */
 #define NURBS_HIT_UNDECIDED 6 /**< a range in which it is left open what there is */
@@ -5319,6 +5325,147 @@ NURBS_API nurbs_status nurbs_curve_level_with(const nurbs *g, int32_t degree, co
                                               double *ranges, int64_t *count, int32_t *complete,
                                               const nurbs_call_options *call);
 
+/** \brief Where two curves meet: all places at which they come as near as the tolerance. Parts that cross are
+ * proven to meet once (a contraction by Krawczyk's operator). What is within the tolerance and hangs together
+ * is an overlap, if it holds a whole span of one of the curves, or begins and ends where one of them has a knot
+ * or an end; otherwise it is what can be told to be in it without the tolerance: crossings; a crossing too
+ * where, in the plane, a changes its side of b in a range that rounding cannot look into (which may be any odd
+ * number of them); tangents; and if there is nothing a contact. In space and above no two curves are proven to
+ * meet: what does so to rounding is a crossing, and with a tolerance of 0 undecided, as are ends on the other
+ * curve, and overlaps, unless both have the same control point there. Curves that jump do not meet between both
+ * limits. A curve that closes without being periodic has two ends, and a hit at each.
+ * \param[in] a,b curves of one dimension, 2 or more; not one and itself, or its clone
+ *   (nurbs_curve_self_intersections()).
+ * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[in] cap length of the outputs: 0, or at least the number of hits.
+ * \param[out] params_a,params_b [cap] or NULL: where on both, rising on a; the middle of an overlap, elsewhere
+ *   the nearest places found.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
+ * \param[out] ranges_a [cap][2] or NULL: of parameters of a, for a crossing or a tangent those that hold it, for
+ *   a contact those that are near. Those of an overlap end where the first of both ends, or where they part, to
+ *   within the tolerance along the curves. On periodic curves they may end in the next period.
+ * \param[out] ranges_b [cap][2] or NULL: the same of b; falling, where an overlap runs against b.
+ * \param[out] count or NULL: number of hits.
+ * \param[out] complete or NULL: 1 if there is nothing within the tolerance beside the hits and none of them is
+ *   undecided; 0 also at the limit of work, where what was not looked at is undecided.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _SAME, _DIMENSION, _INCOMPATIBLE, _TOLERANCE, _COUNT, _OVERFLOW,
+ *   _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_intersections(const nurbs *a, const nurbs *b, double tolerance,
+                                                 int64_t cap, double *params_a, double *params_b,
+                                                 int32_t *kinds, double *ranges_a, double *ranges_b,
+                                                 int64_t *count, int32_t *complete);
+
+/** \brief nurbs_curve_intersections() as a call that can be watched and ended.
+ * \param[in] a,b,tolerance,cap as for nurbs_curve_intersections().
+ * \param[out] params_a,params_b,kinds,ranges_a,ranges_b,count,complete as for nurbs_curve_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
+                                                      int64_t cap, double *params_a, double *params_b,
+                                                      int32_t *kinds, double *ranges_a, double *ranges_b,
+                                                      int64_t *count, int32_t *complete,
+                                                      const nurbs_call_options *call);
+
+/** \brief Where a curve meets itself, at places a < b: as nurbs_curve_intersections() of its parts. Parts whose
+ * derivative has no zero along some vector are proven to be simple. Two places are none if all of the curve
+ * between them is within the tolerance of itself, nor are both ends of a curve that closes. At a cusp, and
+ * where a curve turns back, double precision cannot exclude a loop of no size: with a tolerance of 0 these are
+ * undecided. nurbs_singular_points() names them.
+ * \param[in] g a curve of dimension 2 or more.
+ * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[in] cap length of the outputs: 0, or at least the number of hits.
+ * \param[out] params_a,params_b [cap] or NULL: both places, params_a < params_b, in the order of params_a.
+ * \param[out] kinds,ranges_a,ranges_b,count,complete as for nurbs_curve_intersections(). count 0 and complete 1:
+ *   the curve is proven to be simple.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
+ *   _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_self_intersections(const nurbs *g, double tolerance, int64_t cap,
+                                                      double *params_a, double *params_b, int32_t *kinds,
+                                                      double *ranges_a, double *ranges_b, int64_t *count,
+                                                      int32_t *complete);
+
+/** \brief nurbs_curve_self_intersections() as a call that can be watched and ended.
+ * \param[in] g,tolerance,cap as for nurbs_curve_self_intersections().
+ * \param[out] params_a,params_b,kinds,ranges_a,ranges_b,count,complete as for
+ *   nurbs_curve_self_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_self_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, double tolerance, int64_t cap,
+                                                           double *params_a, double *params_b, int32_t *kinds,
+                                                           double *ranges_a, double *ranges_b, int64_t *count,
+                                                           int32_t *complete, const nurbs_call_options *call);
+
+/** \name Status of a ray
+ * @{ */
+#define NURBS_RAY_HIT 0x01       /**< the ray meets the surface there, if rounding is allowed for */
+#define NURBS_RAY_CERTIFIED 0x02 /**< nothing is nearer; without NURBS_RAY_HIT: it meets nothing */
+#define NURBS_RAY_TOUCH 0x04 /**< it touches the surface there, as far as rounding can tell, or passes it */
+#define NURBS_RAY_BACK 0x08  /**< it comes from behind: from the side to which S_u x S_v does not point */
+/** @} */
+
+/** \brief Where rays x = origin + t direction, t >= 0, meet a surface first. Parts of Bezier pieces are taken for
+ * which a contraction (Krawczyk's operator, in two planes through the ray) proves that they meet the ray once or
+ * never; the others are halved. Rounding is in the proofs: certified answers are those for a ray that passes
+ * within some units of rounding of the size of the surface and of the distance of the origin, so that a ray
+ * through the common edge of two pieces, or along the edge of the surface, hits. At a jump the limit from either
+ * side may be meant. The first call makes a tree of boxes, which is kept.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] n number of rays.
+ * \param[in] origins [n][3].
+ * \param[in] origin_stride,origin_component_stride layout of origins, 0 = packed.
+ * \param[in] directions [n][3] of any length but 0.
+ * \param[in] direction_stride,direction_component_stride layout of directions, 0 = packed.
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither hit nor touch.
+ * \param[out] distances [n] or NULL: t, which is in lengths of the direction; NaN as above.
+ * \param[out] status [n] or NULL: NURBS_RAY_ bits. A touch is told where one comes before all hits; it may be
+ *   none. Without NURBS_RAY_CERTIFIED what is nearer was left open after some thousand boxes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP; _POINT_NOT_FINITE
+ *   if an origin is not finite, _DIRECTION if a direction is not finite or 0.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_rays(const nurbs *g, int64_t n, const double *origins,
+                                          int64_t origin_stride, int64_t origin_component_stride,
+                                          const double *directions, int64_t direction_stride,
+                                          int64_t direction_component_stride, double *params,
+                                          double *distances, int32_t *status);
+
+/** \brief nurbs_surface_rays() as a call that can be watched and ended. At the limit of work rays that were not
+ * looked at have no bits.
+ * \param[in] g,n,origins,origin_stride,origin_component_stride,directions as for nurbs_surface_rays().
+ * \param[in] direction_stride,direction_component_stride as for nurbs_surface_rays().
+ * \param[out] params,distances,status as for nurbs_surface_rays().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_surface_rays(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_rays_with(const nurbs *g, int64_t n, const double *origins,
+                                               int64_t origin_stride, int64_t origin_component_stride,
+                                               const double *directions, int64_t direction_stride,
+                                               int64_t direction_component_stride, double *params,
+                                               double *distances, int32_t *status,
+                                               const nurbs_call_options *call);
+
+/** \brief All places where a ray meets a surface, by rising t, as nurbs_surface_rays() finds the first.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] origin [3].
+ * \param[in] direction [3] of any length but 0.
+ * \param[in] range [2] or NULL: the t that count, infinite ones allowed; else {0, INFINITY}.
+ * \param[in] cap length of the outputs: 0, or at least the number of places.
+ * \param[out] params [cap][2] or NULL: parameters of the surface.
+ * \param[out] distances [cap] or NULL: t, which is in lengths of the direction.
+ * \param[out] kinds [cap] or NULL: NURBS_RAY_HIT or NURBS_RAY_TOUCH each, and NURBS_RAY_BACK.
+ * \param[out] count or NULL: number of places.
+ * \param[out] complete or NULL: 1 if there are no others and none of them is a touch, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _OVERLAP, _POINT_NOT_FINITE,
+ *   _DIRECTION as for nurbs_surface_rays(); _EMPTY_DOMAIN if range[0] > range[1] or one is NaN, _SIZE if cap is
+ *   neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *origin, const double *direction,
+                                              const double *range, int64_t cap, double *params,
+                                              double *distances, int32_t *kinds, int64_t *count,
+                                              int32_t *complete);
 /** @} */
 
 /** \defgroup edit Weights and control points

@@ -73,6 +73,7 @@ enum class Status : int32_t {
     rank = 66,
     scale = 67,
     orientation = 68,
+    same = 69,
     // domain
     outside_domain = 100,
     // numbers

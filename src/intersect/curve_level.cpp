@@ -139,8 +139,8 @@ private:
 } // namespace
 
 CurveHits curve_level(const Spline &curve, const ImplicitForm &form, double tolerance) {
-    const LimitedSearch limited;
     const UsualLimit usual(usual_work(curve.point_count()));
+    const LimitedSearch limited;
     return LevelHits(*function_along(curve, form), tolerance).run();
 }
 

@@ -130,6 +130,7 @@ public:
         locator,
         lengths,
         magnitude,
+        rays,
         count
     };
     using AnyCache = std::shared_ptr<const void>;

@@ -113,6 +113,11 @@ static void boxes() {
     EXPECT(near(tangents.direction, {1, 0}) && near({tangents.angle}, {0}, 1e-6));
     const DirectionCone normals = normal_cone(floor_plane(), 1e-3);
     EXPECT(near(normals.direction, {0, 0, 1}) && near({normals.angle}, {0}, 1e-6));
+    const Rays first = rays(floor_plane(), {0.5, 1, 3, 9, 9, 9}, {0, 0, -1, 0, 0, -1});
+    EXPECT(near({first.params[0], first.params[1], first.distances[0]}, {0.25, 0.25, 3}));
+    EXPECT(first.status == (std::vector{ray_hit | ray_certified, ray_certified}));
+    const RayHits through = ray_hits(sphere({}, 2), {0.5, 0.25, 5}, {0, 0, -1});
+    EXPECT(near({through.distances[0] + through.distances[1]}, {10}) && through.complete);
     const ExtremePoint top = extreme_point(circle({}, 2), {0, 1}, 1e-9);
     EXPECT(near(top.params, {0.25}, 1e-4) && near({top.value, top.bound}, {2, 2}, 1e-8) && top.bound >= 2);
     EXPECT(status_of([] { (void)extreme_point(base(), {0, 0}, 0); }) == Status::direction);
@@ -130,6 +135,9 @@ static void curve_shapes() {
            zeros.complete);
     const Hits level = curve_level(circle({}, 1), 1, {1, 2, 0});
     EXPECT(level.kinds == (std::vector{hit_crossing, hit_crossing}) && level.complete);
+    EXPECT(self_intersections(circle({}, 1)).complete);
+    const PairHits meets = curve_intersections(line({0, 0}, {1, 1}), line({0, 1}, {1, 0}));
+    EXPECT(near(meets.params_a, {0.5}) && near(meets.params_b, {0.5}) && meets.complete);
     const MonotonePieces pieces = monotone_pieces(circle({}, 1), {1, 0});
     EXPECT(near(pieces.starts, {0, 0.5}) && pieces.signs == (std::vector{-1, 1}) && pieces.complete);
     EXPECT(convexity(circle({}, 1)) == convexity_left && convexity(base()) == convexity_straight);

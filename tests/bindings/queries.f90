@@ -187,7 +187,7 @@ contains
         type(nurbs_spline) :: g
         real(c_double), allocatable :: params(:), values(:)
         integer(c_int32_t), allocatable :: found(:), signs(:)
-        real(c_double), allocatable :: ranges(:, :)
+        real(c_double), allocatable :: ranges(:, :), others(:, :)
         real(c_double) :: corners(3, 2), bezier(4, 2), parabola(3, 1)
         logical :: complete
         bezier(:, 1) = [0, 1, 2, 3]
@@ -206,6 +206,10 @@ contains
         call expect(near(params, [0.25d0, 0.75d0]) .and. complete .and. all(signs == NURBS_HIT_CROSSING), 'roots')
         call curve_level(ring, 1, [1d0, 2d0, 0d0], params, signs, ranges, complete)
         call expect(size(params) == 2 .and. complete .and. all(shape(ranges) == [2, 2]), 'a line through a ring')
+        call curve_intersections(ring, base, params, values, signs, ranges, others, complete, tolerance=1d-9)
+        call expect(complete .and. size(params) == size(signs), 'a ring and another curve')
+        call self_intersections(ring, params, values, signs, ranges, others, complete)
+        call expect(size(params) == 0 .and. complete, 'a ring is simple')
         call monotone_pieces(ring, [1d0, 0d0], params, signs, complete)
         call expect(near(params, [0d0, 0.5d0]) .and. all(signs == [-1, 1]) .and. complete, 'monotone pieces')
     end subroutine curve_shapes
@@ -227,7 +231,9 @@ contains
         type(nurbs_spline) :: g
         logical, allocatable :: closed(:), collapsed(:, :)
         real(c_double), allocatable :: gaps(:), sizes(:, :), params(:, :), boxes(:, :, :)
-        real(c_double) :: bezier(4, 2)
+        integer(c_int32_t), allocatable :: kinds(:)
+        integer(c_int32_t) :: states(1)
+        real(c_double) :: bezier(4, 2), first(1)
         logical :: complete
         call boundary_contacts(ball, closed, gaps, collapsed, sizes, tolerance=1d-9)
         call expect(all(closed .eqv. [.true., .false.]) .and. near(gaps(:1), [0d0]), 'a seam')
@@ -238,6 +244,11 @@ contains
         call singular_points(g, 1d-3, params, boxes, complete)
         call expect(near(params(:, 1), [0.5d0], 1d-3) .and. complete, 'a cusp')
         call expect(boxes(1, 1, 1) <= 0.5d0 .and. 0.5d0 <= boxes(2, 1, 1), 'its box')
+        call rays(floor_plane, reshape([0.5d0, 1d0, 3d0], [1, 3]), reshape([0d0, 0d0, -1d0], [1, 3]), &
+            distances=first, states=states)
+        call expect(near(first, [3d0]) .and. all(states == NURBS_RAY_HIT + NURBS_RAY_CERTIFIED), 'a ray')
+        call ray_hits(floor_plane, [0.5d0, 1d0, 3d0], [0d0, 0d0, -1d0], params, gaps, kinds, complete)
+        call expect(near(gaps, [3d0]) .and. near(params(1, :), [0.25d0, 0.25d0]) .and. complete, 'its hits')
         call singular_points(base, 1d-3, params, boxes)
         call expect(size(params, 1) == 0 .and. size(boxes, 3) == 0, 'none')
     end subroutine surface_shapes

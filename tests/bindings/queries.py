@@ -211,6 +211,36 @@ class Intersections(unittest.TestCase):
         with self.assertRaises(nurbs.ArgumentError):
             circle.curve_level(9, [0] * 55)
 
+    def test_curves(self):
+        a, b = nurbs.line([0, 0], [1, 1]), nurbs.line([0, 1], [1, 0])
+        found = a.curve_intersections(b)
+        near([found.params_a[0], found.params_b[0]], [0.5, 0.5])
+        self.assertEqual((found.kinds.tolist(), found.complete), ([nurbs.NURBS_HIT_CROSSING], True))
+        self.assertEqual(nurbs.circle(1).self_intersections().complete, True)
+        with self.assertRaises(nurbs.ArgumentError):
+            a.curve_intersections(a)
+        self.assertEqual(len(nurbs.circle(1).self_intersections().kinds), 0)
+        same = a.curve_intersections(a.reverse(), 1e-9)
+        self.assertEqual(same.kinds.tolist(), [nurbs.NURBS_HIT_OVERLAP])
+        self.assertGreater(same.ranges_b[0, 0], same.ranges_b[0, 1])
+
+
+    def test_rays(self):
+        floor = nurbs.plane([2, 0, 0], [0, 4, 0])
+        found = floor.rays([[0.5, 1, 3], [0.5, 1, -3], [9, 9, 9]], [0, 0, -1])
+        near(found.params[0], [0.25, 0.25])
+        near(found.distances[0], 3)
+        self.assertEqual(found.status.tolist(), [nurbs.NURBS_RAY_HIT | nurbs.NURBS_RAY_CERTIFIED] +
+                         [nurbs.NURBS_RAY_CERTIFIED] * 2)
+        self.assertTrue(np.isnan(found.params[1:]).all())
+        near(floor.ray_hits([0.5, 1, -3], [0, 0, -1], part=[-inf, 0]).distances, -3)
+        hits = nurbs.sphere(2).ray_hits([0.5, 0.25, 5], [0, 0, -1])
+        self.assertEqual((hits.kinds.tolist(), hits.complete),
+                         ([nurbs.NURBS_RAY_HIT, nurbs.NURBS_RAY_HIT | nurbs.NURBS_RAY_BACK], True))
+        near(hits.distances.sum(), 10)
+        with self.assertRaises(nurbs.ArgumentError):
+            floor.rays([0, 0, 1], [0, 0, 0])
+
 
 class Features(unittest.TestCase):
     def test_features(self):

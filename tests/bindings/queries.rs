@@ -133,6 +133,11 @@ fn boxes() -> Result<()> {
     assert!(near(&tangents.direction, &[1., 0.]) && tangents.angle <= 1e-6);
     let normals = floor_plane()?.normal_cone(1e-3, &[])?;
     assert!(near(&normals.direction, &[0., 0., 1.]) && normals.angle <= 1e-6);
+    let first = floor_plane()?.rays(&[0.5, 1., 3., 9., 9., 9.], &[0., 0., -1., 0., 0., -1.])?;
+    assert!(near(&first.params[0], &[0.25, 0.25]) && near(&first.distances[..1], &[3.]));
+    assert_eq!(first.status, [sys::NURBS_RAY_HIT | sys::NURBS_RAY_CERTIFIED, sys::NURBS_RAY_CERTIFIED]);
+    let through = floor_plane()?.ray_hits(&[0.5, 1., 3.], &[0., 0., -1.], &[])?;
+    assert!(near(&through.distances, &[3.]) && through.complete);
     let top = circle(2.)?.extreme_point(&[0., 1.], 1e-9, &[])?;
     assert!(close(&top.params, &[0.25], 1e-4) && close(&[top.value, top.bound], &[2.; 2], 1e-8));
     assert_eq!(status_of(base()?.extreme_point(&[0.; 2], 0., &[])), sys::NURBS_ERROR_DIRECTION);
@@ -150,6 +155,10 @@ fn curve_shapes() -> Result<()> {
     let zeros = Spline::bezier(&[2], 1, &[0.75, -1.25, 0.75], None)?.roots(0., 0.)?;
     assert!(near(&zeros.params, &[0.25, 0.75]) && zeros.complete && zeros.ranges.len() == 2);
     assert_eq!(circle(1.)?.curve_level(1, &[1., 2., 0.], 0.)?.kinds, [sys::NURBS_HIT_CROSSING; 2]);
+    let own = circle(1.)?.self_intersections(0.)?;
+    assert!(own.complete && own.kinds.is_empty());
+    let meets = circle(1.)?.curve_intersections(&Spline::line(&[0., 0.5], &[2., 0.5])?, 0.)?;
+    assert!(meets.complete && meets.kinds == [sys::NURBS_HIT_CROSSING] && near(&meets.params_b, &[0.75_f64.sqrt() / 2.]));
     let ways = circle(1.)?.monotone_pieces(&[1., 0.])?;
     let (starts, signs): (Vec<f64>, Vec<i32>) = ways.pieces.into_iter().unzip();
     assert!(near(&starts, &[0., 0.5]) && signs == [-1, 1] && ways.complete);

@@ -211,29 +211,268 @@ static void circles(void) {
     nurbs_destroy(g);
 }
 
+struct pair_hits {
+    double a[most], b[most], ranges_a[2 * most], ranges_b[2 * most];
+    int32_t kinds[most], complete;
+    int64_t count;
+};
+
+static struct pair_hits meets(const nurbs *a, const nurbs *b, double tolerance) {
+    struct pair_hits h;
+    CHECK_OK(nurbs_curve_intersections(a, b, tolerance, most, h.a, h.b, h.kinds, h.ranges_a, h.ranges_b,
+                                       &h.count, &h.complete));
+    return h;
+}
+
+static nurbs *plane_curve(int32_t degree, const double *points, const double *weights) {
+    const double knots[] = {0, 0, 1, 1}, more[] = {0, 0, 0, 1, 1, 1};
+    const int64_t count = degree + 1;
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create(1, &degree, &count, degree == 1 ? knots : more, 2 * degree + 2, 2, points, 0, 0,
+                          weights, 0, 0, &g));
+    return g;
+}
+
+static void two_lines(void) {
+    const double up[] = {0, 0, 1, 1}, down[] = {0, 1, 1, 0}, from_end[] = {1, 1, 2, 0},
+                 from_middle[] = {0.5, 0.5, 1, 0};
+    const double on[] = {0.5, 0.5, 2, 2}, back[] = {2, 2, 0.5, 0.5}, beside[] = {0, 1, 1, 2};
+    nurbs *g = plane_curve(1, up, NULL), *b = plane_curve(1, down, NULL);
+    struct pair_hits h = meets(g, b, 0);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_CROSSING);
+    CHECK(h.a[0] == 0.5 && h.b[0] == 0.5);
+    nurbs_destroy(b);
+    b = plane_curve(1, from_end, NULL); /* at a control point of both */
+    h = meets(g, b, 0);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_CROSSING);
+    CHECK(h.a[0] == 1 && h.b[0] == 0);
+    nurbs_destroy(b);
+    b = plane_curve(1, from_middle, NULL); /* from a point that double precision cannot prove */
+    h = meets(g, b, 0);
+    CHECK(h.count == 1 && h.complete == 0 && h.kinds[0] == NURBS_HIT_UNDECIDED);
+    h = meets(g, b, 1e-9);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_CROSSING);
+    nurbs_destroy(b);
+    b = plane_curve(1, on, NULL);
+    h = meets(g, b, 1e-9);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_OVERLAP);
+    CHECK(fabs(h.ranges_a[0] - 0.5) < 1e-8 && h.ranges_a[1] == 1 && h.ranges_b[0] == 0 &&
+          fabs(h.ranges_b[1] - 1 / 3.0) < 1e-8);
+    nurbs_destroy(b);
+    b = plane_curve(1, back, NULL);
+    h = meets(g, b, 1e-9);
+    CHECK(h.count == 1 && h.kinds[0] == NURBS_HIT_OVERLAP && h.ranges_b[0] == 1 &&
+          fabs(h.ranges_b[1] - 2 / 3.0) < 1e-8);
+    nurbs_destroy(b);
+    b = plane_curve(1, beside, NULL);
+    h = meets(g, b, 0.1);
+    CHECK(h.count == 0 && h.complete == 1);
+    nurbs_destroy(b);
+    nurbs_destroy(g);
+}
+
+/* y = x^2 over [-1, 1] and lines at heights 0, -1e-10, 1e-6. */
+static void a_parabola_and_lines(void) {
+    const double parabola[] = {-1, 1, 0, -1, 1, 1};
+    double line[] = {-1, 0, 1, 0};
+    nurbs *g = plane_curve(2, parabola, NULL), *b = plane_curve(1, line, NULL);
+    struct pair_hits h = meets(g, b, 0);
+    CHECK(h.count == 1 && h.complete == 0 && h.kinds[0] == NURBS_HIT_UNDECIDED);
+    h = meets(g, b, 1e-9);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_TANGENT);
+    CHECK(fabs(h.a[0] - 0.5) < 1e-7 && fabs(h.b[0] - 0.5) < 1e-7);
+    nurbs_destroy(b);
+    line[1] = line[3] = -1e-10;
+    b = plane_curve(1, line, NULL);
+    h = meets(g, b, 1e-9);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_CONTACT);
+    h = meets(g, b, 0);
+    CHECK(h.count == 0 && h.complete == 1);
+    nurbs_destroy(b);
+    line[1] = line[3] = 1e-6;
+    b = plane_curve(1, line, NULL);
+    h = meets(g, b, 1e-9);
+    CHECK(h.count == 2 && h.complete == 1 && h.kinds[0] == NURBS_HIT_CROSSING &&
+          h.kinds[1] == NURBS_HIT_CROSSING);
+    CHECK(fabs(h.a[0] - 0.4995) < 1e-12 && fabs(h.a[1] - 0.5005) < 1e-12);
+    nurbs_destroy(b);
+    nurbs_destroy(g);
+}
+
+/* Circles that cross, touch from outside and inside at a knot, are apart, and are one. */
+static void two_circles(void) {
+    const double at[] = {0, 0}, over[] = {1.2, 0}, beside[] = {2, 0}, inner[] = {0.5, 0};
+    nurbs *g = NULL, *b = NULL;
+    struct pair_hits h;
+    CHECK_OK(nurbs_curve_circle(2, at, NULL, NULL, 1, NURBS_ARC_QUARTERS, &g));
+    CHECK_OK(nurbs_curve_circle(2, over, NULL, NULL, 1, NURBS_ARC_QUARTERS, &b));
+    h = meets(g, b, 0);
+    CHECK(h.count == 2 && h.complete == 1);
+    nurbs_destroy(b);
+    CHECK_OK(nurbs_curve_circle(2, beside, NULL, NULL, 1, NURBS_ARC_QUARTERS, &b));
+    h = meets(g, b, 1e-9); /* at both ends of the first circle */
+    CHECK(h.complete == 1 && h.count == 2 && h.kinds[0] == NURBS_HIT_TANGENT && h.a[0] == 0);
+    nurbs_destroy(b);
+    CHECK_OK(nurbs_curve_circle(2, inner, NULL, NULL, 0.25, NURBS_ARC_QUARTERS, &b));
+    h = meets(g, b, 0.2);
+    CHECK(h.count == 0 && h.complete == 1);
+    h = meets(g, b, 0.25 + 1e-12);
+    CHECK(h.complete == 1 && h.count >= 1);
+    nurbs_destroy(b);
+    CHECK_OK(nurbs_elevate(g, 0, 1, &b));
+    h = meets(g, b, 1e-9);
+    CHECK(h.complete == 1 && h.count == 3 &&
+          h.kinds[1] == NURBS_HIT_OVERLAP); /* and each end on the other one */
+    nurbs_destroy(b);
+    nurbs_destroy(g);
+}
+
 /* The long forms answer alike, and at a limit of work with what is left open. */
 static void watched(void) {
     const double knots[] = {0, 0, 0, 1, 1, 1}, values[] = {0.75, -1.25, 0.75}, plane[] = {0, 1, -0.5};
-    nurbs *g = scalar(2, 3, knots, values, 0), *c = make(arch());
+    nurbs *g = scalar(2, 3, knots, values, 0), *c = make(arch()), *other = NULL;
     nurbs_call_options call;
     int64_t count = -1;
     int32_t complete = -1;
     CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    CHECK_OK(nurbs_reverse(c, 0, 0, &other));
     CHECK_OK(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
     CHECK(count == 2 && complete == 1);
     CHECK_OK(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
     CHECK(count == level_of(c, 1, plane, 0).count && complete == 1);
+    CHECK_OK(nurbs_curve_intersections_with(c, other, 1e-9, 0, NULL, NULL, NULL, NULL, NULL, &count,
+                                            &complete, &call));
+    CHECK(count == meets(c, other, 1e-9).count && complete == 1);
+    CHECK_OK(nurbs_curve_self_intersections_with(c, 1e-9, 0, NULL, NULL, NULL, NULL, NULL, &count, &complete,
+                                                 &call));
+    CHECK(count == 0 && complete == 1);
     call.work = 1;
     CHECK_OK(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
     CHECK_INT(complete, 0);
     CHECK_OK(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
     CHECK_INT(complete, 0);
+    CHECK_OK(nurbs_curve_intersections_with(c, other, 1e-9, 0, NULL, NULL, NULL, NULL, NULL, &count,
+                                            &complete, &call));
+    CHECK(count == 1 && complete == 0);
+    CHECK_OK(nurbs_curve_self_intersections_with(c, 1e-9, 0, NULL, NULL, NULL, NULL, NULL, &count, &complete,
+                                                 &call));
+    CHECK(count == 1 && complete == 0);
     call.struct_size = 1;
     CHECK_FAILS(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call), NURBS_ERROR_OPTIONS,
                 "struct_size");
     CHECK_FAILS(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call),
                 NURBS_ERROR_OPTIONS, "struct_size");
+    CHECK_FAILS(nurbs_curve_intersections_with(c, other, 0, 0, NULL, NULL, NULL, NULL, NULL, &count,
+                                               &complete, &call),
+                NURBS_ERROR_OPTIONS, "struct_size");
+    CHECK_FAILS(
+        nurbs_curve_self_intersections_with(c, 0, 0, NULL, NULL, NULL, NULL, NULL, &count, &complete, &call),
+        NURBS_ERROR_OPTIONS, "struct_size");
+    nurbs_destroy(other);
     nurbs_destroy(c);
+    nurbs_destroy(g);
+}
+
+static struct pair_hits own_meets(const nurbs *g, double tolerance) {
+    struct pair_hits h;
+    CHECK_OK(nurbs_curve_self_intersections(g, tolerance, most, h.a, h.b, h.kinds, h.ranges_a, h.ranges_b,
+                                            &h.count, &h.complete));
+    return h;
+}
+
+static nurbs *polygon(int64_t count, const double *points) {
+    double knots[32] = {0};
+    const int32_t degree = 1;
+    nurbs *g = NULL;
+    for (int64_t i = 1; i <= count; ++i) {
+        knots[i] = (double)(i < count ? i - 1 : count - 2);
+    }
+    knots[count + 1] = (double)(count - 1);
+    knots[count] = (double)(count - 1);
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, count + 2, 2, points, 0, 0, NULL, 0, 0, &g));
+    return g;
+}
+
+/* A bow that crosses itself, a polygon that closes and is simple, one that turns back on itself. */
+static void self(void) {
+    const double bow[] = {0, 0, 1, 1, 1, 0, 0, 1}, ring[] = {0, 0, 1, 0, 1, 1, 0, 0},
+                 back[] = {0, 0, 2, 0, 1, 0};
+    nurbs *g = polygon(4, bow);
+    struct pair_hits h = own_meets(g, 0);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_CROSSING);
+    CHECK(h.a[0] == 0.5 && h.b[0] == 2.5);
+    nurbs_destroy(g);
+    g = polygon(4, ring);
+    h = own_meets(g, 0);
+    CHECK(h.count == 0 && h.complete == 1);
+    h = own_meets(g, 1e-6);
+    CHECK(h.count == 0 && h.complete == 1);
+    nurbs_destroy(g);
+    g = polygon(3, back);
+    h = own_meets(g, 1e-9);
+    CHECK(h.count == 1 && h.complete == 1 && h.kinds[0] == NURBS_HIT_OVERLAP);
+    CHECK(fabs(h.ranges_a[0] - 0.5) < 1e-8 && fabs(h.ranges_a[1] - 1) < 1e-8 && h.ranges_b[0] == 2 &&
+          fabs(h.ranges_b[1] - 1) < 1e-8);
+    h = own_meets(g, 0);
+    CHECK(h.count == 1 && h.complete == 0 && h.kinds[0] == NURBS_HIT_UNDECIDED);
+    nurbs_destroy(g);
+}
+
+static void refused_pairs(void) {
+    nurbs *g = make(arch()), *s = make(trough()), *space = make(twist()), *other = NULL,
+          *flat = scalar(2, 3, (const double[]){0, 0, 0, 1, 1, 1}, (const double[]){1, -2, 1}, 0),
+          *bow = polygon(4, (const double[]){0, 0, 1, 1, 1, 0, 0, 1});
+    double a[most], b[most], c[2 * most], d[2 * most];
+    int32_t i[most], complete = 0;
+    int64_t count = 0;
+    FILL(a);
+    FILL(b);
+    FILL(c);
+    FILL(d);
+    FILL(i);
+    CHECK_OK(nurbs_reverse(g, 0, 0, &other));
+    CHECK_FAILS(nurbs_curve_intersections(NULL, g, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_NULL, "a is NULL");
+    CHECK_FAILS(nurbs_curve_intersections(g, NULL, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_NULL, "b is NULL");
+    CHECK_FAILS(nurbs_curve_intersections(s, g, 0, most, a, b, i, c, d, &count, &complete), NURBS_ERROR_AXES,
+                "a");
+    CHECK_FAILS(nurbs_curve_intersections(g, g, 0, most, a, b, i, c, d, &count, &complete), NURBS_ERROR_SAME,
+                "a and b");
+    CHECK_FAILS(nurbs_curve_intersections(flat, g, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_DIMENSION, "a|dimension 1");
+    CHECK_FAILS(nurbs_curve_intersections(g, space, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_INCOMPATIBLE, "dimension");
+    CHECK_FAILS(nurbs_curve_intersections(g, other, -1, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_TOLERANCE, "tolerance = -1");
+    CHECK_FAILS(nurbs_curve_intersections(g, other, NAN, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_curve_intersections(g, other, 1, -1, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_curve_intersections(g, other, 1e-9, most, a, a, i, c, d, &count, &complete),
+                NURBS_ERROR_OVERLAP, "params_b|params_a");
+    CHECK_FAILS(nurbs_curve_self_intersections(NULL, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_NULL, "g is NULL");
+    CHECK_FAILS(nurbs_curve_self_intersections(s, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_AXES, "curve");
+    CHECK_FAILS(nurbs_curve_self_intersections(flat, 0, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_DIMENSION, "dimension 1");
+    CHECK_FAILS(nurbs_curve_self_intersections(g, -1, most, a, b, i, c, d, &count, &complete),
+                NURBS_ERROR_TOLERANCE, "tolerance = -1");
+    CHECK_FAILS(nurbs_curve_self_intersections(g, 0, -1, a, b, i, c, d, &count, &complete), NURBS_ERROR_COUNT,
+                "cap = -1");
+    CHECK_FAILS(nurbs_curve_self_intersections(bow, 0, most, a, b, i, c, c, &count, &complete),
+                NURBS_ERROR_OVERLAP, "ranges_b|ranges_a");
+    CHECK_UNTOUCHED(a);
+    CHECK_UNTOUCHED(b);
+    CHECK_UNTOUCHED(c);
+    CHECK_UNTOUCHED(d);
+    CHECK_UNTOUCHED(i);
+    nurbs_destroy(bow);
+    nurbs_destroy(flat);
+    nurbs_destroy(other);
+    nurbs_destroy(space);
+    nurbs_destroy(s);
     nurbs_destroy(g);
 }
 
@@ -296,7 +535,12 @@ int main(void) {
     a_plane_at_control_points();
     weighted_steps();
     circles();
+    two_lines();
+    a_parabola_and_lines();
+    two_circles();
+    self();
     watched();
+    refused_pairs();
     refused();
     return check_summary("intersections");
 }

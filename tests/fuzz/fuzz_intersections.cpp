@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Roots of scalar curves and meets of curves with implicit sets.
+// Roots of scalar curves, and meets of curves with implicit sets, with each other and with themselves.
 #include "fuzz/harness.h"
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 namespace {
 
 using fuzz::Input;
+
+constexpr int64_t most = 256;
 
 struct Hits {
     std::vector<double> params, ranges;
@@ -71,6 +73,47 @@ void level(Input &in, const nurbs *g, int32_t dim) {
     h.check(g);
 }
 
+void check_pairs(int64_t count, int32_t complete, const double *a, const double *b) {
+    FUZZ_REQUIRE(count >= 0 && (complete == 0 || complete == 1));
+    FUZZ_REQUIRE(std::is_sorted(a, a + std::min(count, most)));
+    for (int64_t i = 0; i < std::min(count, most); ++i) {
+        FUZZ_REQUIRE(std::isfinite(a[i]) && std::isfinite(b[i]));
+    }
+}
+
+// With itself turned around: overlaps, and everything near them.
+void pairs(Input &in, const nurbs *g) {
+    const double tolerance = std::abs(in.number()) * 0x1p-20;
+    double a[most], b[most];
+    int64_t count = 0;
+    int32_t complete = -1;
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = 2000000;
+    nurbs *out = nullptr;
+    if (!FUZZ_OK(nurbs_reverse(g, 0, 0, &out))) {
+        return;
+    }
+    const fuzz::Handle other(out);
+    if (FUZZ_OK(nurbs_curve_intersections_with(g, other.get(), tolerance, most, a, b, nullptr, nullptr,
+                                               nullptr, &count, &complete, &call))) {
+        check_pairs(count, complete, a, b);
+    }
+    if (FUZZ_OK(nurbs_curve_self_intersections_with(g, tolerance, most, a, b, nullptr, nullptr, nullptr,
+                                                    &count, &complete, &call))) {
+        check_pairs(count, complete, a, b);
+        if (complete == 1) {
+            FUZZ_REQUIRE(nurbs_curve_self_intersections(g, tolerance, most, a, b, nullptr, nullptr, nullptr,
+                                                        &count, &complete) == NURBS_OK);
+        }
+    }
+    call.work = 1;
+    FUZZ_OK(nurbs_curve_intersections(g, g, tolerance, 0, nullptr, nullptr, nullptr, nullptr, nullptr, &count,
+                                      &complete));
+    FUZZ_OK(nurbs_curve_self_intersections_with(g, tolerance, 0, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                                &count, &complete, &call));
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -81,6 +124,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     }
     roots(in, g.get());
+    pairs(in, g.get());
     if (s.degrees[0] <= 9) {
         level(in, g.get(), s.dim);
     }

@@ -2849,6 +2849,95 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_level_with
+        !> Where two curves meet: all places at which they come as near as the tolerance.
+        function nurbs_curve_intersections(a, b, tolerance, cap, params_a, params_b, kinds, ranges_a, &
+                ranges_b, count, complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params_a(*), params_b(*), ranges_a(*), ranges_b(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_curve_intersections
+        !> nurbs_curve_intersections() as a call that can be watched and ended.
+        function nurbs_curve_intersections_with(a, b, tolerance, cap, params_a, params_b, kinds, ranges_a, &
+                ranges_b, count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params_a(*), params_b(*), ranges_a(*), ranges_b(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_intersections_with
+        !> Where a curve meets itself, at places a < b: as nurbs_curve_intersections() of its parts.
+        function nurbs_curve_self_intersections(g, tolerance, cap, params_a, params_b, kinds, ranges_a, &
+                ranges_b, count, complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params_a(*), params_b(*), ranges_a(*), ranges_b(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_curve_self_intersections
+        !> nurbs_curve_self_intersections() as a call that can be watched and ended.
+        function nurbs_curve_self_intersections_with(g, tolerance, cap, params_a, params_b, kinds, ranges_a, &
+                ranges_b, count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params_a(*), params_b(*), ranges_a(*), ranges_b(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_self_intersections_with
+        !> Where rays x = origin + t direction, t >= 0, meet a surface first.
+        function nurbs_surface_rays(g, n, origins, origin_stride, origin_component_stride, directions, &
+                direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, origin_stride, origin_component_stride, direction_stride, &
+                direction_component_stride
+            real(c_double), intent(in) :: origins(*), directions(*)
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_surface_rays
+        !> nurbs_surface_rays() as a call that can be watched and ended.
+        function nurbs_surface_rays_with(g, n, origins, origin_stride, origin_component_stride, directions, &
+                direction_stride, direction_component_stride, params, distances, status, call) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, origin_stride, origin_component_stride, direction_stride, &
+                direction_component_stride
+            real(c_double), intent(in) :: origins(*), directions(*)
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_surface_rays_with
+        !> All places where a ray meets a surface, by rising t, as nurbs_surface_rays() finds the first.
+        function nurbs_surface_ray_hits(g, origin, direction, range, cap, params, distances, kinds, count, &
+                complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: origin(*), direction(*)
+            real(c_double), intent(in), optional :: range(*)
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_surface_ray_hits
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.

@@ -128,6 +128,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_SCALE = 67
     ! loops of a face have no common inside, or enclose nothing
     integer(c_int32_t), parameter :: NURBS_ERROR_ORIENTATION = 68
+    integer(c_int32_t), parameter :: NURBS_ERROR_SAME = 69  ! one handle where two different shapes are needed
     ! a parameter or knot lies outside the domain
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     ! a value of the result overflows double precision
@@ -406,13 +407,23 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_HIT_CROSSING = 1
     ! a touch, as far as rounding and the tolerance can tell
     integer(c_int32_t), parameter :: NURBS_HIT_TANGENT = 2
-    ! proven apart, but by no more than the tolerance: the nearest place
+    ! within the tolerance, but proven apart: the nearest place
     integer(c_int32_t), parameter :: NURBS_HIT_CONTACT = 3
     ! within the tolerance in all of the range, a span or more
     integer(c_int32_t), parameter :: NURBS_HIT_OVERLAP = 4
     ! from one side to the other where the curve jumps, and meets nothing
     integer(c_int32_t), parameter :: NURBS_HIT_JUMP = 5
     integer(c_int32_t), parameter :: NURBS_HIT_UNDECIDED = 6  ! a range in which it is left open what there is
+
+    ! --- Status of a ray
+    ! the ray meets the surface there, if rounding is allowed for
+    integer(c_int32_t), parameter :: NURBS_RAY_HIT = int(z'01', c_int32_t)
+    ! nothing is nearer; without NURBS_RAY_HIT: it meets nothing
+    integer(c_int32_t), parameter :: NURBS_RAY_CERTIFIED = int(z'02', c_int32_t)
+    ! it touches the surface there, as far as rounding can tell, or passes it
+    integer(c_int32_t), parameter :: NURBS_RAY_TOUCH = int(z'04', c_int32_t)
+    ! it comes from behind: from the side to which S_u x S_v does not point
+    integer(c_int32_t), parameter :: NURBS_RAY_BACK = int(z'08', c_int32_t)
 
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point

@@ -4,13 +4,15 @@
 module nurbs_intersections
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_roots, nurbs_curve_level, nurbs_roots_with, nurbs_curve_level_with
+    use nurbs_c, only: nurbs_roots, nurbs_curve_level, nurbs_curve_intersections, nurbs_curve_self_intersections, &
+        nurbs_surface_rays, nurbs_surface_ray_hits, nurbs_roots_with, nurbs_curve_level_with, &
+        nurbs_curve_intersections_with, nurbs_curve_self_intersections_with, nurbs_surface_rays_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
-    public :: roots, curve_level
+    public :: roots, curve_level, curve_intersections, self_intersections, rays, ray_hits
 
 contains
 
@@ -95,4 +97,139 @@ contains
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine curve_level
+
+    !> Where two curves meet, with proof that there are no other places.
+    subroutine curve_intersections(a, b, params_a, params_b, kinds, ranges_a, ranges_b, complete, tolerance, status, &
+            call)
+        class(nurbs_spline), intent(in) :: a, b
+        real(c_double), allocatable, intent(inout) :: params_a(:), params_b(:), ranges_a(:, :), ranges_b(:, :)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        logical, intent(inout), optional :: complete
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: ranges_a_c(:, :), ranges_b_c(:, :)
+        n = 0
+        answer = 0
+        if (present(call)) then
+            code = nurbs_curve_intersections_with(a%handle, b%handle, given(tolerance, 0d0), 0_c_int64_t, count=n, &
+                call=watched(call))
+        else
+            code = nurbs_curve_intersections(a%handle, b%handle, given(tolerance, 0d0), 0_c_int64_t, count=n)
+        end if
+        if (allocated(params_a)) deallocate (params_a)
+        if (allocated(params_b)) deallocate (params_b)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (params_a(n), params_b(n), kinds(n), ranges_a_c(2, n), ranges_b_c(2, n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_curve_intersections_with(a%handle, b%handle, given(tolerance, 0d0), n, params_a, &
+                    params_b, kinds, ranges_a_c, ranges_b_c, complete=answer, call=watched(call))
+            else
+                code = nurbs_curve_intersections(a%handle, b%handle, given(tolerance, 0d0), n, params_a, params_b, &
+                    kinds, ranges_a_c, ranges_b_c, complete=answer)
+            end if
+        end if
+        ranges_a = transpose(ranges_a_c)
+        ranges_b = transpose(ranges_b_c)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine curve_intersections
+
+    !> Where a curve meets itself, with proof that there are no other places.
+    subroutine self_intersections(g, params_a, params_b, kinds, ranges_a, ranges_b, complete, tolerance, status, call)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), allocatable, intent(inout) :: params_a(:), params_b(:), ranges_a(:, :), ranges_b(:, :)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        logical, intent(inout), optional :: complete
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: ranges_a_c(:, :), ranges_b_c(:, :)
+        n = 0
+        answer = 0
+        if (present(call)) then
+            code = nurbs_curve_self_intersections_with(g%handle, given(tolerance, 0d0), 0_c_int64_t, count=n, &
+                call=watched(call))
+        else
+            code = nurbs_curve_self_intersections(g%handle, given(tolerance, 0d0), 0_c_int64_t, count=n)
+        end if
+        if (allocated(params_a)) deallocate (params_a)
+        if (allocated(params_b)) deallocate (params_b)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (params_a(n), params_b(n), kinds(n), ranges_a_c(2, n), ranges_b_c(2, n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_curve_self_intersections_with(g%handle, given(tolerance, 0d0), n, params_a, params_b, &
+                    kinds, ranges_a_c, ranges_b_c, complete=answer, call=watched(call))
+            else
+                code = nurbs_curve_self_intersections(g%handle, given(tolerance, 0d0), n, params_a, params_b, kinds, &
+                    ranges_a_c, ranges_b_c, complete=answer)
+            end if
+        end if
+        ranges_a = transpose(ranges_a_c)
+        ranges_b = transpose(ranges_b_c)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine self_intersections
+
+    !> Where rays meet a surface first, with proof.
+    subroutine rays(g, origins, directions, params, distances, states, status, call)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: origins(:, :), directions(:, :)
+        real(c_double), intent(inout), optional :: params(:, :), distances(:)
+        integer(c_int32_t), intent(inout), optional :: states(:)
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        n = size(origins, 1, c_int64_t)
+        allocate (params_c(2, n))
+        code = fitting([fits(origins, n, 3_c_int64_t), fits(directions, n, 3_c_int64_t), fits(params, n, 2_c_int64_t), &
+            fits(distances, n), fits(states, n)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_surface_rays_with(g%handle, n, origins, step(origins), column(origins), directions, &
+                    step(directions), column(directions), params_c, distances, states, watched(call))
+            else
+                code = nurbs_surface_rays(g%handle, n, origins, step(origins), column(origins), directions, &
+                    step(directions), column(directions), params_c, distances, states)
+            end if
+        end if
+        if (code == NURBS_OK) then
+            if (present(params)) params = transpose(params_c)
+        end if
+        call settle(code, status)
+    end subroutine rays
+
+    !> All places where a ray meets a surface, by rising t.
+    subroutine ray_hits(g, origin, direction, params, distances, kinds, complete, range, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: origin(:), direction(3)
+        real(c_double), allocatable, intent(inout) :: params(:, :), distances(:)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        logical, intent(inout), optional :: complete
+        real(c_double), intent(in), optional :: range(2)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        n = 0
+        answer = 0
+        code = fitting([fits(origin, 3_c_int64_t)])
+        if (code == NURBS_OK) code = nurbs_surface_ray_hits(g%handle, origin, direction, range, 0_c_int64_t, count=n)
+        if (allocated(distances)) deallocate (distances)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (params_c(2, n), distances(n), kinds(n))
+        if (code == NURBS_OK) code = nurbs_surface_ray_hits(g%handle, origin, direction, range, n, params_c, &
+            distances, kinds, complete=answer)
+        params = transpose(params_c)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine ray_hits
 end module nurbs_intersections

@@ -76,6 +76,7 @@ enum class Status : nurbs_status {
     rank = NURBS_ERROR_RANK,
     scale = NURBS_ERROR_SCALE,
     orientation = NURBS_ERROR_ORIENTATION,
+    same = NURBS_ERROR_SAME,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,

@@ -63,6 +63,7 @@ bool PairCells::halve(PairCell &cell) {
     }
     for (pieces::BezierPiece *half : {&*lower, &upper}) {
         cell.children.push_back(std::make_unique<PairCell>());
+        cell.children.back()->halvings = cell.halvings + 1;
         cell.children.back()->set_piece(std::move(*half));
     }
     return true;

@@ -13,6 +13,8 @@ namespace nrb::closest {
 struct PairCell {
     int level = 0;
     int64_t node = 0; // of the tree
+    int halvings = 0; // of the piece of a node
+    size_t mark = 0;  // for what a search knows about it; 0: nothing
     std::optional<pieces::BezierPiece> piece;
     std::vector<double> box; // [2][dim]; infinite where weights are not positive
     double moved = 0;        // what rounding does to a piece; 0 for other cells, whose boxes have room for it

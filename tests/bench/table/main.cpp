@@ -88,5 +88,6 @@ int main(int argc, char **argv) {
     bench::add_operations(rows);
     bench::add_fits(rows);
     bench::add_faces(rows);
+    bench::add_meets(rows);
     return rows.measure(argc > 1 ? argv[1] : "", argc > 2 ? std::atof(argv[2]) : 0.6) ? 0 : 1;
 }

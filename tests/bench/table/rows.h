@@ -32,5 +32,6 @@ void add_forms(Rows &rows);
 void add_operations(Rows &rows);
 void add_fits(Rows &rows);
 void add_faces(Rows &rows);
+void add_meets(Rows &rows);
 
 } // namespace bench

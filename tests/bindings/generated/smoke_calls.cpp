@@ -2190,6 +2190,56 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("surface_rays");
+        const auto found = n::rays(in.surface, {0.1, 0.2, 5.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("surface_rays distances");
+        const auto found = n::rays(in.surface, {0.1, 0.2, 5.0}, {0.0, 0.0, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("surface_ray_hits within");
+        const auto found = n::ray_hits(in.surface, std::array<double, 3>{0.1, 0.2, 5.0}, std::array<double, 3>{0.0, 0.0, -1.0}, {-1.0, 20.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("kinds", found.kinds);
+        show("complete", found.complete);
+    }
+    {
+        begin("surface_ray_hits");
+        const auto found = n::ray_hits(in.surface, std::array<double, 3>{0.1, 0.2, 5.0}, std::array<double, 3>{0.0, 0.0, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("kinds", found.kinds);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_self_intersections");
+        const auto found = n::self_intersections(in.curve, 1e-09);
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("kinds", found.kinds);
+        show("ranges_a", found.ranges_a);
+        show("ranges_b", found.ranges_b);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_intersections");
+        const auto found = n::curve_intersections(in.curve, in.loop, 1e-09);
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("kinds", found.kinds);
+        show("ranges_a", found.ranges_a);
+        show("ranges_b", found.ranges_b);
+        show("complete", found.complete);
+    }
+    {
         begin("curve_level conic");
         const auto found = n::curve_level(in.loop, 2, {1.0, 0.0, 0.0, 1.0, 0.0, -0.5}, 0.0);
         show("params", found.params);
@@ -2573,6 +2623,40 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("kinds", found.kinds);
         show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
+        begin("surface_rays_with");
+        const auto found = n::rays(in.surface, {0.1, 0.2, 5.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("surface_rays_with distances");
+        const auto found = n::rays(in.surface, {0.1, 0.2, 5.0}, {0.0, 0.0, -1.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("curve_self_intersections_with");
+        const auto found = n::self_intersections(in.curve, 1e-09, watched());
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("kinds", found.kinds);
+        show("ranges_a", found.ranges_a);
+        show("ranges_b", found.ranges_b);
+        show("complete", found.complete);
+    }
+    {
+        begin("curve_intersections_with");
+        const auto found = n::curve_intersections(in.curve, in.loop, 1e-09, watched());
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("kinds", found.kinds);
+        show("ranges_a", found.ranges_a);
+        show("ranges_b", found.ranges_b);
         show("complete", found.complete);
     }
     {

@@ -3777,6 +3777,98 @@ contains
                 1])))
             call show('complete', complete_found)
         end block
+        call begin('surface_rays')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            allocate (params_found(2, 2))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call rays(g=surface, origins=reshape([0.1d0, 0.2d0, 5.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0, 0.1d0, 0.1d0, -1.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, distances=distances_found, states=states_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('surface_rays distances')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            allocate (distances_found(1))
+            call rays(g=surface, origins=reshape([0.1d0, 0.2d0, 5.0d0], [1, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found)
+            call show('distances', distances_found)
+        end block
+        call begin('surface_ray_hits within')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            logical :: complete_found
+            call ray_hits(g=surface, origin=[0.1d0, 0.2d0, 5.0d0], direction=[0.0d0, 0.0d0, -1.0d0], &
+                params=params_found, distances=distances_found, kinds=kinds_found, complete=complete_found, &
+                range=[-1.0d0, 20.0d0])
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('kinds', kinds_found)
+            call show('complete', complete_found)
+        end block
+        call begin('surface_ray_hits')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            logical :: complete_found
+            call ray_hits(g=surface, origin=[0.1d0, 0.2d0, 5.0d0], direction=[0.0d0, 0.0d0, -1.0d0], &
+                params=params_found, distances=distances_found, kinds=kinds_found, complete=complete_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('kinds', kinds_found)
+            call show('complete', complete_found)
+        end block
+        call begin('curve_self_intersections')
+        block
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_a_found(:, :)
+            real(c_double), allocatable :: ranges_b_found(:, :)
+            logical :: complete_found
+            call self_intersections(g=curve, params_a=params_a_found, params_b=params_b_found, kinds=kinds_found, &
+                ranges_a=ranges_a_found, ranges_b=ranges_b_found, complete=complete_found, tolerance=1d-09)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('kinds', kinds_found)
+            call show('ranges_a', flat(reshape(ranges_a_found, [size(ranges_a_found, 2), size(ranges_a_found, 1)], &
+                order=[2, 1])))
+            call show('ranges_b', flat(reshape(ranges_b_found, [size(ranges_b_found, 2), size(ranges_b_found, 1)], &
+                order=[2, 1])))
+            call show('complete', complete_found)
+        end block
+        call begin('curve_intersections')
+        block
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_a_found(:, :)
+            real(c_double), allocatable :: ranges_b_found(:, :)
+            logical :: complete_found
+            call curve_intersections(a=curve, b=loop, params_a=params_a_found, params_b=params_b_found, &
+                kinds=kinds_found, ranges_a=ranges_a_found, ranges_b=ranges_b_found, complete=complete_found, &
+                tolerance=1d-09)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('kinds', kinds_found)
+            call show('ranges_a', flat(reshape(ranges_a_found, [size(ranges_a_found, 2), size(ranges_a_found, 1)], &
+                order=[2, 1])))
+            call show('ranges_b', flat(reshape(ranges_b_found, [size(ranges_b_found, 2), size(ranges_b_found, 1)], &
+                order=[2, 1])))
+            call show('complete', complete_found)
+        end block
         call begin('curve_level conic')
         block
             real(c_double), allocatable :: params_found(:)
@@ -4379,6 +4471,75 @@ contains
             call show('kinds', kinds_found)
             call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
                 1])))
+            call show('complete', complete_found)
+        end block
+        call begin('surface_rays_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            type(nurbs_call) :: watching
+            allocate (params_found(2, 2))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call rays(g=surface, origins=reshape([0.1d0, 0.2d0, 5.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0, 0.1d0, 0.1d0, -1.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, distances=distances_found, states=states_found, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('surface_rays_with distances')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            type(nurbs_call) :: watching
+            allocate (distances_found(1))
+            call rays(g=surface, origins=reshape([0.1d0, 0.2d0, 5.0d0], [1, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
+                call=watching)
+            call show('distances', distances_found)
+        end block
+        call begin('curve_self_intersections_with')
+        block
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_a_found(:, :)
+            real(c_double), allocatable :: ranges_b_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call self_intersections(g=curve, params_a=params_a_found, params_b=params_b_found, kinds=kinds_found, &
+                ranges_a=ranges_a_found, ranges_b=ranges_b_found, complete=complete_found, tolerance=1d-09, &
+                call=watching)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('kinds', kinds_found)
+            call show('ranges_a', flat(reshape(ranges_a_found, [size(ranges_a_found, 2), size(ranges_a_found, 1)], &
+                order=[2, 1])))
+            call show('ranges_b', flat(reshape(ranges_b_found, [size(ranges_b_found, 2), size(ranges_b_found, 1)], &
+                order=[2, 1])))
+            call show('complete', complete_found)
+        end block
+        call begin('curve_intersections_with')
+        block
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_a_found(:, :)
+            real(c_double), allocatable :: ranges_b_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call curve_intersections(a=curve, b=loop, params_a=params_a_found, params_b=params_b_found, &
+                kinds=kinds_found, ranges_a=ranges_a_found, ranges_b=ranges_b_found, complete=complete_found, &
+                tolerance=1d-09, call=watching)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('kinds', kinds_found)
+            call show('ranges_a', flat(reshape(ranges_a_found, [size(ranges_a_found, 2), size(ranges_a_found, 1)], &
+                order=[2, 1])))
+            call show('ranges_b', flat(reshape(ranges_b_found, [size(ranges_b_found, 2), size(ranges_b_found, 1)], &
+                order=[2, 1])))
             call show('complete', complete_found)
         end block
         call begin('curve_level_with conic')

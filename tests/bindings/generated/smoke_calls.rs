@@ -3107,6 +3107,63 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("ranges", &found.ranges);
         show("complete", &found.complete);
     }
+    begin("surface_rays");
+    {
+        let found = given.surface.rays(
+            &[0.1, 0.2, 5.0, 0.3, 0.4, 6.0],
+            &[0.0, 0.0, -1.0, 0.1, 0.1, -1.0],
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("surface_rays distances");
+    {
+        let found = given.surface.rays(&[0.1, 0.2, 5.0], &[0.0, 0.0, -1.0])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("surface_ray_hits within");
+    {
+        let found = given
+            .surface
+            .ray_hits(&[0.1, 0.2, 5.0], &[0.0, 0.0, -1.0], &[-1.0, 20.0])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("kinds", &found.kinds);
+        show("complete", &found.complete);
+    }
+    begin("surface_ray_hits");
+    {
+        let found = given
+            .surface
+            .ray_hits(&[0.1, 0.2, 5.0], &[0.0, 0.0, -1.0], &[])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("kinds", &found.kinds);
+        show("complete", &found.complete);
+    }
+    begin("curve_self_intersections");
+    {
+        let found = given.curve.self_intersections(1e-09)?;
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("kinds", &found.kinds);
+        show("ranges_a", &found.ranges_a);
+        show("ranges_b", &found.ranges_b);
+        show("complete", &found.complete);
+    }
+    begin("curve_intersections");
+    {
+        let found = given.curve.curve_intersections(&given.r#loop, 1e-09)?;
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("kinds", &found.kinds);
+        show("ranges_a", &found.ranges_a);
+        show("ranges_b", &found.ranges_b);
+        show("complete", &found.complete);
+    }
     begin("curve_level conic");
     {
         let found = given
@@ -3598,6 +3655,54 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("params", &found.params);
         show("kinds", &found.kinds);
         show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
+    begin("surface_rays_with");
+    {
+        let found = given.surface.rays_with(
+            &[0.1, 0.2, 5.0, 0.3, 0.4, 6.0],
+            &[0.0, 0.0, -1.0, 0.1, 0.1, -1.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("surface_rays_with distances");
+    {
+        let found = given.surface.rays_with(
+            &[0.1, 0.2, 5.0],
+            &[0.0, 0.0, -1.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("curve_self_intersections_with");
+    {
+        let found = given
+            .curve
+            .self_intersections_with(1e-09, &mut Call::new().progress(|_| true))?;
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("kinds", &found.kinds);
+        show("ranges_a", &found.ranges_a);
+        show("ranges_b", &found.ranges_b);
+        show("complete", &found.complete);
+    }
+    begin("curve_intersections_with");
+    {
+        let found = given.curve.curve_intersections_with(
+            &given.r#loop,
+            1e-09,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("kinds", &found.kinds);
+        show("ranges_a", &found.ranges_a);
+        show("ranges_b", &found.ranges_b);
         show("complete", &found.complete);
     }
     begin("curve_level_with conic");

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple
 
 import numpy
 
-from ._arrays import exactly
-from ._base import SplineBase
+from ._arrays import address, exactly, if_given, parameters
+from ._base import SplineBase, handle_of
 from ._calls import listed, watched
-from ._library import lib
+from ._library import call, lib
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ._arrays import Floats, Int32s
     from ._calls import Progress
 
-__all__ = ["Hits"]
+__all__ = ["Hits", "PairHits", "RayHits", "Rays"]
 
 
 class Hits(NamedTuple):
@@ -32,8 +32,41 @@ class Hits(NamedTuple):
     complete: bool
 
 
+class PairHits(NamedTuple):
+    """Parameters (n,) on both curves, rising on the first one, a NURBS_HIT_ constant each, ranges (n, 2) of parameters of
+    both (falling, where an overlap runs against the second one), and whether nothing is undecided."""
+
+    params_a: Floats
+    params_b: Floats
+    kinds: Int32s
+    ranges_a: Floats
+    ranges_b: Floats
+    complete: bool
+
+
+class Rays(NamedTuple):
+    """Parameters (..., 2) of a surface where rays meet it first, t (...), and NURBS_RAY_ bits (...)."""
+
+    params: Floats
+    distances: Floats
+    status: Int32s
+
+
+class RayHits(NamedTuple):
+    """Parameters (n, 2) of a surface where a ray meets it, t (n,) rising, NURBS_RAY_ bits, and whether these are all."""
+
+    params: Floats
+    distances: Floats
+    kinds: Int32s
+    complete: bool
+
+
 def _arrays(n: int) -> Tuple[Any, ...]:
     return numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty((n, 2))
+
+
+def _pair_arrays(n: int) -> Tuple[Any, ...]:
+    return numpy.empty(n), numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty((n, 2)), numpy.empty((n, 2))
 
 
 class Intersections(SplineBase):
@@ -53,3 +86,37 @@ class Intersections(SplineBase):
         given = exactly(coefficients, math.comb(self.dimension + max(degree, 0), max(degree, 0)), "coefficients")
         return listed(Hits, _arrays, watched(lib.nurbs_curve_level, progress, work, 2), self._handle, degree,
                       given.ctypes.data, tolerance)
+
+    def curve_intersections(self, other: SplineBase, tolerance: float = 0.0, *, progress: Progress = None,
+                            work: Optional[int] = None) -> PairHits:
+        """Where two curves meet, with proof that there are no other places."""
+        return listed(PairHits, _pair_arrays, watched(lib.nurbs_curve_intersections, progress, work, 2), self._handle,
+                      handle_of(other), tolerance)
+
+    def self_intersections(self, tolerance: float = 0.0, *, progress: Progress = None,
+                           work: Optional[int] = None) -> PairHits:
+        """Where a curve meets itself, with proof that there are no other places."""
+        return listed(PairHits, _pair_arrays, watched(lib.nurbs_curve_self_intersections, progress, work, 2),
+                      self._handle, tolerance)
+
+    def rays(self, origins: ArrayLike, directions: ArrayLike, *, progress: Progress = None,
+             work: Optional[int] = None) -> Rays:
+        """Where rays origin + t direction, t >= 0, arrays (..., 3), meet a surface first, with proof. One origin or
+        direction serves all."""
+        starts, ways = numpy.broadcast_arrays(numpy.asarray(origins, float), numpy.asarray(directions, float))
+        (given, batch), (along, _) = parameters(starts, 3), parameters(ways, 3)
+        params, distances, status = numpy.empty((*batch, 2)), numpy.empty(batch), numpy.empty(batch, numpy.int32)
+        call(watched(lib.nurbs_surface_rays, progress, work), self._handle, given.n, *given.layout, *along.layout,
+             params.ctypes.data, distances.ctypes.data, status.ctypes.data)
+        return Rays(params, distances, status)
+
+    def ray_hits(self, origin: ArrayLike, direction: ArrayLike, part: Optional[ArrayLike] = None) -> RayHits:
+        """All places where a ray meets a surface, by rising t."""
+        start, way = exactly(origin, 3, "origin"), exactly(direction, 3, "direction")
+        limits = if_given(part, 2, "part")
+
+        def arrays(n: int) -> Tuple[Any, ...]:
+            return numpy.empty((n, 2)), numpy.empty(n), numpy.empty(n, numpy.int32)
+
+        return listed(RayHits, arrays, lib.nurbs_surface_ray_hits, self._handle, start.ctypes.data, way.ctypes.data,
+                      address(limits))

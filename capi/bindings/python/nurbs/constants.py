@@ -76,6 +76,7 @@ NURBS_ERROR_SCHOENBERG_WHITNEY = 65  # data lie outside the support of the contr
 NURBS_ERROR_RANK = 66  # data or conditions do not determine the result
 NURBS_ERROR_SCALE = 67  # a value or weight is above the scale of the statistics
 NURBS_ERROR_ORIENTATION = 68  # loops of a face have no common inside, or enclose nothing
+NURBS_ERROR_SAME = 69  # one handle where two different shapes are needed
 NURBS_ERROR_OUTSIDE_DOMAIN = 100  # a parameter or knot lies outside the domain
 NURBS_ERROR_NOT_REPRESENTABLE = 200  # a value of the result overflows double precision
 NURBS_ERROR_KNOTS_MERGE = 202  # knots that differ would become equal or change their order
@@ -277,10 +278,16 @@ NURBS_FOLD_UNDECIDED = 2  # neither
 # --- Kinds of hits
 NURBS_HIT_CROSSING = 1  # from one side to the other, or an end that is reached
 NURBS_HIT_TANGENT = 2  # a touch, as far as rounding and the tolerance can tell
-NURBS_HIT_CONTACT = 3  # proven apart, but by no more than the tolerance: the nearest place
+NURBS_HIT_CONTACT = 3  # within the tolerance, but proven apart: the nearest place
 NURBS_HIT_OVERLAP = 4  # within the tolerance in all of the range, a span or more
 NURBS_HIT_JUMP = 5  # from one side to the other where the curve jumps, and meets nothing
 NURBS_HIT_UNDECIDED = 6  # a range in which it is left open what there is
+
+# --- Status of a ray
+NURBS_RAY_HIT = 0x01  # the ray meets the surface there, if rounding is allowed for
+NURBS_RAY_CERTIFIED = 0x02  # nothing is nearer; without NURBS_RAY_HIT: it meets nothing
+NURBS_RAY_TOUCH = 0x04  # it touches the surface there, as far as rounding can tell, or passes it
+NURBS_RAY_BACK = 0x08  # it comes from behind: from the side to which S_u x S_v does not point
 
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point

@@ -513,6 +513,8 @@ pub const NURBS_ERROR_RANK: nurbs_status = 66;
 pub const NURBS_ERROR_SCALE: nurbs_status = 67;
 /// loops of a face have no common inside, or enclose nothing
 pub const NURBS_ERROR_ORIENTATION: nurbs_status = 68;
+/// one handle where two different shapes are needed
+pub const NURBS_ERROR_SAME: nurbs_status = 69;
 /// a parameter or knot lies outside the domain
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 /// a value of the result overflows double precision
@@ -845,7 +847,7 @@ pub const NURBS_FOLD_UNDECIDED: i32 = 2;
 pub const NURBS_HIT_CROSSING: i32 = 1;
 /// a touch, as far as rounding and the tolerance can tell
 pub const NURBS_HIT_TANGENT: i32 = 2;
-/// proven apart, but by no more than the tolerance: the nearest place
+/// within the tolerance, but proven apart: the nearest place
 pub const NURBS_HIT_CONTACT: i32 = 3;
 /// within the tolerance in all of the range, a span or more
 pub const NURBS_HIT_OVERLAP: i32 = 4;
@@ -853,6 +855,16 @@ pub const NURBS_HIT_OVERLAP: i32 = 4;
 pub const NURBS_HIT_JUMP: i32 = 5;
 /// a range in which it is left open what there is
 pub const NURBS_HIT_UNDECIDED: i32 = 6;
+
+// --- Status of a ray
+/// the ray meets the surface there, if rounding is allowed for
+pub const NURBS_RAY_HIT: i32 = 0x01;
+/// nothing is nearer; without NURBS_RAY_HIT: it meets nothing
+pub const NURBS_RAY_CERTIFIED: i32 = 0x02;
+/// it touches the surface there, as far as rounding can tell, or passes it
+pub const NURBS_RAY_TOUCH: i32 = 0x04;
+/// it comes from behind: from the side to which S_u x S_v does not point
+pub const NURBS_RAY_BACK: i32 = 0x08;
 
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
@@ -3523,6 +3535,118 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
         call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Where two curves meet: all places at which they come as near as the tolerance.
+    ///
+    /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`.
+    pub fn nurbs_curve_intersections(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        kinds: *mut i32,
+        ranges_a: *mut f64,
+        ranges_b: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_curve_intersections() as a call that can be watched and ended.
+    ///
+    /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`, `call`.
+    pub fn nurbs_curve_intersections_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        kinds: *mut i32,
+        ranges_a: *mut f64,
+        ranges_b: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Where a curve meets itself, at places a \< b: as nurbs_curve_intersections() of its parts.
+    ///
+    /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`.
+    pub fn nurbs_curve_self_intersections(
+        g: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        kinds: *mut i32,
+        ranges_a: *mut f64,
+        ranges_b: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_curve_self_intersections() as a call that can be watched and ended.
+    ///
+    /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`, `call`.
+    pub fn nurbs_curve_self_intersections_with(
+        g: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        kinds: *mut i32,
+        ranges_a: *mut f64,
+        ranges_b: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Where rays x = origin + t direction, t \>= 0, meet a surface first.
+    ///
+    /// May be null: `params`, `distances`, `status`.
+    pub fn nurbs_surface_rays(
+        g: *const nurbs,
+        n: i64,
+        origins: *const f64,
+        origin_stride: i64,
+        origin_component_stride: i64,
+        directions: *const f64,
+        direction_stride: i64,
+        direction_component_stride: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_surface_rays() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `distances`, `status`, `call`.
+    pub fn nurbs_surface_rays_with(
+        g: *const nurbs,
+        n: i64,
+        origins: *const f64,
+        origin_stride: i64,
+        origin_component_stride: i64,
+        directions: *const f64,
+        direction_stride: i64,
+        direction_component_stride: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// All places where a ray meets a surface, by rising t, as nurbs_surface_rays() finds the first.
+    ///
+    /// May be null: `range`, `params`, `distances`, `kinds`, `count`, `complete`.
+    pub fn nurbs_surface_ray_hits(
+        g: *const nurbs,
+        origin: *const f64,
+        direction: *const f64,
+        range: *const f64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        kinds: *mut i32,
+        count: *mut i64,
+        complete: *mut i32,
     ) -> nurbs_status;
     // --- Weights and control points
     /// Changes a weight so that the point at a parameter moves by a distance towards the control point, or

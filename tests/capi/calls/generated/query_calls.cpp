@@ -215,6 +215,44 @@ const Call group[] = {
          return nurbs_curve_level(in.curve, 1, coefficients, 1e-09, 16, o.values, o.states, o.values + 16,
              o.spans, o.states + 16);
      }, true},
+    {"surface_rays",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.1, 0.2, 5, 0.3, 0.4, 6};
+         static constexpr double directions[] = {0, 0, -1, 0.1, 0.1, -1};
+         return nurbs_surface_rays(in.surface, 2, origins, 0, 0, directions, 0, 0, o.values, o.values + 4,
+             o.states);
+     }},
+    {"surface_rays distances",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.1, 0.2, 5};
+         static constexpr double directions[] = {0, 0, -1};
+         return nurbs_surface_rays(in.surface, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values, nullptr);
+     }},
+    {"surface_ray_hits within",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origin[] = {0.1, 0.2, 5};
+         static constexpr double direction[] = {0, 0, -1};
+         static constexpr double range[] = {-1, 20};
+         return nurbs_surface_ray_hits(in.surface, origin, direction, range, 8, o.values, o.values + 16,
+             o.states, o.spans, o.states + 8);
+     }, true},
+    {"surface_ray_hits",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origin[] = {0.1, 0.2, 5};
+         static constexpr double direction[] = {0, 0, -1};
+         return nurbs_surface_ray_hits(in.surface, origin, direction, nullptr, 8, o.values, o.values + 16,
+             o.states, o.spans, o.states + 8);
+     }, true},
+    {"curve_self_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_self_intersections(in.curve, 1e-09, 16, o.values, o.values + 16, o.states, o.values
+             + 32, o.values + 64, o.spans, o.states + 16);
+     }, true},
+    {"curve_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_intersections(in.curve, in.loop, 1e-09, 16, o.values, o.values + 16, o.states,
+             o.values + 32, o.values + 64, o.spans, o.states + 16);
+     }, true},
     {"curve_level conic",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double coefficients[] = {1, 0, 0, 1, 0, -0.5};
@@ -557,6 +595,38 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_curve_level_with(in.curve, 1, coefficients, 1e-09, 16, o.values, o.states, o.values + 16,
              o.spans, o.states + 16, &call);
+     }, true},
+    {"surface_rays_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.1, 0.2, 5, 0.3, 0.4, 6};
+         static constexpr double directions[] = {0, 0, -1, 0.1, 0.1, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_rays_with(in.surface, 2, origins, 0, 0, directions, 0, 0, o.values, o.values + 4,
+             o.states, &call);
+     }},
+    {"surface_rays_with distances",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.1, 0.2, 5};
+         static constexpr double directions[] = {0, 0, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_rays_with(in.surface, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values,
+             nullptr, &call);
+     }},
+    {"curve_self_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_self_intersections_with(in.curve, 1e-09, 16, o.values, o.values + 16, o.states,
+             o.values + 32, o.values + 64, o.spans, o.states + 16, &call);
+     }, true},
+    {"curve_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_intersections_with(in.curve, in.loop, 1e-09, 16, o.values, o.values + 16, o.states,
+             o.values + 32, o.values + 64, o.spans, o.states + 16, &call);
      }, true},
     {"curve_level_with conic",
      [](const Inputs &in, Output &o) -> nurbs_status {

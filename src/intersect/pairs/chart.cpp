@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/pairs/chart.h"
+
+#include "base/numbers.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+// M is the pseudoinverse of (a, -b), with the means of both; false if they are nearly parallel, or one is 0.
+bool Chart::set_rows(const double *u, const double *v) {
+    const double uu = dot(u, u, dim_), vv = dot(v, v, dim_), uv = dot(u, v, dim_);
+    const double determinant = uu * vv - uv * uv;
+    sine_ = uu * vv > 0 ? determinant / (uu * vv) : 0;
+    if (!(determinant > 1e-14 * uu * vv)) {
+        return false;
+    }
+    const auto size = static_cast<size_t>(dim_);
+    rows_.resize(2 * size);
+    for (size_t c = 0; c < size; ++c) {
+        rows_[c] = (vv * u[c] - uv * v[c]) / determinant;
+        rows_[size + c] = (uv * u[c] - uu * v[c]) / determinant;
+    }
+    turn_ = dim_ != 2 ? 0 : u[0] * v[1] - u[1] * v[0] > 0 ? 1 : -1;
+    return true;
+}
+
+void Chart::set(const Slopes &a, const Slopes &b, int dim) {
+    dim_ = dim;
+    norm_ = 0;
+    turn_ = 0;
+    rho_ = infinity;
+    if (!set_rows(a.mean(), b.mean())) {
+        return;
+    }
+    rho_ = 0;
+    for (size_t k = 0; k < 2; ++k) {
+        const double length = norm(row(k), dim);
+        double of_a = 0, of_b = 0;
+        for (size_t i = 0; i < a.count(); ++i) {
+            of_a = std::max(of_a, std::abs(dot(row(k), a.vector(i), dim) - (k == 0 ? 1 : 0)));
+        }
+        for (size_t j = 0; j < b.count(); ++j) {
+            of_b = std::max(of_b, std::abs(dot(row(k), b.vector(j), dim) + (k == 1 ? 1 : 0)));
+        }
+        rho_ = std::max(rho_, of_a + of_b + 1.01 * length * (a.error() + b.error()) + 64 * dim * eps);
+        norm_ = std::max(norm_, length);
+    }
+}
+
+bool Chart::excludes(const pieces::BezierPiece &a, const pieces::BezierPiece &b, double near) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        double least = infinity, most = -infinity, size = 0;
+        for (int64_t i = 0; i < a.coefficients(); ++i) {
+            const double x = dot(row(k), a.point(i), dim_);
+            least = std::min(least, x);
+            most = std::max(most, x);
+            size = std::max(size, std::abs(x));
+        }
+        double low = infinity, high = -infinity;
+        for (int64_t j = 0; j < b.coefficients(); ++j) {
+            const double x = dot(row(k), b.point(j), dim_);
+            low = std::min(low, x);
+            high = std::max(high, x);
+            size = std::max(size, std::abs(x));
+        }
+        if (std::max(least - high, low - most) >
+            1.0001 * norm_ * (near + a.moved() + b.moved()) + 4 * dim_ * eps * (size + norm_)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::array<double, 2> Chart::step(const double *difference) const noexcept {
+    return {dot(row(0), difference, dim_), dot(row(1), difference, dim_)};
+}
+
+double Chart::radius(const double *difference, double near) const noexcept {
+    const std::array<double, 2> moved = step(difference);
+    return 1.0001 * (std::max(std::abs(moved[0]), std::abs(moved[1])) + norm_ * near) / (1 - rho_);
+}
+
+std::array<Interval, 2> Chart::solutions(const std::array<double, 2> &z0, const double *difference,
+                                         double near) const noexcept {
+    const double r = radius(difference, near), rest = 1.0001 * (rho_ * r + norm_ * near);
+    const std::array<double, 2> moved = step(difference);
+    std::array<Interval, 2> found{};
+    for (size_t k = 0; k < 2; ++k) {
+        const double centre = z0[k] - moved[k], room = rest + 8 * eps * (1 + std::abs(moved[k]));
+        found[k] = {std::max(z0[k] - r, centre - room), std::min(z0[k] + r, centre + room)};
+    }
+    return found;
+}
+
+} // namespace nrb::intersect

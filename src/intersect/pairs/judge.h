@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What two pieces of curves have near each other, if that can be told without halving them.
+#pragma once
+
+#include "closest/pair/pair_bound.h"
+#include "intersect/pairs/beside.h"
+#include "intersect/pairs/chart.h"
+#include "intersect/pairs/matched_distance.h"
+#include "intersect/pairs/near_cells.h"
+#include "intersect/pairs/piece_point.h"
+
+namespace nrb::intersect {
+
+// A piece whose weights are positive.
+struct SlopedPiece {
+    const pieces::BezierPiece *piece;
+    const Slopes *slopes;
+};
+
+// Near is what is within `near` of each other, and `noise` what rounding leaves open of a distance. Cells may hold
+// what is farther apart by slack(), because bounds from below are no sharper.
+class Judge {
+public:
+    enum class Verdict {
+        nothing, // is near
+        cell,    // what is near is in cell()
+        open,
+    };
+    Verdict look(const SlopedPiece &a, const SlopedPiece &b, double near, double noise);
+
+    // Of pieces that are not halved any more: nothing, or a cell.
+    Verdict look_at_tiny(const SlopedPiece &a, const SlopedPiece &b, double near, double noise);
+
+    // In the unit of the pieces; its segments and owners are not set.
+    [[nodiscard]] const NearCell &cell() const noexcept { return cell_; }
+    static double slack(double near, double noise) noexcept { return near / 64 + noise; }
+
+private:
+    void set(const SlopedPiece &a, const SlopedPiece &b, double near, double noise);
+    Verdict by_chart();
+    Verdict by_tangents();
+    Verdict at_ends(const Beside::Places &room);
+    Verdict side_by_side(const Beside::Places &room);
+    void descend_from(const Beside::Places &room);
+    [[nodiscard]] bool is_apart();
+    [[nodiscard]] bool separated() const noexcept;
+    [[nodiscard]] bool separated_by(const double *normal, double length) const noexcept;
+    void approach();
+    [[nodiscard]] std::array<double, 2> newton_step() const noexcept;
+    void descend();
+    void set_cell(NearCell::Kind kind, Interval a, Interval b);
+    void set_core(Interval a, Interval b);
+    [[nodiscard]] const pieces::BezierPiece &piece_a() const noexcept { return *a_.piece; }
+    [[nodiscard]] const pieces::BezierPiece &piece_b() const noexcept { return *b_.piece; }
+
+    SlopedPiece a_{}, b_{};
+    int dim_ = 0;
+    double near_ = 0, noise_ = 0;
+    bool compared_ = false; // matched_ is of these pieces
+    NearCell cell_{};
+    closest::PairPlace place_; // the nearest that was found
+    std::vector<double> difference_;
+    Chart chart_;
+    Beside beside_;
+    PiecePoint point_a_, point_b_;
+    closest::PairDescent descent_;
+    closest::PairBound bound_;
+    MatchedDistance matched_;
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Finds the parts of two curves that come near each other.
+#pragma once
+
+#include "closest/pair/pair_cells.h"
+#include "intersect/pairs/judge.h"
+#include "spline/spline.h"
+
+#include <deque>
+#include <span>
+
+namespace nrb::intersect {
+
+// Pairs of cells of the trees of both curves, down to parts for which charts, bounds from below or matched points
+// decide. A search keeps its trees, so that finer ones go on where it ended.
+// Of a curve and itself: what comes later with what comes before, but for parts that are proven to be simple.
+class NearSearch {
+public:
+    NearSearch(const Spline &a, const Spline &b);
+    explicit NearSearch(const Spline &curve);
+
+    // All that is within the tolerance, or within the noise, of each other.
+    NearCells find(double tolerance);
+    // What is as near as rounding can tell, in the parts of some cells.
+    NearCells refine(std::span<const NearCell> cells);
+
+    // About half of the largest side of the box of both curves.
+    [[nodiscard]] double size() const noexcept { return frame_.unscaled(1); }
+    // What rounding leaves open of a distance.
+    [[nodiscard]] double noise() const noexcept { return frame_.unscaled(framed_noise()); }
+
+private:
+    using PairCell = closest::PairCell;
+    struct Pair {
+        PairCell *a, *b;
+    };
+    // Parameters between which a curve jumps.
+    using Jumps = std::vector<double>;
+
+    NearCells run();
+    void look(const Pair &pair);
+    [[nodiscard]] bool is_apart(const Pair &pair) const noexcept;
+    bool is_decided_by_order(const Pair &pair);
+    bool is_simple(const Pair &pair);
+    [[nodiscard]] bool is_seam(Interval a, Interval b) const noexcept;
+    void add(const Pair &pair);
+    void add_joined(const Pair &pair, NearCell::Kind kind);
+    void add_unknown(const Pair &pair);
+    void set_segments(const Pair &pair, NearCell &cell) const;
+    void divide(const Pair &pair);
+    bool divide(const Pair &pair, bool first);
+    SlopedPiece sloped(PairCell &cell);
+    [[nodiscard]] double near() const noexcept { return std::max(tolerance_, framed_noise()); }
+    [[nodiscard]] double framed_noise() const noexcept;
+
+    pieces::Frame frame_;
+    closest::PairCells a_, b_;
+    Interval domain_a_, domain_b_;
+    Jumps jumps_a_, jumps_b_;
+    int degrees_, dim_;
+    bool with_itself_ = false, closed_ = false; // the curve ends where it begins
+    double tolerance_ = 0;
+    std::vector<Pair> stack_;
+    std::vector<double> direction_;
+    std::deque<Slopes> slopes_; // by marks of cells
+    Judge judge_;
+    NearCells result_;
+};
+
+} // namespace nrb::intersect

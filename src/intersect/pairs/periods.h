@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Parameters of curves that may be periodic, and may jump.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace nrb::intersect {
+
+// The length of a period; 0: there is none.
+inline double period_of(const Spline &curve) noexcept {
+    const Interval domain = curve.axis(0).domain();
+    return curve.axis(0).periodic() ? domain.upper - domain.lower : 0;
+}
+
+// What brings a parameter, moved by periods, into the domain.
+inline double shift_of(const Spline &curve, double t) noexcept {
+    const Interval domain = curve.axis(0).domain();
+    const double period = period_of(curve);
+    const bool outside = t < domain.lower || t > domain.upper;
+    return period > 0 && outside ? -std::floor((t - domain.lower) / period) * period : 0;
+}
+
+inline double in_domain(const Spline &curve, double t) noexcept {
+    const Interval domain = curve.axis(0).domain();
+    return std::clamp(t + shift_of(curve, t), domain.lower, domain.upper);
+}
+
+inline Interval turned(Interval part, int turns, double period) noexcept {
+    return {part.lower + turns * period, part.upper + turns * period};
+}
+
+// Knots of the domain at which the limits from both sides differ by more than rounding; at the seam of a periodic
+// curve those at both ends of the domain.
+std::vector<double> jumps_of(const Spline &curve);
+
+// Whether a curve ends where it begins.
+bool closes(const Spline &curve);
+
+} // namespace nrb::intersect

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Vectors in whose convex hull the derivative of a piece lies.
+#pragma once
+
+#include "pieces/bezier_piece.h"
+
+#include <vector>
+
+namespace nrb::intersect {
+
+// Of a Bezier piece of a curve, with respect to places on it: the control points of its hodograph, those of a
+// rational one as quotients of the coefficients of A' w - A w' and w^2.
+class Slopes {
+public:
+    Slopes() = default;
+    // Precondition: piece.positive().
+    explicit Slopes(const pieces::BezierPiece &piece);
+
+    [[nodiscard]] size_t count() const noexcept { return vectors_.size() / dim_ - 1; }
+    [[nodiscard]] const double *vector(size_t i) const noexcept { return vectors_.data() + i * dim_; }
+    [[nodiscard]] const double *mean() const noexcept { return vector(count()); }
+    // The length of the longest one.
+    [[nodiscard]] double largest() const noexcept { return largest_; }
+    // How far the derivative of the exact piece may be from the hull.
+    [[nodiscard]] double error() const noexcept { return error_; }
+    // Between which numbers the products of the derivative with a unit vector lie.
+    [[nodiscard]] Interval along(const double *direction) const noexcept;
+
+private:
+    void set_polynomial(const pieces::BezierPiece &piece);
+    void set_rational(const pieces::BezierPiece &piece);
+
+    size_t dim_ = 1;
+    std::vector<double> vectors_; // the mean is the last one
+    double largest_ = 0;          // length of one
+    double error_ = 0;
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/rays/ray_solver.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int most_boxes = 4000; // for a ray
+constexpr int most_depth = 60;
+constexpr size_t lanes = 4;
+
+double dot3(const double *x, const std::array<double, 3> &y) noexcept {
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+// A unit vector across another one.
+std::array<double, 3> across(const std::array<double, 3> &d) noexcept {
+    const size_t k = std::abs(d[0]) <= std::abs(d[1]) && std::abs(d[0]) <= std::abs(d[2]) ? 0
+                     : std::abs(d[1]) <= std::abs(d[2])                                   ? 1
+                                                                                          : 2;
+    std::array<double, 3> n{};
+    const double length = std::sqrt(1 - d[k] * d[k]);
+    for (size_t c = 0; c < 3; ++c) {
+        n[c] = ((c == k ? 1 : 0) - d[c] * d[k]) / length;
+    }
+    return n;
+}
+
+bool inside(const std::array<Interval, 2> &box) noexcept {
+    return box[0].lower > 0 && box[0].upper < 1 && box[1].lower > 0 && box[1].upper < 1;
+}
+
+bool apart(const std::array<Interval, 2> &box) noexcept {
+    return box[0].upper < 0 || box[0].lower > 1 || box[1].upper < 0 || box[1].lower > 1;
+}
+
+} // namespace
+
+RaySolver::RaySolver(const pieces::PieceGrid &grid)
+    : grid_(grid), shape_(grid.shape()), count_(shape_.coefficients()),
+      size_(static_cast<size_t>(shape_.values())), origin_(static_cast<size_t>(shape_.lanes)) {
+    work_.resize(std::max(2 * size_, static_cast<size_t>(pieces::evaluation_work(shape_))));
+    point_.resize(4 * lanes);
+    memory_.resize(8 * size_);
+}
+
+// Turning takes three products and two sums for each coordinate, evaluation some for each degree: of the distance from the
+// origin.
+void RaySolver::set_ray(const Ray &ray, double moved) {
+    ray_ = ray;
+    first_ = across(ray.direction);
+    const std::array<double, 3> &d = ray.direction, &n = first_;
+    second_ = {d[1] * n[2] - d[2] * n[1], d[2] * n[0] - d[0] * n[2], d[0] * n[1] - d[1] * n[0]};
+    std::copy_n(ray.origin.data(), 3, origin_.data());
+    const double far = norm(ray.origin.data(), 3) + grid_.radius();
+    noise_ = 1.01 * grid_.moved() + (16 * eps + 4 * grid_.value_error()) * far + moved;
+    boxes_ = most_boxes;
+}
+
+void RaySolver::begin(int64_t piece) {
+    piece_ = piece;
+    grid_.patch(piece, work_.data(), work_.data() + size_);
+    pieces::shift_patch(shape_, work_.data() + size_, origin_.data(), work_.data());
+    double *out = values(0);
+    for (int64_t i = 0; i < count_; ++i) {
+        const double *record = work_.data() + i * shape_.lanes;
+        double *turned = out + i * static_cast<int64_t>(lanes);
+        turned[0] = dot3(record, first_);
+        turned[1] = dot3(record, second_);
+        turned[2] = dot3(record, ray_.direction);
+        turned[3] = record[3];
+    }
+    stack_.assign(1, Part{{0, 0}, {1, 1}, noise_, 0});
+    count_work(16 * count_);
+}
+
+RaySolver::Ranges RaySolver::ranges(const double *v, double noise) const noexcept {
+    Ranges r{infinity, 0, infinity, -infinity, 0, false};
+    bool above[2] = {true, true}, below[2] = {true, true};
+    for (int64_t i = 0; i < count_; ++i, v += lanes) {
+        const double w = v[3], room = noise * w;
+        r.least_weight = std::min(r.least_weight, w);
+        r.most_weight = std::max(r.most_weight, w);
+        for (size_t k = 0; k < 2; ++k) {
+            above[k] = above[k] && v[k] > room;
+            below[k] = below[k] && v[k] < -room;
+        }
+        const double t = v[2] / w;
+        r.nearest = std::min(r.nearest, t);
+        r.farthest = std::max(r.farthest, t);
+        r.size = std::max(r.size, std::max(std::abs(v[0]), std::abs(v[1])) / w);
+    }
+    r.misses = above[0] || above[1] || below[0] || below[1];
+    return r;
+}
+
+RaySolver::Verdict RaySolver::look(double lower, double upper) {
+    const Part &part = stack_.back();
+    --boxes_;
+    count_work(40 * count_);
+    const double *v = values(stack_.size() - 1);
+    const Ranges r = ranges(v, part.moved);
+    const bool certain =
+        grid_.positive() ? r.least_weight > 0 : r.least_weight > 64 * grid_.rounding().weight;
+    if (!certain) {
+        if (part.depth < most_depth / 4) {
+            return Verdict::open;
+        }
+        set_touch({1, 1, lower, upper, 0, false});
+        return Verdict::meet;
+    }
+    if (r.misses || r.nearest - part.moved > upper || r.farthest + part.moved < lower) {
+        return Verdict::nothing;
+    }
+    const double error = part.moved * r.most_weight;
+    const Chart chart = this->chart(v, error);
+    if (chart.rho < 0.9) {
+        const Verdict verdict =
+            excludes(chart, v, part.moved) ? Verdict::nothing : meet_by(chart, v, error, {lower, upper});
+        if (verdict != Verdict::open) {
+            return verdict;
+        }
+    }
+    if (r.size <= 4 * part.moved || part.depth >= most_depth) {
+        set_touch(r);
+        return Verdict::meet;
+    }
+    return Verdict::open;
+}
+
+// The mean of the derivative is what the corners say; coefficients of derivatives are differences of two that are off
+// by the noise.
+RaySolver::Chart RaySolver::chart(const double *v, double noise_of_f) {
+    Chart chart{};
+    chart.rho = 2;
+    if (shape_.axes < 2) {
+        return chart;
+    }
+    const int p = shape_.degree(0), q = shape_.degree(1);
+    const auto at = [&](int i, int j) { return v + (i * (q + 1) + j) * static_cast<int>(lanes); };
+    double mean[2][2];
+    for (int k = 0; k < 2; ++k) {
+        mean[k][0] = (at(p, 0)[k] + at(p, q)[k] - at(0, 0)[k] - at(0, q)[k]) / 2;
+        mean[k][1] = (at(0, q)[k] + at(p, q)[k] - at(0, 0)[k] - at(p, 0)[k]) / 2;
+    }
+    const double determinant = mean[0][0] * mean[1][1] - mean[0][1] * mean[1][0];
+    const double size =
+        (std::abs(mean[0][0]) + std::abs(mean[1][0])) * (std::abs(mean[0][1]) + std::abs(mean[1][1]));
+    if (!(std::abs(determinant) > 1e-12 * size)) {
+        return chart;
+    }
+    chart.m[0][0] = mean[1][1] / determinant;
+    chart.m[0][1] = -mean[0][1] / determinant;
+    chart.m[1][0] = -mean[1][0] / determinant;
+    chart.m[1][1] = mean[0][0] / determinant;
+    double off[2][2] = {};
+    const auto add = [&](int axis, int degree, const double *from, const double *to) {
+        const double x = degree * (to[0] - from[0]), y = degree * (to[1] - from[1]);
+        for (int k = 0; k < 2; ++k) {
+            const double entry = chart.m[k][0] * x + chart.m[k][1] * y - (k == axis ? 1 : 0);
+            off[k][axis] = std::max(off[k][axis], std::abs(entry));
+        }
+    };
+    for (int i = 0; i <= p; ++i) {
+        for (int j = 0; j <= q; ++j) {
+            if (i < p) {
+                add(0, p, at(i, j), at(i + 1, j));
+            }
+            if (j < q) {
+                add(1, q, at(i, j), at(i, j + 1));
+            }
+        }
+    }
+    chart.rho = 0;
+    for (int k = 0; k < 2; ++k) {
+        const double row = std::abs(chart.m[k][0]) + std::abs(chart.m[k][1]);
+        chart.norm = std::max(chart.norm, row);
+        chart.rho = std::max(chart.rho, off[k][0] + off[k][1] + 2.1 * (p + q) * row * noise_of_f);
+    }
+    chart.rho += 64 * eps;
+    return chart;
+}
+
+// Whether a row of M F has one sign, beyond the noise.
+bool RaySolver::excludes(const Chart &chart, const double *v, double noise) const noexcept {
+    for (int k = 0; k < 2; ++k) {
+        const double a = chart.m[k][0], b = chart.m[k][1], room = 1.01 * noise * (std::abs(a) + std::abs(b));
+        bool above = true, below = true;
+        const double *record = v;
+        for (int64_t i = 0; i < count_; ++i, record += lanes) {
+            const double x = a * record[0] + b * record[1];
+            above = above && x > room * record[3];
+            below = below && x < -room * record[3];
+        }
+        if (above || below) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void RaySolver::evaluate(const double *v, const std::array<double, 2> &at) {
+    pieces::evaluate_patch(shape_, v, {at[0], at[1], 0}, 1, work_.data(), point_.data());
+}
+
+// Newton's method within the part. Open where it ends at a side of the part, and that alone does not say that they
+// meet nowhere: the bound is better in the halves.
+RaySolver::Verdict RaySolver::meet_by(const Chart &chart, const double *v, double error, Interval range) {
+    std::array<double, 2> z{0.5, 0.5}, step{};
+    constexpr int most_steps = 40;
+    double last = infinity;
+    for (int i = 0;; ++i) {
+        evaluate(v, z);
+        const double *f = point_.data(), *u = f + lanes, *w = u + lanes;
+        for (size_t k = 0; k < 2; ++k) {
+            step[k] = chart.m[k][0] * f[0] + chart.m[k][1] * f[1];
+        }
+        const double size = std::max(std::abs(step[0]), std::abs(step[1]));
+        if (size <= 2 * eps || i == most_steps || !(size < 0.95 * last)) {
+            break;
+        }
+        std::array<double, 2> change = step;
+        const double determinant = u[0] * w[1] - u[1] * w[0];
+        if (size < 0.5 * last && determinant != 0) {
+            change = {(f[0] * w[1] - f[1] * w[0]) / determinant, (f[1] * u[0] - f[0] * u[1]) / determinant};
+        }
+        const std::array<double, 2> next{std::clamp(z[0] - change[0], 0.0, 1.0),
+                                         std::clamp(z[1] - change[1], 0.0, 1.0)};
+        if (next == z) {
+            break;
+        }
+        last = size;
+        z = next;
+    }
+    const double moved = chart.norm * 1.01 * error, largest = std::max(std::abs(step[0]), std::abs(step[1]));
+    const double radius = 1.001 * (largest + moved) / (1 - chart.rho),
+                 rest = chart.rho * radius + moved + 8 * eps;
+    std::array<Interval, 2> box{};
+    for (size_t k = 0; k < 2; ++k) {
+        const double centre = z[k] - step[k];
+        box[k] = {std::max(z[k] - radius, centre - rest), std::min(z[k] + radius, centre + rest)};
+    }
+    const double t = point_[2] / point_[3];
+    if (apart(box)) {
+        return Verdict::nothing;
+    }
+    const double away = std::hypot(point_[0], point_[1]) / point_[3];
+    if (largest > 4 * moved + 64 * eps || away > 8 * noise_) { // so near weights of 0
+        return Verdict::open;
+    }
+    if (t < range.lower - noise_ || t > range.upper + noise_) {
+        return Verdict::nothing;
+    }
+    const Part &part = stack_.back();
+    for (size_t k = 0; k < 2; ++k) {
+        meet_.place[k] = part.lower[k] + part.length[k] * z[k];
+    }
+    meet_.t = t;
+    meet_.ts = {t, t};
+    meet_.piece = piece_;
+    meet_.proven = true;
+    meet_.inside = inside(box);
+    const double *f = point_.data(), *u = f + lanes, *w = u + lanes;
+    std::array<double, 3> a{}, b{};
+    for (size_t c = 0; c < 3; ++c) {
+        const double x = f[c] / f[3];
+        a[c] = u[c] - x * u[3];
+        b[c] = w[c] - x * w[3];
+    }
+    const std::array<double, 3> normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                       a[0] * b[1] - a[1] * b[0]};
+    meet_.sine = normal[2] / norm(normal.data(), 3);
+    return Verdict::meet;
+}
+
+void RaySolver::set_touch(const Ranges &ranges) {
+    const Part &part = stack_.back();
+    for (size_t k = 0; k < 2; ++k) {
+        meet_.place[k] = part.lower[k] + part.length[k] / 2;
+    }
+    const double middle = ranges.nearest / 2 + ranges.farthest / 2;
+    meet_.t = std::isfinite(middle) ? middle : ranges.nearest;
+    meet_.ts = {ranges.nearest, ranges.farthest};
+    meet_.piece = piece_;
+    meet_.proven = false;
+    meet_.inside = false;
+    meet_.sine = 0;
+}
+
+int RaySolver::longest_axis(const double *v) const noexcept {
+    if (shape_.axes < 2) {
+        return 0;
+    }
+    const int p = shape_.degree(0), q = shape_.degree(1);
+    double along[2] = {0, 0};
+    for (int i = 0; i <= p; ++i) {
+        for (int j = 0; j <= q; ++j) {
+            const double *here = v + (i * (q + 1) + j) * static_cast<int>(lanes);
+            for (int k = 0; k < 2; ++k) {
+                const double *next = here + (k == 0 ? q + 1 : 1) * static_cast<int>(lanes);
+                if (k == 0 ? i < p : j < q) {
+                    along[k] = std::max(along[k], (k == 0 ? p : q) * (std::abs(next[0] - here[0]) +
+                                                                      std::abs(next[1] - here[1])));
+                }
+            }
+        }
+    }
+    return along[1] > along[0] ? 1 : 0;
+}
+
+// The upper half stays below the lower one.
+void RaySolver::halve() {
+    if (shape_.axes == 0) {
+        pop(); // a point
+        return;
+    }
+    if ((stack_.size() + 1) * size_ > memory_.size()) {
+        memory_.resize(2 * memory_.size());
+    }
+    double *upper = values(stack_.size() - 1), *lower = values(stack_.size());
+    const int axis = longest_axis(upper);
+    BernsteinShape net{{}, static_cast<int>(lanes)};
+    std::copy_n(shape_.degrees.begin(), shape_.axes, net.degrees.begin());
+    bernstein::halve(net, axis, upper, lower);
+    Part &part = stack_.back();
+    const auto k = static_cast<size_t>(axis);
+    part.length[k] /= 2;
+    part.moved += 1.02 * shape_.degree(axis) * eps * (grid_.radius() + norm(ray_.origin.data(), 3));
+    ++part.depth;
+    Part first = part;
+    part.lower[k] += part.length[k];
+    stack_.push_back(first);
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Where a ray meets one Bezier piece of a surface.
+#pragma once
+
+#include "intersect/rays/ray_tree.h"
+
+namespace nrb::intersect {
+
+// Places on the piece, and t on the ray.
+struct RayMeet {
+    std::array<double, 2> place{};
+    double t = 0;
+    Interval ts{}; // of a touch: where it is
+    int64_t piece = 0;
+    bool proven = true;  // false: a touch, as far as rounding can tell, or what the limit of work left open
+    bool inside = false; // of the piece, for certain
+    double sine = 0;     // between the ray and the tangent plane, negative from the back
+};
+
+// About the ray's origin and turned so that the ray is the third axis, the first two coordinates are
+//     F(u, v) = (A - w o) . (n1, n2)
+// and the ray meets the piece where F = 0. With M the inverse of the mean derivative, the largest row sum of
+// |M F' - I| over all Bernstein coefficients, rho, below 1 says that there is one such place at most, which Newton's
+// method finds (R. Krawczyk 1969; planes through the ray: T. Nishita, T. W. Sederberg & M. Kakimoto 1990). Other
+// parts are halved.
+class RaySolver {
+public:
+    explicit RaySolver(const pieces::PieceGrid &grid);
+
+    // For the rays that follow. `moved`: how far the origin may be from the ray. room() is how far rounding moves pieces
+    // and rays in all.
+    void set_ray(const Ray &ray, double moved);
+    [[nodiscard]] double room() const noexcept { return noise_; }
+
+    // Calls found(meet) for each, with lower <= t <= limit() at the time, which may fall from call to call. Returns
+    // whether all of the piece was looked at.
+    template <class Limit, class Found>
+    bool solve(int64_t piece, double lower, Limit &&limit, Found &&found) {
+        begin(piece);
+        while (!stack_.empty() && boxes_ > 0) {
+            switch (look(lower, limit())) {
+            case Verdict::nothing:
+                pop();
+                break;
+            case Verdict::meet:
+                found(meet_);
+                pop();
+                break;
+            case Verdict::open:
+                halve();
+                break;
+            }
+        }
+        const bool complete = stack_.empty();
+        stack_.clear();
+        return complete;
+    }
+
+    // Boxes that may still be looked at for this ray.
+    [[nodiscard]] int boxes() const noexcept { return boxes_; }
+
+private:
+    enum class Verdict { nothing, meet, open };
+    struct Part {
+        std::array<double, 2> lower{}, length{1, 1};
+        double moved = 0;
+        int depth = 0;
+    };
+    // Rows of M, and rho.
+    struct Chart {
+        double m[2][2];
+        double rho = 2;
+        double norm = 0; // the largest row sum of |M|
+    };
+    // Of the coefficients of a part.
+    struct Ranges {
+        double least_weight, most_weight;
+        double nearest, farthest; // of t
+        double size;              // largest |F| / w
+        bool misses;              // F is 0 nowhere
+    };
+
+    void begin(int64_t piece);
+    Verdict look(double lower, double upper);
+    void halve();
+    void pop() { stack_.pop_back(); }
+    [[nodiscard]] double *values(size_t part) noexcept { return memory_.data() + part * size_; }
+    [[nodiscard]] Ranges ranges(const double *v, double noise) const noexcept;
+    Chart chart(const double *v, double noise_of_f);
+    [[nodiscard]] bool excludes(const Chart &chart, const double *v, double noise) const noexcept;
+    Verdict meet_by(const Chart &chart, const double *v, double error, Interval range);
+    void evaluate(const double *v, const std::array<double, 2> &at);
+    void set_touch(const Ranges &ranges);
+    [[nodiscard]] int longest_axis(const double *v) const noexcept;
+
+    const pieces::PieceGrid &grid_;
+    pieces::PatchShape shape_;
+    int64_t count_; // of coefficients
+    size_t size_;   // of the values of a part
+    std::array<double, 3> first_{}, second_{};
+    Ray ray_;
+    std::vector<double> origin_; // lanes
+    double noise_ = 0;
+    int boxes_ = 0;
+    std::vector<Part> stack_;
+    std::vector<double> memory_, work_, point_;
+    RayMeet meet_;
+    int64_t piece_ = 0;
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Boxes around the Bezier pieces of a surface and around blocks of them, for rays. They are kept with the surface.
+#pragma once
+
+#include "pieces/tree/piece_grid.h"
+
+#include <vector>
+
+namespace nrb::intersect {
+
+// A line x = origin + t direction in the frame of the pieces, direction a unit vector.
+struct Ray {
+    std::array<double, 3> origin{}, direction{}, inverse{}; // 1 / direction
+};
+
+// The grid of pieces is halved along its longer side down to single pieces. Children of node i are i + 1 and
+// right(i). What rounding does to pieces is in the boxes.
+class RayTree {
+public:
+    explicit RayTree(const pieces::PieceGrid &grid);
+
+    [[nodiscard]] const pieces::PieceGrid &grid() const noexcept { return grid_; }
+    [[nodiscard]] bool empty() const noexcept { return nodes_.empty(); }
+    [[nodiscard]] bool is_piece(int32_t node) const noexcept { return at(node).right < 0; }
+    [[nodiscard]] int64_t piece(int32_t node) const noexcept { return -1 - int64_t{at(node).right}; }
+    [[nodiscard]] int32_t right(int32_t node) const noexcept { return at(node).right; }
+    // Where a ray is in the box, at most `room` larger; lower > upper: nowhere.
+    [[nodiscard]] Interval meets(int32_t node, const Ray &ray, double room) const noexcept;
+
+private:
+    struct Node {
+        std::array<float, 3> lower, upper;
+        int32_t right; // or -1 - piece
+    };
+    [[nodiscard]] const Node &at(int32_t node) const noexcept { return nodes_[static_cast<size_t>(node)]; }
+    int32_t build(std::array<int64_t, 2> lower, std::array<int64_t, 2> upper);
+    void set_box(Node &node, int64_t piece);
+
+    const pieces::PieceGrid &grid_;
+    std::vector<Node> nodes_;
+    std::vector<double> work_, values_;
+};
+
+// Built at the first use. Precondition: a surface in space.
+const RayTree &ray_tree_of(const Spline &surface);
+
+} // namespace nrb::intersect

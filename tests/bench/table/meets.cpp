@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Where curves meet each other and themselves, and where rays meet a surface, beside SISL.
+#include "bench/table/rows.h"
+#include "bench/table/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace bench {
+
+namespace {
+
+constexpr int64_t most = 1000, rays = 256;
+constexpr double resolution = 1e-6;
+
+// Two cubics of the plane with 97 pieces each that cross some 45 times.
+struct Waves {
+    static constexpr int count = 100;
+    std::vector<double> knots, high, low;
+    Handle first, second;
+    std::shared_ptr<SISLCurve> sisl_first, sisl_second;
+    int64_t crossings = 0;
+    std::vector<double> on_first = std::vector<double>(most), on_second = on_first;
+
+    Waves() {
+        std::mt19937 engine(5);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        for (int i = 0; i < count + 4; ++i) {
+            knots.push_back(std::min(std::max(i - 3, 0), count - 3));
+        }
+        for (int i = 0; i < count; ++i) {
+            high.insert(high.end(), {static_cast<double>(i), unit(engine)});
+            low.insert(low.end(), {static_cast<double>(i), 0.3 * unit(engine)});
+        }
+        first = make(high);
+        second = make(low);
+        sisl_first = {newCurve(count, 4, knots.data(), high.data(), 1, 2, 1), freeCurve};
+        sisl_second = {newCurve(count, 4, knots.data(), low.data(), 1, 2, 1), freeCurve};
+        require_ok(nurbs_curve_intersections(first.get(), second.get(), 0, 0, nullptr, nullptr, nullptr,
+                                             nullptr, nullptr, &crossings, nullptr));
+    }
+    [[nodiscard]] Handle make(const std::vector<double> &points) const {
+        const int32_t degree = 3;
+        const int64_t size = count;
+        nurbs *out = nullptr;
+        require_ok(nurbs_create(1, &degree, &size, knots.data(), count + 4, 2, points.data(), 0, 0, nullptr,
+                                0, 0, &out));
+        return Handle(out);
+    }
+    void meet(const nurbs *a, const nurbs *b) {
+        int64_t found = 0;
+        require_ok(nurbs_curve_intersections(a, b, 0, crossings, on_first.data(), on_second.data(), nullptr,
+                                             nullptr, nullptr, &found, nullptr));
+    }
+    std::vector<double> sisl_meet() const {
+        double *s = nullptr, *t = nullptr;
+        SISLIntcurve **curves = nullptr;
+        int points = 0, overlaps = 0, status = 0;
+        s1857(sisl_first.get(), sisl_second.get(), resolution, resolution, &points, &s, &t, &overlaps,
+              &curves, &status);
+        std::vector<double> found(s, s + points);
+        std::free(s);
+        std::free(t);
+        if (curves != nullptr) {
+            freeIntcrvlist(curves, overlaps);
+        }
+        std::ranges::sort(found);
+        return found;
+    }
+    double difference() {
+        meet(first.get(), second.get());
+        const std::vector<double> other = sisl_meet();
+        double apart = std::cmp_equal(other.size(), crossings) ? 0 : 1;
+        for (size_t i = 0; i < other.size() && apart < 1; ++i) {
+            apart = std::max(apart, std::abs(other[i] - on_first[i]));
+        }
+        return apart < 1e-5 ? 0 : 1;
+    }
+};
+
+// Rays from above on 20 x 20 bicubic control points.
+struct Rays {
+    Net net{2, 3, 20};
+    Handle surface = net.make();
+    std::shared_ptr<SISLSurf> sisl = net.sisl_surface();
+    std::vector<double> from, along, at = std::vector<double>(rays);
+
+    Rays() {
+        std::mt19937 engine(7);
+        std::uniform_real_distribution<double> unit(0, 1);
+        for (int64_t i = 0; i < rays; ++i) {
+            from.insert(from.end(), {19 * unit(engine), 19 * unit(engine), 10});
+            along.insert(along.end(), {0.3 * unit(engine) - 0.15, 0.3 * unit(engine) - 0.15, -1});
+        }
+    }
+    void cast() {
+        require_ok(nurbs_surface_rays(surface.get(), rays, from.data(), 0, 0, along.data(), 0, 0, nullptr,
+                                      at.data(), nullptr));
+    }
+    // All points of the whole line.
+    int64_t sisl_cast(size_t ray) {
+        double *points = nullptr;
+        SISLIntcurve **curves = nullptr;
+        int count = 0, others = 0, status = 0;
+        s1856(sisl.get(), from.data() + 3 * ray, along.data() + 3 * ray, 3, resolution, resolution, &count,
+              &points, &others, &curves, &status);
+        std::free(points);
+        if (curves != nullptr) {
+            freeIntcrvlist(curves, others);
+        }
+        return count;
+    }
+    double difference() {
+        cast();
+        for (size_t i = 0; i < rays; ++i) {
+            if ((sisl_cast(i) > 0) == std::isnan(at[i])) {
+                return 1;
+            }
+        }
+        return 0;
+    }
+};
+
+} // namespace
+
+void add_meets(Rows &rows) {
+    const auto waves = std::make_shared<Waves>();
+    const auto theirs = [=] { waves->sisl_meet(); };
+    rows.add({std::to_string(waves->crossings) + " meets of two curves", "SISL", 1,
+              [=] { waves->meet(waves->first.get(), waves->second.get()); }, theirs,
+              [=] { return waves->difference(); }});
+    rows.add({"the same of new curves",
+              "SISL",
+              1,
+              [=] {
+                  const Handle a = waves->make(waves->high), b = waves->make(waves->low);
+                  waves->meet(a.get(), b.get());
+              },
+              theirs,
+              {}});
+    const auto beams = std::make_shared<Rays>();
+    rows.add({"ray on a surface", "SISL", bench::rays, [=] { beams->cast(); },
+              [=] {
+                  for (size_t i = 0; i < bench::rays; ++i) {
+                      beams->sisl_cast(i);
+                  }
+              },
+              [=] { return beams->difference(); }});
+}
+
+} // namespace bench
