@@ -108,8 +108,11 @@ private:
         std::ranges::sort(ends, {}, [this](const NearGroup::Member &member) {
             return std::pair(placed(member.cell, member.turns).a.lower, member.cell);
         });
-        const auto again = std::ranges::unique(ends, {}, &NearGroup::Member::cell);
-        ends.erase(again.begin(), again.end());
+        const auto again =
+            std::unique(ends.begin(), ends.end(), [](const NearGroup::Member &x, const NearGroup::Member &y) {
+                return x.cell == y.cell;
+            });
+        ends.erase(again, ends.end());
         for (size_t i = 0; i + 1 < ends.size(); ++i) {
             join_over(ends[i], ends[i + 1]);
         }

@@ -2231,7 +2231,7 @@ void query(const Inputs &in) {
     }
     {
         begin("curve_intersections");
-        const auto found = n::curve_intersections(in.curve, in.loop, 1e-09);
+        const auto found = n::curve_intersections(in.curve, in.segment, 1e-09);
         show("params_a", found.params_a);
         show("params_b", found.params_b);
         show("kinds", found.kinds);
@@ -2651,7 +2651,7 @@ void query(const Inputs &in) {
     }
     {
         begin("curve_intersections_with");
-        const auto found = n::curve_intersections(in.curve, in.loop, 1e-09, watched());
+        const auto found = n::curve_intersections(in.curve, in.segment, 1e-09, watched());
         show("params_a", found.params_a);
         show("params_b", found.params_b);
         show("kinds", found.kinds);

@@ -3857,7 +3857,7 @@ contains
             real(c_double), allocatable :: ranges_a_found(:, :)
             real(c_double), allocatable :: ranges_b_found(:, :)
             logical :: complete_found
-            call curve_intersections(a=curve, b=loop, params_a=params_a_found, params_b=params_b_found, &
+            call curve_intersections(a=curve, b=segment, params_a=params_a_found, params_b=params_b_found, &
                 kinds=kinds_found, ranges_a=ranges_a_found, ranges_b=ranges_b_found, complete=complete_found, &
                 tolerance=1d-09)
             call show('params_a', params_a_found)
@@ -4530,7 +4530,7 @@ contains
             real(c_double), allocatable :: ranges_b_found(:, :)
             logical :: complete_found
             type(nurbs_call) :: watching
-            call curve_intersections(a=curve, b=loop, params_a=params_a_found, params_b=params_b_found, &
+            call curve_intersections(a=curve, b=segment, params_a=params_a_found, params_b=params_b_found, &
                 kinds=kinds_found, ranges_a=ranges_a_found, ranges_b=ranges_b_found, complete=complete_found, &
                 tolerance=1d-09, call=watching)
             call show('params_a', params_a_found)

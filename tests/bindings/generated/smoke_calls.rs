@@ -3156,7 +3156,7 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_intersections");
     {
-        let found = given.curve.curve_intersections(&given.r#loop, 1e-09)?;
+        let found = given.curve.curve_intersections(&given.segment, 1e-09)?;
         show("params_a", &found.params_a);
         show("params_b", &found.params_b);
         show("kinds", &found.kinds);
@@ -3694,7 +3694,7 @@ fn query(given: &Given) -> nurbs::Result<()> {
     begin("curve_intersections_with");
     {
         let found = given.curve.curve_intersections_with(
-            &given.r#loop,
+            &given.segment,
             1e-09,
             &mut Call::new().progress(|_| true),
         )?;

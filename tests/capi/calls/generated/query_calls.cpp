@@ -250,7 +250,7 @@ const Call group[] = {
      }, true},
     {"curve_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         return nurbs_curve_intersections(in.curve, in.loop, 1e-09, 16, o.values, o.values + 16, o.states,
+         return nurbs_curve_intersections(in.curve, in.segment, 1e-09, 16, o.values, o.values + 16, o.states,
              o.values + 32, o.values + 64, o.spans, o.states + 16);
      }, true},
     {"curve_level conic",
@@ -625,8 +625,8 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_curve_intersections_with(in.curve, in.loop, 1e-09, 16, o.values, o.values + 16, o.states,
-             o.values + 32, o.values + 64, o.spans, o.states + 16, &call);
+         return nurbs_curve_intersections_with(in.curve, in.segment, 1e-09, 16, o.values, o.values + 16,
+             o.states, o.values + 32, o.values + 64, o.spans, o.states + 16, &call);
      }, true},
     {"curve_level_with conic",
      [](const Inputs &in, Output &o) -> nurbs_status {
