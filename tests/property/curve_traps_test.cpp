@@ -261,6 +261,19 @@ TEST(CurveTraps, overlaps_with_points_at_rest) {
     EXPECT_EQ(square.count(NURBS_HIT_TANGENT), 0);
 }
 
+// The same across the seam of a periodic curve, both ways.
+TEST(CurveTraps, overlaps_with_points_at_rest_across_a_seam) {
+    SplineData ring{
+        {1}, {6},           {{-1, 0, 1, 2, 3, 4, 5, 6}}, 2, {0.5, 0, 2, 0, 2, 3, -1, 3, -1, 0, 0.5, 0},
+        {},  NURBS_PERIODIC};
+    const Handle periodic = create(ring);
+    const double from = 4 + 2 / 3.0, to = 5 + 1 / 3.0;
+    const Handle rests = create(bezier(2, {0, 0, 0, 0, 1, 0})), back = create(bezier(2, {1, 0, 0, 0, 0, 0}));
+    expect_overlap(meets(periodic, rests, 1e-9), {from, to}, {0, 1}, 1e-3);
+    expect_overlap(meets(rests, periodic, 1e-9), {0, 1}, {from, to}, 1e-3);
+    expect_overlap(meets(back, periodic, 1e-9), {0, 1}, {to, from}, 1e-3);
+}
+
 // Tolerances beyond the size of spans, and curves shorter than the tolerance.
 TEST(CurveTraps, large_tolerances) {
     EXPECT_EQ(meets(circle(0, 0, 1), circle(0, 0, 1.5), 0.6).count(NURBS_HIT_OVERLAP), 1);

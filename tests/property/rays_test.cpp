@@ -2,6 +2,7 @@
 #include "support/cases.h"
 #include "support/handle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -97,15 +98,17 @@ double noise_of(const SplineData &data) {
     return share * size_of(data);
 }
 
+// Where weights all but vanish, parameters have no digits for the place.
+bool has_even_weights(const SplineData &data) {
+    return data.weights.empty() ||
+           std::ranges::all_of(data.weights, [](double w) { return w > 0.1 && w < 10; });
+}
+
 SplineData surface_in_space(Random &random, int most_degree) {
     Recipe recipe = random_recipe(random, 2, most_degree);
     recipe.dim = 3;
     for (int k = 0; k < 2; ++k) {
         recipe.axes[static_cast<size_t>(k)].degree = std::max(recipe.axes[static_cast<size_t>(k)].degree, 1);
-    }
-    // Where weights vanish in a corner, parameters have no digits for the place.
-    if (recipe.weights == Weights::extreme || recipe.weights == Weights::some_zero) {
-        recipe.weights = Weights::moderate;
     }
     return random_spline(random, recipe);
 }
@@ -133,6 +136,9 @@ TEST(Rays, do_not_miss_places_they_are_cast_at) {
             ++certified;
             ASSERT_TRUE(answer.hit()) << where(seed, data);
             ASSERT_LE(answer.t, 1 + 1e-10) << where(seed, data);
+            if (!has_even_weights(data)) {
+                continue;
+            }
             ASSERT_LE(gap_of(g.get(), answer.uv, on_ray(from, along, answer.t)), noise_of(data))
                 << where(seed, data);
         }
@@ -164,7 +170,7 @@ TEST(Rays, all_hits_and_the_nearest_agree) {
             return;
         }
         ASSERT_NEAR(nearest.t, hits.t[0], 1e-10 * (1 + std::abs(nearest.t))) << where(seed, data);
-        for (size_t i = 0; i < hits.t.size(); ++i) {
+        for (size_t i = 0; i < hits.t.size() && has_even_weights(data); ++i) {
             ++found;
             ASSERT_LE(gap_of(g.get(), hits.uv.data() + 2 * i, on_ray(from, along, hits.t[i])), noise_of(data))
                 << where(seed, data);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/pairs/chart.h"
 
-#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -29,13 +28,12 @@ bool Chart::set_rows(const double *u, const double *v) {
 
 void Chart::set(const Slopes &a, const Slopes &b, int dim) {
     dim_ = dim;
-    norm_ = 0;
     turn_ = 0;
-    rho_ = infinity;
+    contraction_ = {};
     if (!set_rows(a.mean(), b.mean())) {
         return;
     }
-    rho_ = 0;
+    contraction_.rho = 0;
     for (size_t k = 0; k < 2; ++k) {
         const double length = norm(row(k), dim);
         double of_a = 0, of_b = 0;
@@ -45,8 +43,9 @@ void Chart::set(const Slopes &a, const Slopes &b, int dim) {
         for (size_t j = 0; j < b.count(); ++j) {
             of_b = std::max(of_b, std::abs(dot(row(k), b.vector(j), dim) + (k == 1 ? 1 : 0)));
         }
-        rho_ = std::max(rho_, of_a + of_b + 1.01 * length * (a.error() + b.error()) + 64 * dim * eps);
-        norm_ = std::max(norm_, length);
+        contraction_.rho = std::max(contraction_.rho,
+                                    of_a + of_b + 1.01 * length * (a.error() + b.error()) + 64 * dim * eps);
+        contraction_.norm = std::max(contraction_.norm, length);
     }
 }
 
@@ -66,33 +65,16 @@ bool Chart::excludes(const pieces::BezierPiece &a, const pieces::BezierPiece &b,
             high = std::max(high, x);
             size = std::max(size, std::abs(x));
         }
-        if (std::max(least - high, low - most) >
-            1.0001 * norm_ * (near + a.moved() + b.moved()) + 4 * dim_ * eps * (size + norm_)) {
+        if (std::max(least - high, low - most) > 1.0001 * contraction_.norm * (near + a.moved() + b.moved()) +
+                                                     4 * dim_ * eps * (size + contraction_.norm)) {
             return true;
         }
     }
     return false;
 }
 
-std::array<double, 2> Chart::step(const double *difference) const noexcept {
+Place<2> Chart::step(const double *difference) const noexcept {
     return {dot(row(0), difference, dim_), dot(row(1), difference, dim_)};
-}
-
-double Chart::radius(const double *difference, double near) const noexcept {
-    const std::array<double, 2> moved = step(difference);
-    return 1.0001 * (std::max(std::abs(moved[0]), std::abs(moved[1])) + norm_ * near) / (1 - rho_);
-}
-
-std::array<Interval, 2> Chart::solutions(const std::array<double, 2> &z0, const double *difference,
-                                         double near) const noexcept {
-    const double r = radius(difference, near), rest = 1.0001 * (rho_ * r + norm_ * near);
-    const std::array<double, 2> moved = step(difference);
-    std::array<Interval, 2> found{};
-    for (size_t k = 0; k < 2; ++k) {
-        const double centre = z0[k] - moved[k], room = rest + 8 * eps * (1 + std::abs(moved[k]));
-        found[k] = {std::max(z0[k] - r, centre - room), std::min(z0[k] + r, centre + room)};
-    }
-    return found;
 }
 
 } // namespace nrb::intersect

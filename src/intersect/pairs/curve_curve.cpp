@@ -27,10 +27,10 @@ using Cells = std::vector<NearCell>;
 class Meeting {
 public:
     Meeting(const Spline &a, const Spline &b, double tolerance)
-        : a_(a), b_(b), dim_(a.dim()), tolerance_(tolerance), search_(a, b) {}
+        : a_(a), b_(b), breaks_a_(a), breaks_b_(b), dim_(a.dim()), tolerance_(tolerance), search_(a, b) {}
     Meeting(const Spline &curve, double tolerance)
-        : a_(curve), b_(curve), dim_(curve.dim()), tolerance_(tolerance), closes_(closes(curve)),
-          search_(curve) {}
+        : a_(curve), b_(curve), breaks_a_(curve), breaks_b_(curve), dim_(curve.dim()), tolerance_(tolerance),
+          closes_(closes(curve)), search_(curve) {}
 
     PairHits run() {
         const NearCells found = search_.find(tolerance_);
@@ -143,7 +143,7 @@ private:
         const std::vector<Link> links = links_of(a_, b_, near.cells);
         for (const Strand &strand : strands_of(a_, b_, near.cells, links)) {
             const NearCell &middle = near.cells[strand.cells[strand.cells.size() / 2]];
-            const std::optional<Strand> overlap = overlap_of(a_, b_, strand);
+            const std::optional<Strand> overlap = overlap_of(breaks_a_, breaks_b_, strand);
             if (overlap && !is_one_place(middle)) {
                 std::ranges::for_each(strand.cells, [&taken](size_t cell) { taken[cell] = true; });
                 add(*overlap);
@@ -274,6 +274,7 @@ private:
     }
 
     const Spline &a_, &b_;
+    Breaks breaks_a_, breaks_b_;
     int dim_;
     double tolerance_, noise_ = 0;
     bool closes_ = false; // and meets itself

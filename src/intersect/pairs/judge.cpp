@@ -31,18 +31,6 @@ Interval parameters(const BezierPiece &piece, Interval places) noexcept {
             piece.parameter({std::clamp(places.upper, 0.0, 1.0)})[0]};
 }
 
-bool is_empty(Interval x) noexcept {
-    return !(x.lower <= x.upper);
-}
-
-Interval inside(Interval x) noexcept {
-    return {std::max(x.lower, 0.0), std::min(x.upper, 1.0)};
-}
-
-bool strictly_inside(Interval x) noexcept {
-    return x.lower > 0 && x.upper < 1;
-}
-
 // An end that rounding has left.
 double settled(double place) noexcept {
     return place < eps ? 0 : place > 1 - eps ? 1 : place;
@@ -83,12 +71,11 @@ Judge::Verdict Judge::by_chart() {
         std::ranges::transform(difference_, difference_.begin(), std::negate<>());
         return separated_by(difference_.data(), place_.distance) ? Verdict::nothing : by_tangents();
     }
-    const std::array<double, 2> z0{place_.a[0], place_.b[0]};
-    const double reach = chart_.radius(difference_.data(), near_);
-    const std::array<Interval, 2> exact = chart_.solutions(z0, difference_.data(), noise_);
-    const std::array<Interval, 2> core{inside(exact[0]), inside(exact[1])};
-    const bool meets = dim_ == 2 && strictly_inside(exact[0]) && strictly_inside(exact[1]);
-    bool apart = is_empty(core[0]) || is_empty(core[1]);
+    const Place<2> z0{place_.a[0], place_.b[0]}, step = chart_.step(difference_.data());
+    const double reach = chart_.contraction().radius(step, near_);
+    const Box<2> exact = chart_.contraction().solutions(z0, step, noise_);
+    const bool meets = dim_ == 2 && strictly_inside(exact);
+    bool apart = outside(exact);
     if (reach > 0.5 && (near_ > noise_ || !meets)) {
         const closest::PairPlace place = place_;
         compared_ = false;
@@ -106,7 +93,7 @@ Judge::Verdict Judge::by_chart() {
     cell_.turn = chart_.turn();
     cell_.meetable = !apart;
     if (!apart) {
-        set_core(core[0], core[1]);
+        set_core(exact[0], exact[1]);
     }
     return Verdict::cell;
 }
@@ -205,40 +192,27 @@ bool Judge::separated_by(const double *normal, double length) const noexcept {
            1.0001 * length * (near_ + piece_a().moved() + piece_b().moved() + 16 * (dim_ + 4) * eps);
 }
 
-// Newton's method, and the steps of the chart where it does not come nearer, until rounding stops them or they
-// would leave the pieces.
 void Judge::approach() {
-    constexpr int most_steps = 40;
-    place_.a[0] = place_.b[0] = 0.5;
-    double last = infinity;
-    for (int i = 0;; ++i) {
-        point_a_.evaluate(piece_a(), place_.a[0]);
-        point_b_.evaluate(piece_b(), place_.b[0]);
-        for (size_t c = 0; c < difference_.size(); ++c) {
-            difference_[c] = point_a_.value()[c] - point_b_.value()[c];
-        }
-        const std::array<double, 2> fixed = chart_.step(difference_.data());
-        const double size = std::max(std::abs(fixed[0]), std::abs(fixed[1]));
-        if (size < 2 * eps || i == most_steps || !(size < 0.95 * last)) {
-            break;
-        }
-        const std::array<double, 2> step = size < 0.5 * last ? newton_step() : fixed;
-        const double a = std::clamp(place_.a[0] - step[0], 0.0, 1.0),
-                     b = std::clamp(place_.b[0] - step[1], 0.0, 1.0);
-        if (a == place_.a[0] && b == place_.b[0]) {
-            break;
-        }
-        last = size;
-        place_.a[0] = a;
-        place_.b[0] = b;
-    }
+    const Place<2> z = approached<2>(
+        [this](const Place<2> &at) {
+            point_a_.evaluate(piece_a(), at[0]);
+            point_b_.evaluate(piece_b(), at[1]);
+            for (size_t c = 0; c < difference_.size(); ++c) {
+                difference_[c] = point_a_.value()[c] - point_b_.value()[c];
+            }
+            return chart_.step(difference_.data());
+        },
+        [this] { return newton_step(); });
+    place_.a[0] = z[0];
+    place_.b[0] = z[1];
     place_.distance = norm(difference_.data(), dim_);
     if (place_.distance > noise_ && place_.distance < 16 * near_) { // it is not where they meet
         descend();
     }
 }
 
-std::array<double, 2> Judge::newton_step() const noexcept {
+// Of least squares.
+Place<2> Judge::newton_step() const noexcept {
     const double *u = point_a_.derivative(), *v = point_b_.derivative(), *f = difference_.data();
     const double uu = dot(u, u, dim_), vv = dot(v, v, dim_), uv = dot(u, v, dim_), uf = dot(u, f, dim_),
                  vf = dot(v, f, dim_), determinant = uu * vv - uv * uv;

@@ -46,7 +46,7 @@ private:
     [[nodiscard]] bool separated() const noexcept;
     [[nodiscard]] bool separated_by(const double *normal, double length) const noexcept;
     void approach();
-    [[nodiscard]] std::array<double, 2> newton_step() const noexcept;
+    [[nodiscard]] Place<2> newton_step() const noexcept;
     void descend();
     void set_cell(NearCell::Kind kind, Interval a, Interval b);
     void set_core(Interval a, Interval b);

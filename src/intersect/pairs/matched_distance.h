@@ -17,8 +17,9 @@ public:
 
     // Rounding and moved() of both are included.
     [[nodiscard]] double upper() const noexcept { return largest_ + rounding_; }
-    // In the plane: whether the matched parts, and what goes on beyond their ends, are farther apart than `near`. Over x . d the parts are graphs; with (e, h) the matched difference along d and across it, they
-    // are h - m e apart, where m is a slope of b.
+    // In the plane: whether the matched parts, and what goes on beyond their ends, are farther apart than `near`.
+    // Over x . d the parts are graphs; with (e, h) the matched difference along d and across it, they are h - m e
+    // apart, where m is a slope of b.
     [[nodiscard]] bool separates(const Beside &beside, double near) const noexcept;
 
 private:

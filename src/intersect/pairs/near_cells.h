@@ -29,12 +29,14 @@ struct NearCell {
     Interval a, b;     // where they may be near
     double at_a, at_b; // the nearest places found
     double gap = 0;    // their distance
-    Interval core_a{},
-        core_b{}; // where exact arithmetic may have distance 0; of `along`: matched ends, b may fall
-    int turn = 0; // of `along`: 1, or -1 if b runs against a; of others in the plane: the sign of A' x B'
-    bool still = false;              // one of them is a point all along
-    bool meetable = true;            // false: they are proven apart by more than rounding
-    double reach_a = 0, reach_b = 0; // of `along`: no farther from matched places is what is near
+    // Where exact arithmetic may have distance 0; of `along` the matched ends, which on b may fall.
+    Interval core_a{}, core_b{};
+    // Of `along`: how far from matched places what is near may be.
+    double reach_a = 0, reach_b = 0;
+    // Of `along`: 1, or -1 if b runs against a; of others in the plane: the sign of A' x B'.
+    int turn = 0;
+    bool still = false;   // one of them is a point all along
+    bool meetable = true; // false: they are proven apart by more than rounding
     // The parts, which jumps of the curves are not in.
     int64_t segment_a = 0, segment_b = 0;
     closest::PairCell *of_a = nullptr, *of_b = nullptr;

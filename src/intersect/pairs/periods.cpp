@@ -3,22 +3,12 @@
 
 #include "base/numbers.h"
 #include "eval/curve_point.h"
+#include "eval/frames/magnitude.h"
 #include "numeric/norm.h"
 
 namespace nrb::intersect {
 
 namespace {
-
-double size_of(const Spline &curve) noexcept {
-    double size = 0;
-    for (int64_t i = 0; i < curve.point_count(); ++i) {
-        for (int c = 0; c < curve.dim(); ++c) {
-            const double x = std::abs(curve.coordinate(i, c));
-            size = std::isfinite(x) ? std::max(size, x) : size;
-        }
-    }
-    return size;
-}
 
 bool are_one(const std::vector<double> &x, const std::vector<double> &y, double size) noexcept {
     return x == y || distance(x.data(), y.data(), static_cast<int>(x.size())) <= 64 * eps * size;
@@ -27,13 +17,13 @@ bool are_one(const std::vector<double> &x, const std::vector<double> &y, double 
 } // namespace
 
 bool closes(const Spline &curve) {
-    return are_one(eval::end_point(curve, false), eval::end_point(curve, true), size_of(curve.effective()));
+    return are_one(eval::end_point(curve, false), eval::end_point(curve, true), eval::active_size(curve));
 }
 
 std::vector<double> jumps_of(const Spline &curve) {
     const KnotVector &axis = curve.axis(0);
     const Interval domain = axis.domain();
-    const double size = size_of(curve.effective());
+    const double size = eval::active_size(curve);
     std::vector<double> jumps;
     for (const KnotGroup &group : distinct_knots(axis.knots())) {
         if (group.multiplicity > axis.degree() && group.knot > domain.lower && group.knot < domain.upper &&

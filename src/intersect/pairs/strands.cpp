@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace nrb::intersect {
 
@@ -142,27 +141,23 @@ private:
             }
         }
     }
-    void extend(Placed &first, Placed &last) const {
-        first.first = {first.a.lower, first.from_b};
-        last.last = {last.a.upper, last.to_b};
-        for (const Joint &joint : joints_[first.cell]) {
+    // The end of a chain at a cell moved by so many periods: its last one, or its first.
+    [[nodiscard]] Strand::End end_of(const Placed &at, Turns turns, bool last) const {
+        Strand::End end = last ? Strand::End{at.a.upper, at.to_b} : Strand::End{at.a.lower, at.from_b};
+        const double start = end.a, reach = cells_[at.cell].reach_a;
+        const bool rises = (at.from_b <= at.to_b) == last; // outwards on b
+        for (const Joint &joint : joints_[at.cell]) {
             const NearCell &cell = cells_[joint.cell.cell];
-            if (cell.a.upper <= first.a.lower + cells_[first.cell].reach_a) {
-                const double b = first.from_b < first.to_b ? std::min(first.first.b, cell.b.lower)
-                                                           : std::max(first.first.b, cell.b.upper);
-                first.first = {std::min(first.first.a, cell.a.lower), b,
-                               first.first.turns_back || joint.turns_back};
+            const Interval on_a = turned(cell.a, turns.a + joint.cell.turns.a, period_a_),
+                           on_b = turned(cell.b, turns.b + joint.cell.turns.b, period_b_);
+            if (last ? on_a.lower < start - reach : on_a.upper > start + reach) {
+                continue;
             }
+            end.a = last ? std::max(end.a, on_a.upper) : std::min(end.a, on_a.lower);
+            end.b = rises ? std::max(end.b, on_b.upper) : std::min(end.b, on_b.lower);
+            end.turns_back = end.turns_back || joint.turns_back;
         }
-        for (const Joint &joint : joints_[last.cell]) {
-            const NearCell &cell = cells_[joint.cell.cell];
-            if (cell.a.lower >= last.a.upper - cells_[last.cell].reach_a) {
-                const double b = last.from_b < last.to_b ? std::max(last.last.b, cell.b.upper)
-                                                         : std::min(last.last.b, cell.b.lower);
-                last.last = {std::max(last.last.a, cell.a.upper), b,
-                             last.last.turns_back || joint.turns_back};
-            }
-        }
+        return end;
     }
 
     std::vector<Placed> chain_from(size_t first, std::vector<bool> &seen) const {
@@ -175,12 +170,8 @@ private:
             turns = {turns.a + next->turns.a, turns.b + next->turns.b};
             chain.push_back(placed(next->cell, turns));
         }
-        if (turns.a == 0 && turns.b == 0) {
-            extend(chain.front(), chain.back());
-        } else {
-            chain.front().first = {chain.front().a.lower, chain.front().from_b};
-            chain.back().last = {chain.back().a.upper, chain.back().to_b};
-        }
+        chain.front().first = end_of(chain.front(), {}, false);
+        chain.back().last = end_of(chain.back(), turns, true);
         return chain;
     }
 
@@ -266,32 +257,6 @@ private:
     std::vector<Strand> strands_;
 };
 
-// Of a range that may reach into the next period.
-class Breaks {
-public:
-    explicit Breaks(const Spline &curve) : period_(period_of(curve)) {
-        const Interval domain = curve.axis(0).domain();
-        for (const KnotGroup &group : distinct_knots(curve.axis(0).knots())) {
-            if (group.knot >= domain.lower && group.knot <= domain.upper) {
-                knots_.push_back(group.knot);
-            }
-        }
-        const size_t own = knots_.size();
-        for (size_t i = 1; period_ > 0 && i < own; ++i) {
-            knots_.push_back(knots_[i] + period_);
-        }
-    }
-    [[nodiscard]] bool hold(double t) const noexcept { return std::ranges::binary_search(knots_, t); }
-    [[nodiscard]] bool have_span_in(Interval range) const noexcept {
-        const auto first = std::ranges::lower_bound(knots_, range.lower);
-        return first != knots_.end() && first + 1 != knots_.end() && *(first + 1) <= range.upper;
-    }
-
-private:
-    double period_;
-    std::vector<double> knots_;
-};
-
 } // namespace
 
 std::vector<Strand> strands_of(const Spline &a, const Spline &b, std::span<const NearCell> cells,
@@ -303,23 +268,44 @@ std::vector<Strand> strands_of(const Spline &a, const Spline &b, std::span<const
     return cutting.take();
 }
 
-std::optional<Strand> overlap_of(const Spline &a, const Spline &b, const Strand &given) {
-    const Breaks on_a(a), on_b(b);
+Breaks::Breaks(const Spline &curve) {
+    const Interval domain = curve.axis(0).domain();
+    for (const KnotGroup &group : distinct_knots(curve.axis(0).knots())) {
+        if (group.knot >= domain.lower && group.knot <= domain.upper) {
+            knots_.push_back(group.knot);
+        }
+    }
+    const double period = period_of(curve);
+    const size_t own = knots_.size();
+    for (size_t i = 1; period > 0 && i < own; ++i) {
+        knots_.push_back(knots_[i] + period);
+    }
+}
+
+bool Breaks::hold(double t) const noexcept {
+    return std::ranges::binary_search(knots_, t);
+}
+
+bool Breaks::have_span_in(Interval range) const noexcept {
+    const auto first = std::ranges::lower_bound(knots_, range.lower);
+    return first != knots_.end() && first + 1 != knots_.end() && *(first + 1) <= range.upper;
+}
+
+std::optional<Strand> overlap_of(const Breaks &on_a, const Breaks &on_b, const Strand &given) {
     Strand strand = given;
-    const auto holds = [&](double s, double t) { return on_a.hold(s) || on_b.hold(t); };
-    bool starts = holds(strand.a.lower, strand.from_b), ends = holds(strand.a.upper, strand.to_b);
-    if (!starts) {
-        strand.a.lower = strand.first.a;
-        strand.from_b = strand.first.b;
-        starts = strand.first.turns_back || holds(strand.a.lower, strand.from_b);
-    }
-    if (!ends) {
-        strand.a.upper = strand.last.a;
-        strand.to_b = strand.last.b;
-        ends = strand.last.turns_back || holds(strand.a.upper, strand.to_b);
-    }
+    // Whether it ends where a curve does; if not, it goes on over what is tiny.
+    const auto ends = [&](double &a, double &b, const Strand::End &beyond) {
+        if (on_a.hold(a) || on_b.hold(b)) {
+            return true;
+        }
+        a = beyond.a;
+        b = beyond.b;
+        return beyond.turns_back || on_a.hold(a) || on_b.hold(b);
+    };
+    const bool first = ends(strand.a.lower, strand.from_b, strand.first),
+               last = ends(strand.a.upper, strand.to_b, strand.last);
     const Interval range_b{std::min(strand.from_b, strand.to_b), std::max(strand.from_b, strand.to_b)};
-    if ((starts && ends) || on_a.have_span_in(strand.a) || on_b.have_span_in(range_b)) {
+    if ((first && last) || on_a.have_span_in(strand.a) || on_b.have_span_in(range_b)) {
         return strand;
     }
     return {};

@@ -26,8 +26,19 @@ struct Strand {
 std::vector<Strand> strands_of(const Spline &a, const Spline &b, std::span<const NearCell> cells,
                                std::span<const Link> links);
 
+// The knots of a curve in its domain, and those of the next period.
+class Breaks {
+public:
+    explicit Breaks(const Spline &curve);
+    [[nodiscard]] bool hold(double t) const noexcept;
+    [[nodiscard]] bool have_span_in(Interval range) const noexcept;
+
+private:
+    std::vector<double> knots_;
+};
+
 // A strand that holds a whole span of one of the curves, or begins and ends where one of them has a knot or an end, or
 // turns back: polynomial pieces that agree on an interval agree until one of them ends. Others are none.
-std::optional<Strand> overlap_of(const Spline &a, const Spline &b, const Strand &strand);
+std::optional<Strand> overlap_of(const Breaks &on_a, const Breaks &on_b, const Strand &strand);
 
 } // namespace nrb::intersect

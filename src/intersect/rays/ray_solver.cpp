@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,29 +15,9 @@ constexpr int most_boxes = 4000; // for a ray
 constexpr int most_depth = 60;
 constexpr size_t lanes = 4;
 
-double dot3(const double *x, const std::array<double, 3> &y) noexcept {
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
-// A unit vector across another one.
-std::array<double, 3> across(const std::array<double, 3> &d) noexcept {
-    const size_t k = std::abs(d[0]) <= std::abs(d[1]) && std::abs(d[0]) <= std::abs(d[2]) ? 0
-                     : std::abs(d[1]) <= std::abs(d[2])                                   ? 1
-                                                                                          : 2;
-    std::array<double, 3> n{};
-    const double length = std::sqrt(1 - d[k] * d[k]);
-    for (size_t c = 0; c < 3; ++c) {
-        n[c] = ((c == k ? 1 : 0) - d[c] * d[k]) / length;
-    }
-    return n;
-}
-
-bool inside(const std::array<Interval, 2> &box) noexcept {
-    return box[0].lower > 0 && box[0].upper < 1 && box[1].lower > 0 && box[1].upper < 1;
-}
-
-bool apart(const std::array<Interval, 2> &box) noexcept {
-    return box[0].upper < 0 || box[0].lower > 1 || box[1].upper < 0 || box[1].lower > 1;
+// The coordinates of a record.
+Vector3 vector_of(const double *record) noexcept {
+    return {record[0], record[1], record[2]};
 }
 
 } // namespace
@@ -55,11 +34,10 @@ RaySolver::RaySolver(const pieces::PieceGrid &grid)
 // origin.
 void RaySolver::set_ray(const Ray &ray, double moved) {
     ray_ = ray;
-    first_ = across(ray.direction);
-    const std::array<double, 3> &d = ray.direction, &n = first_;
-    second_ = {d[1] * n[2] - d[2] * n[1], d[2] * n[0] - d[0] * n[2], d[0] * n[1] - d[1] * n[0]};
-    std::copy_n(ray.origin.data(), 3, origin_.data());
-    const double far = norm(ray.origin.data(), 3) + grid_.radius();
+    first_ = any_normal(ray.direction);
+    second_ = cross(ray.direction, first_);
+    std::copy_n(ray.start.data(), 3, origin_.data());
+    const double far = length(ray.origin) + grid_.radius();
     noise_ = 1.01 * grid_.moved() + (16 * eps + 4 * grid_.value_error()) * far + moved;
     boxes_ = most_boxes;
 }
@@ -72,19 +50,28 @@ void RaySolver::begin(int64_t piece) {
     for (int64_t i = 0; i < count_; ++i) {
         const double *record = work_.data() + i * shape_.lanes;
         double *turned = out + i * static_cast<int64_t>(lanes);
-        turned[0] = dot3(record, first_);
-        turned[1] = dot3(record, second_);
-        turned[2] = dot3(record, ray_.direction);
+        const Vector3 x = vector_of(record);
+        turned[0] = dot(x, first_);
+        turned[1] = dot(x, second_);
+        turned[2] = dot(x, ray_.direction);
         turned[3] = record[3];
     }
     stack_.assign(1, Part{{0, 0}, {1, 1}, noise_, 0});
     count_work(16 * count_);
 }
 
+// Coefficients of weight 0 are 0 altogether where no weight is negative: they say nothing.
+bool RaySolver::has_point(const double *record) const noexcept {
+    return !grid_.positive() || record[3] != 0;
+}
+
 RaySolver::Ranges RaySolver::ranges(const double *v, double noise) const noexcept {
     Ranges r{infinity, 0, infinity, -infinity, 0, false};
     bool above[2] = {true, true}, below[2] = {true, true};
     for (int64_t i = 0; i < count_; ++i, v += lanes) {
+        if (!has_point(v)) {
+            continue;
+        }
         const double w = v[3], room = noise * w;
         r.least_weight = std::min(r.least_weight, w);
         r.most_weight = std::max(r.most_weight, w);
@@ -121,7 +108,7 @@ RaySolver::Verdict RaySolver::look(double lower, double upper) {
     }
     const double error = part.moved * r.most_weight;
     const Chart chart = this->chart(v, error);
-    if (chart.rho < 0.9) {
+    if (chart.contraction.proven()) {
         const Verdict verdict =
             excludes(chart, v, part.moved) ? Verdict::nothing : meet_by(chart, v, error, {lower, upper});
         if (verdict != Verdict::open) {
@@ -137,9 +124,8 @@ RaySolver::Verdict RaySolver::look(double lower, double upper) {
 
 // The mean of the derivative is what the corners say; coefficients of derivatives are differences of two that are off
 // by the noise.
-RaySolver::Chart RaySolver::chart(const double *v, double noise_of_f) {
+RaySolver::Chart RaySolver::chart(const double *v, double noise_of_f) const noexcept {
     Chart chart{};
-    chart.rho = 2;
     if (shape_.axes < 2) {
         return chart;
     }
@@ -178,13 +164,13 @@ RaySolver::Chart RaySolver::chart(const double *v, double noise_of_f) {
             }
         }
     }
-    chart.rho = 0;
+    auto &[rho, norm] = chart.contraction;
+    rho = 0;
     for (int k = 0; k < 2; ++k) {
         const double row = std::abs(chart.m[k][0]) + std::abs(chart.m[k][1]);
-        chart.norm = std::max(chart.norm, row);
-        chart.rho = std::max(chart.rho, off[k][0] + off[k][1] + 2.1 * (p + q) * row * noise_of_f);
+        norm = std::max(norm, row);
+        rho = std::max(rho, off[k][0] + off[k][1] + 2.1 * (p + q) * row * noise_of_f + 64 * eps);
     }
-    chart.rho += 64 * eps;
     return chart;
 }
 
@@ -196,8 +182,8 @@ bool RaySolver::excludes(const Chart &chart, const double *v, double noise) cons
         const double *record = v;
         for (int64_t i = 0; i < count_; ++i, record += lanes) {
             const double x = a * record[0] + b * record[1];
-            above = above && x > room * record[3];
-            below = below && x < -room * record[3];
+            above = above && (x > room * record[3] || !has_point(record));
+            below = below && (x < -room * record[3] || !has_point(record));
         }
         if (above || below) {
             return true;
@@ -206,92 +192,76 @@ bool RaySolver::excludes(const Chart &chart, const double *v, double noise) cons
     return false;
 }
 
-void RaySolver::evaluate(const double *v, const std::array<double, 2> &at) {
-    pieces::evaluate_patch(shape_, v, {at[0], at[1], 0}, 1, work_.data(), point_.data());
+// Of M and the first two values.
+Place<2> RaySolver::fixed_step(const Chart &chart) const noexcept {
+    const double *f = point_.data();
+    return {chart.m[0][0] * f[0] + chart.m[0][1] * f[1], chart.m[1][0] * f[0] + chart.m[1][1] * f[1]};
 }
 
-// Newton's method within the part. Open where it ends at a side of the part, and that alone does not say that they
-// meet nowhere: the bound is better in the halves.
+// point_ becomes that of the place: (F, t w, w) and its derivatives.
+Place<2> RaySolver::approach(const Chart &chart, const double *v) {
+    const auto fixed = [&](const Place<2> &at) {
+        pieces::evaluate_patch(shape_, v, {at[0], at[1], 0}, 1, work_.data(), point_.data());
+        return fixed_step(chart);
+    };
+    const auto newton = [&]() -> Place<2> {
+        const double *f = point_.data(), *by_u = f + lanes, *by_v = by_u + lanes;
+        const double determinant = by_u[0] * by_v[1] - by_u[1] * by_v[0];
+        if (determinant == 0) {
+            return fixed_step(chart);
+        }
+        return {(f[0] * by_v[1] - f[1] * by_v[0]) / determinant,
+                (f[1] * by_u[0] - f[0] * by_u[1]) / determinant};
+    };
+    return approached<2>(fixed, newton);
+}
+
+// Open where the approach ends at a side of the part, and that alone does not say that they meet nowhere: the bound is
+// better in the halves. So it is beside weights that all but vanish.
 RaySolver::Verdict RaySolver::meet_by(const Chart &chart, const double *v, double error, Interval range) {
-    std::array<double, 2> z{0.5, 0.5}, step{};
-    constexpr int most_steps = 40;
-    double last = infinity;
-    for (int i = 0;; ++i) {
-        evaluate(v, z);
-        const double *f = point_.data(), *u = f + lanes, *w = u + lanes;
-        for (size_t k = 0; k < 2; ++k) {
-            step[k] = chart.m[k][0] * f[0] + chart.m[k][1] * f[1];
-        }
-        const double size = std::max(std::abs(step[0]), std::abs(step[1]));
-        if (size <= 2 * eps || i == most_steps || !(size < 0.95 * last)) {
-            break;
-        }
-        std::array<double, 2> change = step;
-        const double determinant = u[0] * w[1] - u[1] * w[0];
-        if (size < 0.5 * last && determinant != 0) {
-            change = {(f[0] * w[1] - f[1] * w[0]) / determinant, (f[1] * u[0] - f[0] * u[1]) / determinant};
-        }
-        const std::array<double, 2> next{std::clamp(z[0] - change[0], 0.0, 1.0),
-                                         std::clamp(z[1] - change[1], 0.0, 1.0)};
-        if (next == z) {
-            break;
-        }
-        last = size;
-        z = next;
-    }
-    const double moved = chart.norm * 1.01 * error, largest = std::max(std::abs(step[0]), std::abs(step[1]));
-    const double radius = 1.001 * (largest + moved) / (1 - chart.rho),
-                 rest = chart.rho * radius + moved + 8 * eps;
-    std::array<Interval, 2> box{};
-    for (size_t k = 0; k < 2; ++k) {
-        const double centre = z[k] - step[k];
-        box[k] = {std::max(z[k] - radius, centre - rest), std::min(z[k] + radius, centre + rest)};
-    }
-    const double t = point_[2] / point_[3];
-    if (apart(box)) {
+    const Place<2> z = approach(chart, v);
+    const double *f = point_.data();
+    const Place<2> step = fixed_step(chart);
+    const Box<2> exact = chart.contraction.solutions(z, step, 1.01 * error);
+    if (outside(exact)) {
         return Verdict::nothing;
     }
-    const double away = std::hypot(point_[0], point_[1]) / point_[3];
-    if (largest > 4 * moved + 64 * eps || away > 8 * noise_) { // so near weights of 0
+    const double away = std::hypot(f[0], f[1]) / f[3], t = f[2] / f[3];
+    if (largest(step) > 4.04 * chart.contraction.norm * error + 64 * eps || !(away <= 8 * noise_)) {
         return Verdict::open;
     }
     if (t < range.lower - noise_ || t > range.upper + noise_) {
         return Verdict::nothing;
     }
-    const Part &part = stack_.back();
-    for (size_t k = 0; k < 2; ++k) {
-        meet_.place[k] = part.lower[k] + part.length[k] * z[k];
-    }
-    meet_.t = t;
-    meet_.ts = {t, t};
-    meet_.piece = piece_;
-    meet_.proven = true;
-    meet_.inside = inside(box);
-    const double *f = point_.data(), *u = f + lanes, *w = u + lanes;
-    std::array<double, 3> a{}, b{};
-    for (size_t c = 0; c < 3; ++c) {
-        const double x = f[c] / f[3];
-        a[c] = u[c] - x * u[3];
-        b[c] = w[c] - x * w[3];
-    }
-    const std::array<double, 3> normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                       a[0] * b[1] - a[1] * b[0]};
-    meet_.sine = normal[2] / norm(normal.data(), 3);
+    set_meet(z, exact);
     return Verdict::meet;
+}
+
+void RaySolver::set_meet(const Place<2> &z, const Box<2> &exact) {
+    const double *f = point_.data(), *by_u = f + lanes, *by_v = by_u + lanes;
+    const double t = f[2] / f[3];
+    const Vector3 x = (1 / f[3]) * vector_of(f);
+    const Vector3 normal = cross(vector_of(by_u) - by_u[3] * x, vector_of(by_v) - by_v[3] * x);
+    const Part &part = stack_.back();
+    meet_ = {{part.lower[0] + part.length[0] * z[0], part.lower[1] + part.length[1] * z[1]},
+             t,
+             {t, t},
+             piece_,
+             true,
+             strictly_inside(exact),
+             normal.z / length(normal)};
 }
 
 void RaySolver::set_touch(const Ranges &ranges) {
     const Part &part = stack_.back();
-    for (size_t k = 0; k < 2; ++k) {
-        meet_.place[k] = part.lower[k] + part.length[k] / 2;
-    }
     const double middle = ranges.nearest / 2 + ranges.farthest / 2;
-    meet_.t = std::isfinite(middle) ? middle : ranges.nearest;
-    meet_.ts = {ranges.nearest, ranges.farthest};
-    meet_.piece = piece_;
-    meet_.proven = false;
-    meet_.inside = false;
-    meet_.sine = 0;
+    meet_ = {{part.lower[0] + part.length[0] / 2, part.lower[1] + part.length[1] / 2},
+             std::isfinite(middle) ? middle : ranges.nearest,
+             {ranges.nearest, ranges.farthest},
+             piece_,
+             false,
+             false,
+             0};
 }
 
 int RaySolver::longest_axis(const double *v) const noexcept {
@@ -332,7 +302,7 @@ void RaySolver::halve() {
     Part &part = stack_.back();
     const auto k = static_cast<size_t>(axis);
     part.length[k] /= 2;
-    part.moved += 1.02 * shape_.degree(axis) * eps * (grid_.radius() + norm(ray_.origin.data(), 3));
+    part.moved += 1.02 * shape_.degree(axis) * eps * (grid_.radius() + length(ray_.origin));
     ++part.depth;
     Part first = part;
     part.lower[k] += part.length[k];

@@ -2,13 +2,14 @@
 // Where a ray meets one Bezier piece of a surface.
 #pragma once
 
+#include "intersect/contraction.h"
 #include "intersect/rays/ray_tree.h"
 
 namespace nrb::intersect {
 
 // Places on the piece, and t on the ray.
 struct RayMeet {
-    std::array<double, 2> place{};
+    Place<2> place{};
     double t = 0;
     Interval ts{}; // of a touch: where it is
     int64_t piece = 0;
@@ -19,10 +20,9 @@ struct RayMeet {
 
 // About the ray's origin and turned so that the ray is the third axis, the first two coordinates are
 //     F(u, v) = (A - w o) . (n1, n2)
-// and the ray meets the piece where F = 0. With M the inverse of the mean derivative, the largest row sum of
-// |M F' - I| over all Bernstein coefficients, rho, below 1 says that there is one such place at most, which Newton's
-// method finds (R. Krawczyk 1969; planes through the ray: T. Nishita, T. W. Sederberg & M. Kakimoto 1990). Other
-// parts are halved.
+// and the ray meets the piece where F = 0 (planes through the ray: T. Nishita, T. W. Sederberg & M. Kakimoto 1990).
+// M is the inverse of the mean derivative, and rho follows from all Bernstein coefficients of F'. Parts for which that
+// is no contraction are halved.
 class RaySolver {
 public:
     explicit RaySolver(const pieces::PieceGrid &grid);
@@ -56,21 +56,16 @@ public:
         return complete;
     }
 
-    // Boxes that may still be looked at for this ray.
-    [[nodiscard]] int boxes() const noexcept { return boxes_; }
-
 private:
     enum class Verdict { nothing, meet, open };
     struct Part {
-        std::array<double, 2> lower{}, length{1, 1};
+        Place<2> lower{}, length{1, 1};
         double moved = 0;
         int depth = 0;
     };
-    // Rows of M, and rho.
     struct Chart {
         double m[2][2];
-        double rho = 2;
-        double norm = 0; // the largest row sum of |M|
+        Contraction contraction;
     };
     // Of the coefficients of a part.
     struct Ranges {
@@ -86,10 +81,13 @@ private:
     void pop() { stack_.pop_back(); }
     [[nodiscard]] double *values(size_t part) noexcept { return memory_.data() + part * size_; }
     [[nodiscard]] Ranges ranges(const double *v, double noise) const noexcept;
-    Chart chart(const double *v, double noise_of_f);
+    [[nodiscard]] bool has_point(const double *record) const noexcept;
+    [[nodiscard]] Chart chart(const double *v, double noise_of_f) const noexcept;
     [[nodiscard]] bool excludes(const Chart &chart, const double *v, double noise) const noexcept;
     Verdict meet_by(const Chart &chart, const double *v, double error, Interval range);
-    void evaluate(const double *v, const std::array<double, 2> &at);
+    [[nodiscard]] Place<2> fixed_step(const Chart &chart) const noexcept;
+    Place<2> approach(const Chart &chart, const double *v);
+    void set_meet(const Place<2> &z, const Box<2> &exact);
     void set_touch(const Ranges &ranges);
     [[nodiscard]] int longest_axis(const double *v) const noexcept;
 
@@ -97,7 +95,7 @@ private:
     pieces::PatchShape shape_;
     int64_t count_; // of coefficients
     size_t size_;   // of the values of a part
-    std::array<double, 3> first_{}, second_{};
+    Vector3 first_, second_;
     Ray ray_;
     std::vector<double> origin_; // lanes
     double noise_ = 0;

@@ -85,8 +85,8 @@ Interval RayTree::meets(int32_t node, const Ray &ray, double room) const noexcep
     const Node &box = at(node);
     Interval inside{-infinity, infinity};
     for (size_t c = 0; c < 3; ++c) {
-        const double lower = double{box.lower[c]} - room - ray.origin[c],
-                     upper = double{box.upper[c]} + room - ray.origin[c];
+        const double lower = double{box.lower[c]} - room - ray.start[c],
+                     upper = double{box.upper[c]} + room - ray.start[c];
         if (std::isinf(ray.inverse[c])) {
             if (lower > 0 || upper < 0) {
                 return {infinity, -infinity};

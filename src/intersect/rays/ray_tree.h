@@ -2,15 +2,18 @@
 // Boxes around the Bezier pieces of a surface and around blocks of them, for rays. They are kept with the surface.
 #pragma once
 
+#include "numeric/vector3.h"
 #include "pieces/tree/piece_grid.h"
 
+#include <array>
 #include <vector>
 
 namespace nrb::intersect {
 
 // A line x = origin + t direction in the frame of the pieces, direction a unit vector.
 struct Ray {
-    std::array<double, 3> origin{}, direction{}, inverse{}; // 1 / direction
+    Vector3 origin, direction;
+    std::array<double, 3> start{}, inverse{}; // the origin, and 1 / direction
 };
 
 // The grid of pieces is halved along its longer side down to single pieces. Children of node i are i + 1 and
@@ -20,7 +23,6 @@ public:
     explicit RayTree(const pieces::PieceGrid &grid);
 
     [[nodiscard]] const pieces::PieceGrid &grid() const noexcept { return grid_; }
-    [[nodiscard]] bool empty() const noexcept { return nodes_.empty(); }
     [[nodiscard]] bool is_piece(int32_t node) const noexcept { return at(node).right < 0; }
     [[nodiscard]] int64_t piece(int32_t node) const noexcept { return -1 - int64_t{at(node).right}; }
     [[nodiscard]] int32_t right(int32_t node) const noexcept { return at(node).right; }

@@ -4,7 +4,6 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/rays/ray_solver.h"
-#include "numeric/norm.h"
 #include "numeric/power_of_two.h"
 
 #include <algorithm>
@@ -64,30 +63,21 @@ private:
     // Directions are made unit vectors, and the origin is moved along the ray to where it is nearest to the centre: what
     // that rounds moves the ray. t of the frame is (t of the caller) factor_ - start_.
     void set(int64_t i) {
-        std::array<double, 3> origin{}, direction{};
-        double largest = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            origin[c] = rays_.origins(i, static_cast<int64_t>(c));
-            direction[c] = rays_.directions(i, static_cast<int64_t>(c));
-            largest = std::max(largest, std::abs(direction[c]));
-        }
-        const int exponent = std::ilogb(largest);
-        for (double &x : direction) {
-            x = times_power_of_two(x, -exponent);
-        }
-        const double length = norm(direction.data(), 3);
-        factor_ = times_power_of_two(grid_.scaled(length), exponent);
+        const auto row = [i](const ConstRecords &rows) {
+            return Vector3{rows(i, 0), rows(i, 1), rows(i, 2)};
+        };
+        const Vector3 origin = row(rays_.origins), direction = row(rays_.directions);
+        factor_ =
+            times_power_of_two(grid_.scaled(length(scaled_to_one(direction))), size_exponent(direction));
         std::array<double, 4> placed{};
-        grid_.place(origin.data(), placed.data());
-        start_ = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            ray_.direction[c] = direction[c] / length;
-            ray_.inverse[c] = 1 / ray_.direction[c];
-            start_ -= placed[c] * ray_.direction[c];
-        }
-        for (size_t c = 0; c < 3; ++c) {
-            ray_.origin[c] = placed[c] + start_ * ray_.direction[c];
-        }
+        const double given[] = {origin.x, origin.y, origin.z};
+        grid_.place(given, placed.data());
+        const Vector3 from{placed[0], placed[1], placed[2]};
+        ray_.direction = unit(scaled_to_one(direction));
+        start_ = -dot(from, ray_.direction);
+        ray_.origin = from + start_ * ray_.direction;
+        ray_.start = {ray_.origin.x, ray_.origin.y, ray_.origin.z};
+        ray_.inverse = {1 / ray_.direction.x, 1 / ray_.direction.y, 1 / ray_.direction.z};
         range_ = {in_frame(rays_.range.lower), in_frame(rays_.range.upper)};
         solver_.set_ray(ray_, 4 * eps * std::abs(start_));
     }

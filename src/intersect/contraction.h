@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Systems of N equations in N unknowns with one solution at most, whatever they come from: two curves, a ray and a surface.
+#pragma once
+
+#include "base/numbers.h"
+#include "basis/knot_vector.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace nrb::intersect {
+
+template <size_t N>
+using Place = std::array<double, N>; // in [0, 1]^N
+template <size_t N>
+using Box = std::array<Interval, N>;
+
+template <size_t N>
+double largest(const Place<N> &x) noexcept {
+    double most = 0;
+    for (const double value : x) {
+        most = std::max(most, std::abs(value));
+    }
+    return most;
+}
+
+// Of F over [0, 1]^N and a matrix M: the largest row sum of |M F' - I| over all of it, and the norm of M, by which
+// |F| <= near makes |M F| <= norm near. If rho < 1, then for every z and z0 in the maximum norm
+//     |z - z0| (1 - rho) <= |M (F(z) - F(z0))|
+// (R. Krawczyk 1969), so that F is 0 once at most, and all where it is small lies close together.
+struct Contraction {
+    double rho = infinity;
+    double norm = 0;
+
+    [[nodiscard]] bool proven() const noexcept { return rho < 0.9; }
+
+    // How far from z0 a place may be where |F| <= near; step: M F(z0).
+    template <size_t N>
+    [[nodiscard]] double radius(const Place<N> &step, double near) const noexcept {
+        return 1.001 * (largest(step) + norm * near) / (1 - rho);
+    }
+    // Where such places are, beyond [0, 1]^N too. What is nearer to z0 by the radius r is also nearer to what the step
+    // leads to by rho r + norm near.
+    template <size_t N>
+    [[nodiscard]] Box<N> solutions(const Place<N> &z0, const Place<N> &step, double near) const noexcept {
+        const double r = radius(step, near);
+        Box<N> found{};
+        for (size_t k = 0; k < N; ++k) {
+            const double centre = z0[k] - step[k];
+            const double rest = 1.001 * (rho * r + norm * near) + 8 * eps * (1 + std::abs(step[k]));
+            found[k] = {std::max(z0[k] - r, centre - rest), std::min(z0[k] + r, centre + rest)};
+        }
+        return found;
+    }
+};
+
+// Newton's method from the middle, and the steps M F where it does not come nearer, until rounding stops them or they
+// would leave [0, 1]^N. fixed(z): M F(z); newton(): the step of Newton's method where fixed() was last. What both know is
+// that of the place that is returned.
+template <size_t N, class Fixed, class Newton>
+Place<N> approached(Fixed &&fixed, Newton &&newton) {
+    constexpr int most_steps = 40;
+    Place<N> z{};
+    z.fill(0.5);
+    double last = infinity;
+    for (int i = 0;; ++i) {
+        const Place<N> slow = fixed(z);
+        const double size = largest(slow);
+        if (size <= 2 * eps || i == most_steps || !(size < 0.95 * last)) {
+            return z;
+        }
+        const Place<N> step = size < 0.5 * last ? newton() : slow;
+        Place<N> next = z;
+        for (size_t k = 0; k < N; ++k) {
+            next[k] = std::clamp(z[k] - step[k], 0.0, 1.0);
+        }
+        if (next == z) {
+            return z;
+        }
+        last = size;
+        z = next;
+    }
+}
+
+template <size_t N>
+bool strictly_inside(const Box<N> &box) noexcept {
+    return std::all_of(box.begin(), box.end(), [](Interval x) { return x.lower > 0 && x.upper < 1; });
+}
+// Whether a box and [0, 1]^N have nothing in common.
+template <size_t N>
+bool outside(const Box<N> &box) noexcept {
+    return std::any_of(box.begin(), box.end(),
+                       [](Interval x) { return !(std::max(x.lower, 0.0) <= std::min(x.upper, 1.0)); });
+}
+
+} // namespace nrb::intersect
