@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/levels/edge_roots.h"
+
+#include "base/numbers.h"
+#include "bernstein/de_casteljau.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr double smallest_part = 0x1p-44;
+
+class EdgeSearch {
+public:
+    EdgeSearch(const LevelNet::Edge &whole, double noise) : whole_(whole), noise_(noise) {}
+
+    std::vector<double> run(bool above_at_start, bool above_at_end) {
+        visit(whole_, 0, 1, above_at_start, above_at_end);
+        return std::move(roots_);
+    }
+
+private:
+    using Edge = LevelNet::Edge;
+
+    void visit(const Edge &edge, double from, double length, bool start, bool end) {
+        const int changes = changes_of(edge, start, end);
+        if (changes <= 1 || length < smallest_part) {
+            if (start != end) {
+                roots_.push_back(root(from, from + length, end));
+            }
+            return;
+        }
+        Edge upper = edge, lower = edge;
+        const int degree = static_cast<int>(edge.values.size()) - 1;
+        subdivide(degree, 1, 0.5, upper.values.data(), lower.values.data());
+        if (!edge.weights.empty()) {
+            subdivide(degree, 1, 0.5, upper.weights.data(), lower.weights.data());
+        }
+        const double w = edge.weights.empty() ? 1 : upper.weights.front();
+        const bool middle = upper.values.front() >= -noise_ * w;
+        visit(lower, from, length / 2, start, middle);
+        visit(upper, from + length / 2, length / 2, middle, end);
+    }
+
+    // Of signs that are known.
+    [[nodiscard]] int changes_of(const Edge &edge, bool start, bool end) const noexcept {
+        int changes = 0;
+        bool last = start;
+        for (size_t i = 0; i < edge.values.size(); ++i) {
+            const double known = noise_ * (edge.weights.empty() ? 1 : edge.weights[i]);
+            if (std::abs(edge.values[i]) > known) {
+                changes += (edge.values[i] > 0) != last ? 1 : 0;
+                last = edge.values[i] > 0;
+            }
+        }
+        return changes + (last != end ? 1 : 0);
+    }
+
+    [[nodiscard]] double value(double t) const {
+        std::vector<double> b = whole_.values;
+        evaluate(static_cast<int>(b.size()) - 1, 1, t, b.data());
+        return b.front();
+    }
+
+    // Regula falsi with halved weights of the end that stays (Illinois); where the ends have no different signs of their
+    // own, the one that is nearer to 0.
+    [[nodiscard]] double root(double a, double b, bool above_at_end) const {
+        const double sign = above_at_end ? 1 : -1;
+        double fa = sign * value(a), fb = sign * value(b);
+        if (!(fa < 0 && fb > 0)) {
+            return std::abs(fa) <= std::abs(fb) ? a : b;
+        }
+        int stayed = 0;
+        for (int i = 0; i < 100 && b - a > 2 * eps; ++i) {
+            double t = a + (b - a) * (fa / (fa - fb));
+            t = t > a && t < b ? t : a + (b - a) / 2;
+            if (!(t > a && t < b)) {
+                break;
+            }
+            const double ft = sign * value(t);
+            if (ft == 0) {
+                return t;
+            }
+            if (ft < 0) {
+                a = t;
+                fa = ft;
+                fb = stayed == -1 ? fb / 2 : fb;
+                stayed = -1;
+            } else {
+                b = t;
+                fb = ft;
+                fa = stayed == 1 ? fa / 2 : fa;
+                stayed = 1;
+            }
+        }
+        return std::abs(fa) <= std::abs(fb) ? a : b;
+    }
+
+    const Edge &whole_;
+    double noise_;
+    std::vector<double> roots_;
+};
+
+} // namespace
+
+std::vector<double> edge_roots(const LevelNet::Edge &edge, double noise, bool above_at_start,
+                               bool above_at_end) {
+    return EdgeSearch(edge, noise).run(above_at_start, above_at_end);
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/levels/level_boxes.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "bernstein/de_casteljau.h"
+#include "intersect/levels/edge_roots.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int most_halvings = 96; // halvings
+// Of the slopes of arcs: what is less even is halved, since errors of curves are told by the least slope.
+constexpr double least_evenness = 1.0 / 16;
+constexpr int depth_of_evenness = 24;
+
+bool has_roots(const LevelBorder &border) noexcept {
+    return std::ranges::any_of(border.edges, [](const auto &edge) { return !edge.empty(); });
+}
+
+struct PlacedRoot {
+    int32_t root;
+    std::array<double, 2> place;
+    bool enters; // what has f > 0 on its left comes into the box there
+};
+
+// All of them, by their places along an axis. Anticlockwise around a box f changes to below where the level comes in.
+std::vector<PlacedRoot> roots_along(const LevelBorder &border, const LevelPart &part, size_t axis) {
+    std::vector<PlacedRoot> all;
+    for (size_t k = 0; k < 2; ++k) {
+        for (size_t end = 0; end < 2; ++end) {
+            const bool anticlockwise = (k == 1) == (end == 0);
+            bool above = k == 0 ? border.above[end][0] : border.above[0][end];
+            for (const EdgeRoot &root : border.edges[2 * k + end]) {
+                PlacedRoot &placed = all.emplace_back();
+                placed.root = root.root;
+                placed.place[k] = part.lower[k] + static_cast<double>(end) * part.length[k];
+                placed.place[1 - k] = root.place;
+                placed.enters = above == anticlockwise;
+                above = !above;
+            }
+        }
+    }
+    std::ranges::stable_sort(all, {}, [axis](const PlacedRoot &root) { return root.place[axis]; });
+    return all;
+}
+
+// Makes entries and exits alternate where their places cannot be told apart; false: they do not.
+bool alternate(std::vector<PlacedRoot> &roots, size_t axis, double near, bool enters) {
+    for (size_t i = 0; i < roots.size(); ++i, enters = !enters) {
+        size_t next = i;
+        while (next < roots.size() && roots[next].enters != enters) {
+            ++next;
+        }
+        if (next == roots.size() || roots[next].place[axis] - roots[i].place[axis] > near) {
+            return false;
+        }
+        std::swap(roots[i], roots[next]);
+    }
+    return roots.size() % 2 == 0;
+}
+
+bool is_hidden(const LevelNet::Edge &edge, double noise) noexcept {
+    for (size_t i = 0; i < edge.values.size(); ++i) {
+        if (std::abs(edge.values[i]) > noise * (edge.weights.empty() ? 1 : edge.weights[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+bool is_certain(const LevelNet::Edge &edge, double noise) noexcept {
+    for (size_t i = 0; i < edge.values.size(); ++i) {
+        if (!(edge.values[i] > noise * (edge.weights.empty() ? 1 : edge.weights[i]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+bool LevelArc::is_point() const noexcept {
+    return std::abs(first[0] - last[0]) + std::abs(first[1] - last[1]) <= 16 * eps;
+}
+
+int32_t LevelPieces::add_root(const std::array<double, 2> &at) {
+    roots.push_back({at});
+    return static_cast<int32_t>(roots.size()) - 1;
+}
+
+int32_t LevelPieces::corner(const std::array<double, 2> &at) {
+    const auto [known, is_new] = corners.try_emplace(at, 0);
+    if (is_new) {
+        known->second = add_root(at);
+    }
+    return known->second;
+}
+
+void BoxSearch::run(int64_t piece, const PieceDomain &domain, LevelNet net, LevelBorder border) {
+    domain_ = domain;
+    stack_.push_back({{piece, {0, 0}, {1, 1}}, std::move(net), std::move(border), 0});
+    while (!stack_.empty()) {
+        Box box = std::move(stack_.back());
+        stack_.pop_back();
+        if (work_ended()) {
+            take_cluster(box, false);
+        } else {
+            look(box);
+        }
+    }
+}
+
+// Signs at the borders of neighbours are off by the noise of both, hence four times of it.
+void BoxSearch::look(Box &box) {
+    const LevelNet &net = box.net;
+    count_work(12 * std::ssize(net.values));
+    if (net.side(4 * net.noise) != 0) {
+        return;
+    }
+    const bool roots = has_roots(box.border), positive = net.has_positive_weights();
+    if (positive) {
+        const std::array<LevelNet::Slope, 2> slopes{net.slope(0), net.slope(1)};
+        const auto evenness = [&](size_t k) {
+            return slopes[k].sign != 0 ? slopes[k].least / slopes[k].most : 0;
+        };
+        const size_t best = evenness(1) > evenness(0) ? 1 : 0;
+        const bool near = net.is_near(near_);
+        const bool even = evenness(best) >= least_evenness || (box.depth >= depth_of_evenness && !near);
+        if (slopes[best].sign != 0 && (!roots || (even && take_arcs(box, 1 - best, slopes[best].sign)))) {
+            take_open_edges(box, slopes);
+            return;
+        }
+        if (near) {
+            take_cluster(box, true);
+            return;
+        }
+    }
+    if (box.depth >= most_halvings) {
+        take_cluster(box, false);
+    } else {
+        halve(box);
+    }
+}
+
+// As graphs over the axis; sign: of the slope along the other one. f > 0 lies on the left of (f_v, -f_u).
+bool BoxSearch::take_arcs(const Box &box, size_t axis, int sign) {
+    std::vector<PlacedRoot> roots = roots_along(box.border, box.part, axis);
+    const bool rises = axis == 0 ? sign > 0 : sign < 0;
+    if (!alternate(roots, axis, 0x1p-36 * box.part.length[axis], rises)) {
+        return false;
+    }
+    for (size_t i = 0; i < roots.size(); i += 2) {
+        const PlacedRoot &first = roots[rises ? i : i + 1], &last = roots[rises ? i + 1 : i];
+        if (const std::optional<LevelPart> pole = pole_of(box, first.place, last.place)) {
+            found_.clusters.push_back({*pole, {first.root, last.root}, true});
+        } else {
+            found_.arcs.push_back({box.part, axis, first.root, last.root, first.place, last.place});
+        }
+    }
+    return true;
+}
+
+// The part of a side of one point along which an arc would run.
+std::optional<LevelPart> BoxSearch::pole_of(const Box &box, const std::array<double, 2> &first,
+                                            const std::array<double, 2> &last) {
+    for (size_t axis = 0; axis < 2; ++axis) {
+        for (size_t end = 0; end < 2; ++end) {
+            LevelPart side = box.part;
+            side.lower[axis] += static_cast<double>(end) * side.length[axis];
+            side.length[axis] = 0;
+            if (box.border.collapsed[2 * axis + end] && first[axis] == side.lower[axis] &&
+                last[axis] == first[axis]) {
+                return side;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// Where f rises from the border inwards.
+void BoxSearch::take_open_edges(const Box &box, const std::array<LevelNet::Slope, 2> &slopes) {
+    for (size_t axis = 0; axis < 2; ++axis) {
+        for (size_t end = 0; end < 2; ++end) {
+            const size_t side = 2 * axis + end;
+            const bool rises = slopes[axis].sign == (end == 0 ? 1 : -1);
+            const bool above = axis == 0 ? box.border.above[end][0] : box.border.above[0][end];
+            if (!box.border.open[side] || !rises || !above || !box.border.edges[side].empty()) {
+                continue;
+            }
+            const LevelNet::Edge edge = box.net.edge(axis, static_cast<int>(end));
+            if (box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] &&
+                is_hidden(edge, box.net.noise)) {
+                take_edge(box, axis, end);
+            } else {
+                take_touches(box, axis, end, edge, 0, 1);
+            }
+        }
+    }
+}
+
+// f > 0 on the left: inside.
+void BoxSearch::take_edge(const Box &box, size_t axis, size_t end) {
+    const size_t other = 1 - axis;
+    std::array<std::array<double, 2>, 2> places{box.part.lower, box.part.lower};
+    places[0][axis] = places[1][axis] =
+        box.part.lower[axis] + static_cast<double>(end) * box.part.length[axis];
+    places[1][other] += box.part.length[other];
+    const bool rises = (axis == 0) == (end == 1);
+    const auto &first = places[rises ? 0 : 1], &last = places[rises ? 1 : 0];
+    found_.arcs.push_back(
+        {box.part, other, found_.corner(parameters(first)), found_.corner(parameters(last)), first, last});
+}
+
+// Places on an edge that cannot be told from zeros.
+void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const LevelNet::Edge &edge, double from,
+                             double length) {
+    constexpr double smallest_part = 0x1p-30;
+    if (is_certain(edge, box.net.noise)) {
+        return;
+    }
+    if (length < smallest_part || is_hidden(edge, box.net.noise)) {
+        LevelPart part = box.part;
+        part.lower[axis] += static_cast<double>(end) * part.length[axis];
+        part.length[axis] = 0;
+        part.lower[1 - axis] += from * part.length[1 - axis];
+        part.length[1 - axis] *= length;
+        found_.clusters.push_back({part, {}, true});
+        return;
+    }
+    LevelNet::Edge upper = edge, lower = edge;
+    const int degree = static_cast<int>(edge.values.size()) - 1;
+    subdivide(degree, 1, 0.5, upper.values.data(), lower.values.data());
+    if (!edge.weights.empty()) {
+        subdivide(degree, 1, 0.5, upper.weights.data(), lower.weights.data());
+    }
+    take_touches(box, axis, end, lower, from, length / 2);
+    take_touches(box, axis, end, upper, from + length / 2, length / 2);
+}
+
+std::array<double, 2> BoxSearch::parameters(const std::array<double, 2> &place) const noexcept {
+    return {domain_.parameter(0, place[0]), domain_.parameter(1, place[1])};
+}
+
+void BoxSearch::take_cluster(const Box &box, bool near) {
+    LevelCluster cluster{box.part, {}, near};
+    for (const std::vector<EdgeRoot> &edge : box.border.edges) {
+        for (const EdgeRoot &root : edge) {
+            cluster.roots.push_back(root.root);
+        }
+    }
+    found_.clusters.push_back(std::move(cluster));
+}
+
+// Along the axis along which f changes more.
+void BoxSearch::halve(Box &box) {
+    const auto change = [&](size_t k) { return box.net.degrees[k] * box.net.slope(k).most; };
+    const bool first =
+        change(0) > change(1) || (change(0) == change(1) && box.part.length[0] >= box.part.length[1]);
+    const size_t axis = box.net.degrees[1] == 0 || (first && box.net.degrees[0] > 0) ? 0 : 1;
+    Box upper = std::move(box), lower;
+    lower.part = upper.part;
+    lower.depth = ++upper.depth;
+    lower.part.length[axis] = upper.part.length[axis] /= 2;
+    const double middle = lower.part.lower[axis] + lower.part.length[axis];
+    upper.part.lower[axis] = middle;
+    lower.net = upper.net.take_lower_half(axis);
+    LevelBorder whole = std::move(upper.border);
+    set_middle(whole, lower, upper, axis, middle);
+    stack_.push_back(std::move(upper));
+    stack_.push_back(std::move(lower));
+}
+
+// The roots on edges along the axis are those of one half or the other; a sign in the middle of an edge is that at its
+// start, changed at each root before.
+void BoxSearch::set_middle(LevelBorder &whole, Box &lower, Box &upper, size_t axis, double middle) {
+    const size_t other = 1 - axis;
+    std::array<bool, 2> above{};
+    for (size_t end = 0; end < 2; ++end) {
+        std::vector<EdgeRoot> &edge = whole.edges[2 * other + end];
+        const auto first_above = std::ranges::lower_bound(edge, middle, {}, &EdgeRoot::place);
+        const bool start = axis == 0 ? whole.above[0][end] : whole.above[end][0];
+        above[end] = start != ((first_above - edge.begin()) % 2 != 0);
+        lower.border.edges[2 * other + end].assign(edge.begin(), first_above);
+        upper.border.edges[2 * other + end].assign(first_above, edge.end());
+        for (size_t side = 0; side < 2; ++side) {
+            const auto corner = [&](LevelBorder &border, size_t along) -> bool & {
+                return axis == 0 ? border.above[along][end] : border.above[end][along];
+            };
+            corner(lower.border, side) = side == 1 ? above[end] : corner(whole, 0);
+            corner(upper.border, side) = side == 0 ? above[end] : corner(whole, 1);
+        }
+    }
+    lower.border.edges[2 * axis] = std::move(whole.edges[2 * axis]);
+    upper.border.edges[2 * axis + 1] = std::move(whole.edges[2 * axis + 1]);
+    lower.border.open = upper.border.open = whole.open;
+    lower.border.collapsed = upper.border.collapsed = whole.collapsed;
+    lower.border.collapsed[2 * axis + 1] = upper.border.collapsed[2 * axis] = false;
+    lower.border.open[2 * axis + 1] = upper.border.open[2 * axis] = false;
+    lower.border.edges[2 * axis + 1] = upper.border.edges[2 * axis] =
+        middle_roots(upper, axis, above[0], above[1]);
+}
+
+// On the lower side of a box.
+std::vector<EdgeRoot> BoxSearch::middle_roots(const Box &box, size_t axis, bool start, bool end) {
+    const size_t other = 1 - axis;
+    std::vector<EdgeRoot> roots;
+    for (const double along : edge_roots(box.net.edge(axis, 0), box.net.noise, start, end)) {
+        const double place = box.part.lower[other] + along * box.part.length[other];
+        std::array<double, 2> at{};
+        at[axis] = box.part.lower[axis];
+        at[other] = place;
+        roots.push_back({found_.add_root(parameters(at)), place});
+    }
+    return roots;
+}
+
+} // namespace nrb::intersect

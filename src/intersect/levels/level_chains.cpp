@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/levels/level_chains.h"
+
+#include "base/numbers.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int32_t none = -1;
+
+// Sets that are joined step by step.
+class Union {
+public:
+    explicit Union(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), size_t{0}); }
+
+    size_t find(size_t i) noexcept {
+        while (parent_[i] != i) {
+            i = parent_[i] = parent_[parent_[i]];
+        }
+        return i;
+    }
+    void join(size_t a, size_t b) noexcept { parent_[find(b)] = find(a); }
+
+private:
+    std::vector<size_t> parent_;
+};
+
+class Joining {
+public:
+    Joining(const pieces::PieceGrid &grid, const SurfaceBorders &borders, const LevelPieces &found)
+        : grid_(grid), borders_(borders), found_(found), next_(found.roots.size(), none),
+          last_(found.roots.size(), none), node_(found.roots.size(), none) {}
+
+    LevelChains run() {
+        add_clusters();
+        link();
+        for (const bool closed : {false, true}) {
+            for (size_t arc = 0; arc < found_.arcs.size(); ++arc) {
+                if (!taken_[arc] && (closed || last_[root(found_.arcs[arc].from)] == none)) {
+                    add_chain(arc, closed);
+                }
+            }
+        }
+        return std::move(result_);
+    }
+
+private:
+    using Ranges = std::array<Interval, 2>;
+    static size_t root(int32_t i) noexcept { return static_cast<size_t>(i); }
+
+    // Parameters of a part.
+    [[nodiscard]] Ranges ranges_of(const LevelPart &part) const {
+        const PieceDomain domain = domain_of(grid_, part.piece);
+        Ranges ranges;
+        for (size_t k = 0; k < 2; ++k) {
+            ranges[k] = {domain.parameter(k, part.lower[k]),
+                         domain.parameter(k, part.lower[k] + part.length[k])};
+        }
+        return ranges;
+    }
+
+    // By rising ranges of the first axis: those that end before a cluster begins touch none of those after it.
+    void add_clusters() {
+        std::vector<Ranges> ranges;
+        for (const LevelCluster &cluster : found_.clusters) {
+            ranges.push_back(ranges_of(cluster.part));
+        }
+        std::vector<size_t> order(ranges.size());
+        std::iota(order.begin(), order.end(), size_t{0});
+        std::ranges::sort(order, {}, [&](size_t i) { return ranges[i][0].lower; });
+        Union sets(ranges.size());
+        std::vector<size_t> active;
+        for (const size_t i : order) {
+            std::erase_if(active, [&](size_t j) { return ranges[j][0].upper < ranges[i][0].lower; });
+            for (const size_t j : active) {
+                if (ranges[j][1].lower <= ranges[i][1].upper && ranges[i][1].lower <= ranges[j][1].upper) {
+                    sets.join(j, i);
+                }
+            }
+            active.push_back(i);
+        }
+        join_at_seams(ranges, sets);
+        std::vector<int32_t> node_of(ranges.size(), none);
+        for (const size_t i : order) {
+            const size_t set = sets.find(i);
+            if (node_of[set] == none) {
+                node_of[set] = add_node(NodeKind::touch, {}, ranges[i]);
+            }
+            add_to_node(node_of[set], i, ranges[i]);
+        }
+        for (MeetNode &node : result_.nodes) {
+            node.at = {node.range[0].lower / 2 + node.range[0].upper / 2,
+                       node.range[1].lower / 2 + node.range[1].upper / 2};
+        }
+    }
+
+    // Clusters on both sides of a seam.
+    void join_at_seams(const std::vector<Ranges> &ranges, Union &sets) {
+        for (int axis = 0; axis < 2; ++axis) {
+            const auto k = static_cast<size_t>(axis);
+            if (!borders_.wraps(k)) {
+                continue;
+            }
+            const double start = grid_.break_at(axis, 0), end = grid_.break_at(axis, grid_.count(axis));
+            for (size_t i = 0; i < ranges.size(); ++i) {
+                for (size_t j = 0; ranges[i][k].lower == start && j < ranges.size(); ++j) {
+                    const Interval a = ranges[i][1 - k], b = ranges[j][1 - k];
+                    if (ranges[j][k].upper == end && a.lower <= b.upper && b.lower <= a.upper) {
+                        sets.join(i, j);
+                    }
+                }
+            }
+        }
+    }
+
+    int32_t add_node(NodeKind kind, const std::array<double, 2> &at, const Ranges &range) {
+        result_.nodes.push_back({0, kind, at, range});
+        return static_cast<int32_t>(result_.nodes.size()) - 1;
+    }
+    void add_to_node(int32_t node, size_t cluster, const Ranges &ranges) {
+        MeetNode &all = result_.nodes[static_cast<size_t>(node)];
+        all.kind = found_.clusters[cluster].near ? all.kind : NodeKind::undecided;
+        for (size_t k = 0; k < 2; ++k) {
+            all.range[k] = {std::min(all.range[k].lower, ranges[k].lower),
+                            std::max(all.range[k].upper, ranges[k].upper)};
+        }
+        for (const int32_t i : found_.clusters[cluster].roots) {
+            node_[root(i)] = node;
+        }
+    }
+
+    // What begins and ends in each root. A root at which two arcs begin or end belongs to neither.
+    void link() {
+        taken_.assign(found_.arcs.size(), false);
+        for (size_t i = 0; i < found_.arcs.size(); ++i) {
+            const LevelArc &arc = found_.arcs[i];
+            int32_t &next = next_[root(arc.from)], &last = last_[root(arc.to)];
+            if (arc.from == arc.to || next != none || last != none) {
+                taken_[i] = true;
+                add_node(NodeKind::undecided, found_.roots[root(arc.from)].at, ranges_of(arc.part));
+                continue;
+            }
+            next = last = static_cast<int32_t>(i);
+        }
+    }
+
+    void add_chain(size_t first, bool closed) {
+        std::vector<size_t> arcs;
+        for (auto arc = static_cast<int32_t>(first); arc != none && !taken_[root(arc)];
+             arc = next_[root(found_.arcs[root(arc)].to)]) {
+            taken_[root(arc)] = true;
+            arcs.push_back(root(arc));
+        }
+        if (closed) { // a seam, if there is one, comes first
+            const auto after_seam =
+                std::ranges::find_if(arcs, [&](size_t arc) { return is_seam(next_of_last(arc), arc); });
+            std::rotate(arcs.begin(), after_seam == arcs.end() ? arcs.begin() : after_seam, arcs.end());
+        }
+        add_parts(arcs, closed ? loops_++ : none);
+    }
+    [[nodiscard]] size_t next_of_last(size_t arc) const { return root(last_[root(found_.arcs[arc].from)]); }
+
+    // Where parameters do not go on the chain is cut.
+    [[nodiscard]] bool is_seam(size_t before, size_t after) const {
+        const LevelArc &a = found_.arcs[before], &b = found_.arcs[after];
+        const PieceDomain of_a = domain_of(grid_, a.part.piece), of_b = domain_of(grid_, b.part.piece);
+        for (size_t k = 0; k < 2; ++k) {
+            const double apart = std::abs(of_a.parameter(k, a.last[k]) - of_b.parameter(k, b.first[k]));
+            if (!borders_.is_periodic(k) && apart > borders_.period(k) / 2) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void add_parts(const std::vector<size_t> &arcs, int32_t loop) {
+        LevelChain chain;
+        chain.loop = loop;
+        for (size_t i = 0; i < arcs.size(); ++i) {
+            chain.arcs.push_back(arcs[i]);
+            const bool last = i + 1 == arcs.size();
+            if (last || is_seam(arcs[i], arcs[i + 1])) {
+                const bool point =
+                    std::ranges::all_of(chain.arcs, [&](size_t arc) { return found_.arcs[arc].is_point(); });
+                if (point) {
+                    chain.arcs.clear();
+                    continue;
+                }
+                const bool whole = last && loop != none && chain.arcs.size() == arcs.size();
+                chain.closed = whole && !is_seam(arcs[i], arcs[0]);
+                if (!chain.closed) {
+                    chain.nodes = {node_at(found_.arcs[chain.arcs.front()], true),
+                                   node_at(found_.arcs[chain.arcs.back()], false)};
+                }
+                result_.chains.push_back(chain);
+                chain.arcs.clear();
+                chain.nodes = {none, none};
+            }
+        }
+    }
+
+    // Where an arc begins or ends.
+    int32_t node_at(const LevelArc &arc, bool begins) {
+        const int32_t i = begins ? arc.from : arc.to;
+        const bool goes_on = next_[root(i)] != none && last_[root(i)] != none;
+        int32_t &node = node_[root(i)];
+        if (node == none || goes_on) {
+            const PieceDomain domain = domain_of(grid_, arc.part.piece);
+            const std::array<double, 2> &place = begins ? arc.first : arc.last;
+            const std::array<double, 2> at{domain.parameter(0, place[0]), domain.parameter(1, place[1])};
+            const auto kind = goes_on               ? NodeKind::seam
+                              : borders_.is_end(at) ? NodeKind::border
+                                                    : NodeKind::undecided;
+            node = add_node(kind, at, {Interval{at[0], at[0]}, Interval{at[1], at[1]}});
+        }
+        return node;
+    }
+
+    int32_t loops_ = 0;
+    const pieces::PieceGrid &grid_;
+    const SurfaceBorders &borders_;
+    const LevelPieces &found_;
+    std::vector<int32_t> next_, last_; // arcs that begin, and that end, in a root
+    std::vector<int32_t> node_;        // of roots
+    std::vector<bool> taken_;
+    LevelChains result_;
+};
+
+} // namespace
+
+LevelChains chains_of(const pieces::PieceGrid &grid, const SurfaceBorders &borders,
+                      const LevelPieces &found) {
+    return Joining(grid, borders, found).run();
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What is found where a function over a surface has given values.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nrb::intersect {
+
+enum class NodeKind : int32_t {
+    border = 1, // the surface ends or jumps there
+    seam = 2,   // it closes there on an axis that is not periodic: the branch goes on on the other side
+    touch = 3, // a part that is near all over, in which branches are not told apart: a pole, a saddle, a peak
+    undecided = 4, // it is left open what there is
+};
+
+// Where branches end.
+struct MeetNode {
+    int64_t level; // index of the value
+    NodeKind kind;
+    std::array<double, 2> at;      // parameters
+    std::array<Interval, 2> range; // of a part
+};
+
+// Curves with common knots, in space and in the parameter domain.
+struct MeetBranch {
+    int64_t level;
+    SplinePtr space, on;
+    double deviation;             // of either, in space
+    std::array<int64_t, 2> nodes; // -1: closed
+    int64_t loop;                 // the closed way that it is part of, or all of; -1: of none
+};
+
+struct Meet {
+    std::vector<MeetBranch> branches; // those of a loop follow each other
+    std::vector<MeetNode> nodes;
+    bool complete = true; // no node is undecided
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/levels/level_net.h"
+
+#include "base/numbers.h"
+#include "basis/bspline.h"
+#include "bernstein/de_casteljau.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+// The net as [outer][degree + 1][inner] along an axis.
+AxisLayers layers(const LevelNet &net, size_t axis) noexcept {
+    return axis == 0 ? AxisLayers{1, net.degrees[0], static_cast<int64_t>(net.columns())}
+                     : AxisLayers{static_cast<int64_t>(net.rows()), net.degrees[1], 1};
+}
+
+// Coefficients along one axis, over [lower, upper] in place of [0, 1]: each end by de Casteljau's algorithm.
+void restrict_layers(const AxisLayers &all, double lower, double upper, std::vector<double> &values) {
+    std::vector<double> kept(values.size());
+    subdivide(all, upper, values.data(), kept.data()); // kept: over [0, upper]
+    if (lower != 0) {
+        std::vector<double> below(values.size());
+        subdivide(all, lower / upper, kept.data(), below.data());
+    }
+    values = std::move(kept);
+}
+
+} // namespace
+
+int LevelNet::side(double distance) const noexcept {
+    bool above = true, below = true;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const double far = distance * weight(i);
+        above = above && values[i] > far;
+        below = below && values[i] < -far;
+    }
+    return above ? 1 : below ? -1 : 0;
+}
+
+bool LevelNet::is_near(double distance) const noexcept {
+    for (size_t i = 0; i < values.size(); ++i) {
+        if (!(std::abs(values[i]) <= distance * weight(i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool LevelNet::has_positive_weights() const noexcept {
+    return std::ranges::all_of(weights, [this](double w) { return w > least_weight; });
+}
+
+LevelNet::Slope LevelNet::slope(size_t axis) const noexcept {
+    const size_t step = axis == 0 ? columns() : 1;
+    double least = infinity, most = -infinity, room = 0;
+    for (size_t i = 0; i < rows(); ++i) {
+        for (size_t j = 0; j < columns(); ++j) {
+            if ((axis == 0 ? i : j) == static_cast<size_t>(degrees[axis])) {
+                continue;
+            }
+            const size_t at = i * columns() + j;
+            const double change = values[at + step] - values[at];
+            least = std::min(least, change);
+            most = std::max(most, change);
+            room = std::max(room, 2 * noise * std::max(weight(at), weight(at + step)));
+        }
+    }
+    if (!(least <= most)) {
+        return {};
+    }
+    const double size = std::max(std::abs(least), std::abs(most));
+    if (least > room) {
+        return {1, least - room, size};
+    }
+    return most < -room ? Slope{-1, -most - room, size} : Slope{0, 0, size};
+}
+
+LevelNet LevelNet::take_lower_half(size_t axis) {
+    LevelNet lower = *this;
+    subdivide(layers(*this, axis), 0.5, values.data(), lower.values.data());
+    if (!weights.empty()) {
+        subdivide(layers(*this, axis), 0.5, weights.data(), lower.weights.data());
+    }
+    return lower;
+}
+
+LevelNet LevelNet::part(const std::array<double, 2> &lower, const std::array<double, 2> &upper) const {
+    LevelNet part = *this;
+    for (size_t k = 0; k < 2; ++k) {
+        restrict_layers(layers(*this, k), lower[k], upper[k], part.values);
+        if (!weights.empty()) {
+            restrict_layers(layers(*this, k), lower[k], upper[k], part.weights);
+        }
+    }
+    return part;
+}
+
+LevelNet::Edge LevelNet::edge(size_t axis, int end) const {
+    const size_t size = axis == 0 ? columns() : rows(), step = axis == 0 ? 1 : columns();
+    const size_t last = axis == 0 ? (rows() - 1) * columns() : columns() - 1;
+    const size_t first = end == 0 ? 0 : last;
+    Edge edge;
+    for (size_t i = 0; i < size; ++i) {
+        edge.values.push_back(values[first + i * step]);
+        if (!weights.empty()) {
+            edge.weights.push_back(weights[first + i * step]);
+        }
+    }
+    return edge;
+}
+
+LevelNet::Point LevelNet::at(const std::array<double, 2> &place) const noexcept {
+    std::array<std::array<double, 2 * max_basis>, 2> functions; // values, then derivatives
+    for (size_t k = 0; k < 2; ++k) {
+        bernstein_functions(degrees[k], place[k], 1, max_basis, functions[k].data());
+    }
+    Point point{};
+    for (size_t i = 0; i < rows(); ++i) {
+        double value = 0, slope = 0;
+        for (size_t j = 0; j < columns(); ++j) {
+            const double c = values[i * columns() + j];
+            value += functions[1][j] * c;
+            slope += functions[1][max_basis + j] * c;
+        }
+        point.value += functions[0][i] * value;
+        point.slope[0] += functions[0][max_basis + i] * value;
+        point.slope[1] += functions[0][i] * slope;
+    }
+    return point;
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Bernstein coefficients of a function of two variables whose zeros are looked for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace nrb::intersect {
+
+// f = values / weights over a box; without weights these are 1. The sign of f counts as known where |values| > noise
+// weights; a value that is nearer to 0 counts as above.
+struct LevelNet {
+    std::array<int, 2> degrees{};
+    double noise = 0, least_weight = 0;  // weights above the latter are known to be positive
+    std::vector<double> values, weights; // [degrees[0] + 1][degrees[1] + 1]
+
+    [[nodiscard]] size_t rows() const noexcept { return static_cast<size_t>(degrees[0]) + 1; }
+    [[nodiscard]] size_t columns() const noexcept { return static_cast<size_t>(degrees[1]) + 1; }
+    [[nodiscard]] double weight(size_t i) const noexcept { return weights.empty() ? 1 : weights[i]; }
+
+    // Coefficients on which |f| is at least so far from 0, all on one side: 1 or -1; else 0.
+    [[nodiscard]] int side(double distance) const noexcept;
+    [[nodiscard]] bool is_near(double distance) const noexcept;
+    [[nodiscard]] bool has_positive_weights() const noexcept;
+
+    // How the values change along an axis: the sign of all differences of neighbours beyond the noise, or 0, and the
+    // smallest and largest magnitude of them.
+    struct Slope {
+        int sign = 0;
+        double least = 0, most = 0;
+    };
+    [[nodiscard]] Slope slope(size_t axis) const noexcept;
+
+    // This becomes the upper half along an axis.
+    LevelNet take_lower_half(size_t axis);
+    // The box [lower, upper] of the present one, which may be larger.
+    [[nodiscard]] LevelNet part(const std::array<double, 2> &lower, const std::array<double, 2> &upper) const;
+    // The coefficients on a side: end 0 or 1 of an axis.
+    struct Edge {
+        std::vector<double> values, weights;
+    };
+    [[nodiscard]] Edge edge(size_t axis, int end) const;
+    [[nodiscard]] bool is_above(size_t row, size_t column) const noexcept {
+        const size_t i = row * columns() + column;
+        return values[i] >= -noise * weight(i);
+    }
+
+    struct Point {
+        double value;
+        std::array<double, 2> slope;
+    };
+    [[nodiscard]] Point at(const std::array<double, 2> &place) const noexcept;
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The zeros of a function over all pieces of a surface.
+#pragma once
+
+#include "intersect/levels/level_boxes.h"
+#include "intersect/levels/level_field.h"
+#include "intersect/levels/surface_borders.h"
+
+#include <map>
+#include <tuple>
+
+namespace nrb::intersect {
+
+// Signs at the corners of pieces and roots on their edges are made once, for all pieces that have them: so arcs of
+// neighbours end in the same roots. Pieces are neighbours across seams too, but not across jumps.
+class LevelTrace {
+public:
+    // Where f = level; what is within the tolerance of it need not be told apart. The level is known to within `off`.
+    LevelTrace(LevelField &field, const SurfaceBorders &borders, double level, double off, double tolerance);
+
+    // Pieces on which f has the level, as its coefficients say.
+    void add(int64_t piece);
+    // How far from the level coefficients may be that are not told from it.
+    [[nodiscard]] double room() const noexcept { return 4 * noise_; }
+    [[nodiscard]] LevelPieces take() noexcept { return std::move(found_); }
+
+private:
+    // Breaks along an axis; those across which the surface does not go on are two lines.
+    using Line = int64_t;
+    using Corner = std::pair<Line, Line>;
+    using EdgeKey =
+        std::tuple<size_t, Line, int64_t>; // across which axis, where on it, the index along the other one
+
+    [[nodiscard]] std::array<Line, 2> lines(int64_t piece, size_t axis) const;
+    LevelBorder border(int64_t piece, const PieceDomain &domain, const LevelNet &net);
+    const std::vector<EdgeRoot> &edge(int64_t piece, size_t axis, int end, const PieceDomain &domain,
+                                      const LevelNet &net, const LevelBorder &border);
+
+    LevelField &field_;
+    const SurfaceBorders &borders_;
+    double level_, noise_, near_;
+    std::map<Corner, bool> corners_;
+    std::map<EdgeKey, std::vector<EdgeRoot>> edges_;
+    LevelPieces found_;
+};
+
+PieceDomain domain_of(const pieces::PieceGrid &grid, int64_t piece);
+// f - level on a piece.
+LevelNet net_of(LevelField &field, int64_t piece, double level, double noise);
+
+} // namespace nrb::intersect
