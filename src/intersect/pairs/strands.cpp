@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/pairs/strands.h"
 
+#include "intersect/pairs/joints.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ class Chains {
 public:
     Chains(const Spline &a, const Spline &b, std::span<const NearCell> cells, std::span<const Link> links)
         : period_a_(period_of(a)), period_b_(period_of(b)), cells_(cells), next_(cells.size()),
-          has_last_(cells.size(), false), joints_(cells.size()) {
+          has_last_(cells.size(), false), beside_(cells.size()) {
         for (const Link &link : links) {
             const Turns back{-link.turns.a, -link.turns.b};
             if (!join(link.from, link.to, link.turns)) {
@@ -131,31 +133,30 @@ private:
             return std::ranges::any_of(
                 ends, [&](const NearGroup::Member &end) { return cells_[end.cell].turn == turn; });
         };
-        const bool both_ways = runs(1) && runs(-1);
-        for (const NearGroup::Member &member : cluster.members) {
-            const bool turns_back = both_ways || cells_[member.cell].kind != NearCell::Kind::tiny;
-            for (const NearGroup::Member &end : ends) {
-                joints_[end.cell].push_back(
-                    {{member.cell, {member.turns.a - end.turns.a, member.turns.b - end.turns.b}},
-                     turns_back});
-            }
+        if (ends.empty()) {
+            return;
         }
+        for (const NearGroup::Member &end : ends) {
+            beside_[end.cell].push_back({joints_.size(), end.turns});
+        }
+        joints_.emplace_back(cells_, cluster, period_a_, period_b_, runs(1) && runs(-1));
     }
     // The end of a chain at a cell moved by so many periods: its last one, or its first.
     [[nodiscard]] Strand::End end_of(const Placed &at, Turns turns, bool last) const {
         Strand::End end = last ? Strand::End{at.a.upper, at.to_b} : Strand::End{at.a.lower, at.from_b};
         const double start = end.a, reach = cells_[at.cell].reach_a;
         const bool rises = (at.from_b <= at.to_b) == last; // outwards on b
-        for (const Joint &joint : joints_[at.cell]) {
-            const NearCell &cell = cells_[joint.cell.cell];
-            const Interval on_a = turned(cell.a, turns.a + joint.cell.turns.a, period_a_),
-                           on_b = turned(cell.b, turns.b + joint.cell.turns.b, period_b_);
-            if (last ? on_a.lower < start - reach : on_a.upper > start + reach) {
-                continue;
+        for (const auto &[joint, own] : beside_[at.cell]) {
+            const double on_a = (turns.a - own.a) * period_a_, on_b = (turns.b - own.b) * period_b_;
+            const JointRange beyond =
+                last ? joints_[joint].from(start - reach - on_a) : joints_[joint].until(start + reach - on_a);
+            if (!beyond.empty) {
+                end.a =
+                    last ? std::max(end.a, beyond.a.upper + on_a) : std::min(end.a, beyond.a.lower + on_a);
+                end.b =
+                    rises ? std::max(end.b, beyond.b.upper + on_b) : std::min(end.b, beyond.b.lower + on_b);
+                end.turns_back = end.turns_back || beyond.turns_back;
             }
-            end.a = last ? std::max(end.a, on_a.upper) : std::min(end.a, on_a.lower);
-            end.b = rises ? std::max(end.b, on_b.upper) : std::min(end.b, on_b.lower);
-            end.turns_back = end.turns_back || joint.turns_back;
         }
         return end;
     }
@@ -179,11 +180,9 @@ private:
     std::span<const NearCell> cells_;
     std::vector<std::optional<NearGroup::Member>> next_;
     std::vector<bool> has_last_;
-    struct Joint {
-        NearGroup::Member cell;
-        bool turns_back;
-    };
-    std::vector<std::vector<Joint>> joints_; // beside each cell
+    std::vector<Joint> joints_;
+    // Beside each cell: joints, and the turns that bring it to them.
+    std::vector<std::vector<std::pair<size_t, Turns>>> beside_;
 };
 
 // Chains as strands of no more than a period.
