@@ -65,17 +65,15 @@ private:
         return b.front();
     }
 
-    // Regula falsi with halved weights of the end that stays (Illinois); where the ends have no different signs of their
-    // own, the one that is nearer to 0.
+    // Regula falsi with halved weights of the end that stays (Illinois). An end of another sign than it counts as is as
+    // good as 0, so the middle is taken until it has moved.
     [[nodiscard]] double root(double a, double b, bool above_at_end) const {
         const double sign = above_at_end ? 1 : -1;
-        double fa = sign * value(a), fb = sign * value(b);
-        if (!(fa < 0 && fb > 0)) {
-            return std::abs(fa) <= std::abs(fb) ? a : b;
-        }
+        double fa = std::min(sign * value(a), 0.0), fb = std::max(sign * value(b), 0.0);
         int stayed = 0;
-        for (int i = 0; i < 100 && b - a > 2 * eps; ++i) {
-            double t = a + (b - a) * (fa / (fa - fb));
+        while (b - a > 2 * eps) {
+            const bool hidden = fa == 0 || fb == 0;
+            double t = hidden ? a + (b - a) / 2 : a + (b - a) * (fa / (fa - fb));
             t = t > a && t < b ? t : a + (b - a) / 2;
             if (!(t > a && t < b)) {
                 break;
@@ -96,7 +94,7 @@ private:
                 stayed = 1;
             }
         }
-        return std::abs(fa) <= std::abs(fb) ? a : b;
+        return std::abs(value(a)) <= std::abs(value(b)) ? a : b;
     }
 
     const Edge &whole_;

@@ -18,6 +18,12 @@ constexpr int most_halvings = 96; // halvings
 constexpr double least_evenness = 1.0 / 16;
 constexpr int depth_of_evenness = 24;
 
+// Also somewhat beyond the box, where curves along arcs may run.
+bool is_even_around(const LevelNet &net, size_t axis) {
+    const LevelNet::Slope slope = net.part({-arc_room, -arc_room}, {1 + arc_room, 1 + arc_room}).slope(axis);
+    return slope.least >= least_evenness / 4 * slope.most;
+}
+
 bool has_roots(const LevelBorder &border) noexcept {
     return std::ranges::any_of(border.edges, [](const auto &edge) { return !edge.empty(); });
 }
@@ -129,8 +135,9 @@ void BoxSearch::look(Box &box) {
         };
         const size_t best = evenness(1) > evenness(0) ? 1 : 0;
         const bool near = net.is_near(near_);
-        const bool even = evenness(best) >= least_evenness || (box.depth >= depth_of_evenness && !near);
-        if (slopes[best].sign != 0 && (!roots || (even && take_arcs(box, 1 - best, slopes[best].sign)))) {
+        const bool even = !roots || (box.depth >= depth_of_evenness && !near) ||
+                          (evenness(best) >= least_evenness && is_even_around(net, best));
+        if (slopes[best].sign != 0 && even && (!roots || take_arcs(box, 1 - best, slopes[best].sign))) {
             take_open_edges(box, slopes);
             return;
         }

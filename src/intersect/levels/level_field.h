@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A function over a surface, piece by piece in Bernstein form.
+// Functions over a surface whose zeros are asked for, piece by piece in Bernstein form.
 #pragma once
 
+#include "intersect/levels/level_net.h"
 #include "pieces/tree/piece_grid.h"
 
 #include <array>
-#include <span>
-#include <vector>
 
 namespace nrb::intersect {
 
-// f(u, v) = h(u, v) / w(u, v), both of degrees degree(0), degree(1); without weights w = 1. Coefficients are
-// [degree(0) + 1][degree(1) + 1]; those of h are known to within noise() times those of w.
 class LevelField {
 public:
     explicit LevelField(const pieces::PieceGrid &grid) : grid_(grid) {}
@@ -20,39 +17,16 @@ public:
     LevelField &operator=(const LevelField &) = delete;
 
     [[nodiscard]] const pieces::PieceGrid &grid() const noexcept { return grid_; }
-    [[nodiscard]] virtual int degree(int axis) const noexcept = 0;
-    [[nodiscard]] virtual double noise() const noexcept = 0;
-    // Whether weights are there.
-    [[nodiscard]] virtual bool weighted() const noexcept = 0;
-    // Weights above this are known to be positive.
-    [[nodiscard]] double least_weight() const noexcept {
-        return grid_.positive() ? 0 : 64 * grid_.rounding().weight;
-    }
-    virtual void net(int64_t piece, std::span<double> values, std::span<double> weights) = 0;
-
-    [[nodiscard]] size_t coefficients() const noexcept {
-        return static_cast<size_t>(degree(0) + 1) * static_cast<size_t>(degree(1) + 1);
-    }
+    // Of all nets.
+    [[nodiscard]] virtual std::array<int, 2> degrees() const = 0;
+    // Whether there may be zeros on a piece: a quick look.
+    [[nodiscard]] virtual bool may_vanish(int64_t piece) const = 0;
+    virtual LevelNet net(int64_t piece) = 0;
+    // Up to which |f| zeros need not be told apart if they matter to within a tolerance in space; 0: at none.
+    [[nodiscard]] virtual double resolution(double tolerance) const noexcept = 0;
 
 private:
     const pieces::PieceGrid &grid_;
-};
-
-// x . n in the frame of the pieces, n a unit vector. Precondition: a surface in space.
-class PlaneField final : public LevelField {
-public:
-    PlaneField(const pieces::PieceGrid &grid, const std::array<double, 3> &normal);
-
-    [[nodiscard]] int degree(int axis) const noexcept override;
-    [[nodiscard]] double noise() const noexcept override { return noise_; }
-    [[nodiscard]] bool weighted() const noexcept override { return grid().shape().weighted; }
-    void net(int64_t piece, std::span<double> values, std::span<double> weights) override;
-
-private:
-    std::array<double, 3> normal_;
-    std::array<int, 2> degrees_{};
-    double noise_;
-    std::vector<double> work_, patch_;
 };
 
 } // namespace nrb::intersect

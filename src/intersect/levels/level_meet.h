@@ -38,6 +38,9 @@ struct Meet {
     std::vector<MeetBranch> branches; // those of a loop follow each other
     std::vector<MeetNode> nodes;
     bool complete = true; // no node is undecided
+
+    // That of other levels.
+    void append(Meet other);
 };
 
 } // namespace nrb::intersect

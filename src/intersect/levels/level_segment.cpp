@@ -17,8 +17,6 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_depth = 20;
-// How far around a box of an arc f is looked at, in parts of the box.
-constexpr double around = 1.0 / 16;
 
 template <size_t N>
 std::array<double, N> moved(const std::array<double, N> &from, double by,
@@ -42,9 +40,13 @@ std::array<double, N> combined(const std::array<std::array<double, N>, 4> &point
 
 } // namespace
 
-ArcFitter::ArcFitter(LevelField &field, double level, double tolerance)
-    : field_(field), grid_(field.grid()), level_(level), tolerance_(tolerance) {
-    const int n = 3 * (field.degree(0) + field.degree(1)) + 3;
+ArcFitter::ArcFitter(LevelField &field, double tolerance)
+    : field_(field), grid_(field.grid()), tolerance_(tolerance) {
+    for (int k = 0; k < grid_.shape().axes; ++k) {
+        degrees_[static_cast<size_t>(grid_.spline_axis(k))] = grid_.shape().degree(k);
+    }
+    const std::array<int, 2> of_field = field.degrees();
+    const int n = 3 * std::max(degrees_[0] + degrees_[1] + 1, of_field[0] + of_field[1]);
     factor_ = 1.01 * (1 + 2 / std::numbers::pi * std::log(n + 1.0));
     for (int i = 0; i <= n; ++i) {
         std::array<double, 4> functions{};
@@ -54,7 +56,7 @@ ArcFitter::ArcFitter(LevelField &field, double level, double tolerance)
     const auto values = static_cast<size_t>(grid_.shape().values());
     patch_.resize(values);
     work_.resize(std::max(values, static_cast<size_t>(pieces::evaluation_work(grid_.shape()))));
-    const auto order = static_cast<size_t>(std::max(field.degree(0), field.degree(1))) + 1;
+    const auto order = static_cast<size_t>(std::max(degrees_[0], degrees_[1])) + 1;
     matrix_.resize(order * order);
     record_.resize(3 * static_cast<size_t>(grid_.shape().lanes));
 }
@@ -65,14 +67,15 @@ void ArcFitter::set_piece(int64_t piece) {
     }
     piece_ = piece;
     domain_ = domain_of(grid_, piece);
-    net_ = net_of(field_, piece, level_, field_.noise());
+    net_ = field_.net(piece);
     grid_.patch(piece, work_.data(), patch_.data());
 }
 
 // Of coefficients w_i (P_i, 1) over the box around the arc. The derivative is a mean of degree (w_(i+1) (P_(i+1) - S) -
 // w_i (P_i - S)) / w.
 double ArcFitter::largest_move(size_t axis, double length) const noexcept {
-    const size_t rows = net_.rows(), columns = net_.columns(), step = axis == 0 ? columns : 1;
+    const auto rows = static_cast<size_t>(degrees_[0]) + 1, columns = static_cast<size_t>(degrees_[1]) + 1;
+    const size_t step = axis == 0 ? columns : 1;
     const auto lanes = static_cast<size_t>(grid_.shape().lanes);
     const auto point = [&](size_t i) {
         const double *record = part_.data() + i * lanes;
@@ -81,13 +84,13 @@ double ArcFitter::largest_move(size_t axis, double length) const noexcept {
     double most = 0, most_of_weight = 0, size = 0;
     for (size_t i = 0; i < rows * columns; ++i) {
         size = std::max(size, nrb::length(point(i) - point(0)));
-        if ((axis == 0 ? i / columns : i % columns) < static_cast<size_t>(net_.degrees[axis])) {
+        if ((axis == 0 ? i / columns : i % columns) < static_cast<size_t>(degrees_[axis])) {
             const double w = part_[i * lanes + 3], next = part_[(i + step) * lanes + 3];
             most = std::max(most, next * nrb::length(point(i + step) - point(i)));
             most_of_weight = std::max(most_of_weight, std::abs(next - w));
         }
     }
-    return net_.degrees[axis] * (most + 2 * size * most_of_weight) / (room_.least_weight * length);
+    return degrees_[axis] * (most + 2 * size * most_of_weight) / (room_.least_weight * length);
 }
 
 // The records of the present piece over a box.
@@ -99,6 +102,10 @@ void ArcFitter::set_part(const std::array<double, 2> &lower, const std::array<do
         pieces::apply_matrix(grid_.shape(), k, matrix_.data(), part_.data(), work_.data());
         std::copy_n(work_.data(), part_.size(), part_.data());
     }
+    room_.least_weight = infinity;
+    for (size_t i = 3; i < part_.size(); i += static_cast<size_t>(grid_.shape().lanes)) {
+        room_.least_weight = std::min(room_.least_weight, part_[i]);
+    }
 }
 
 void ArcFitter::set_arc(const LevelArc &arc) {
@@ -107,19 +114,18 @@ void ArcFitter::set_arc(const LevelArc &arc) {
     const size_t other = 1 - axis_;
     std::array<double, 2> lower = arc.part.lower, upper = arc.part.lower;
     for (size_t k = 0; k < 2; ++k) {
-        lower[k] -= around * arc.part.length[k];
-        upper[k] += (1 + around) * arc.part.length[k];
-        room_.box[k] = {arc.part.lower[k] - around / 2 * arc.part.length[k],
-                        arc.part.lower[k] + (1 + around / 2) * arc.part.length[k]};
+        lower[k] -= arc_room * arc.part.length[k];
+        upper[k] += (1 + arc_room) * arc.part.length[k];
+        room_.box[k] = {arc.part.lower[k] - arc_room / 2 * arc.part.length[k],
+                        arc.part.lower[k] + (1 + arc_room / 2) * arc.part.length[k]};
     }
     const LevelNet near = net_.part(lower, upper);
     const LevelNet::Slope slope = near.slope(other);
     room_.least_slope =
         slope.sign == 0 ? 0 : slope.least * near.degrees[other] / (upper[other] - lower[other]);
-    room_.least_weight = near.weights.empty() ? 1 : *std::ranges::min_element(near.weights);
     set_part(lower, upper);
     room_.largest_move = largest_move(other, upper[other] - lower[other]);
-    room_.margin = around / 2 * arc.part.length[other];
+    room_.margin = arc_room / 2 * arc.part.length[other];
 }
 
 void ArcFitter::evaluate(const std::array<double, 2> &place, int order) {

@@ -23,7 +23,7 @@ struct LevelSegment {
 class ArcFitter {
 public:
     // tolerance: in the frame.
-    ArcFitter(LevelField &field, double level, double tolerance);
+    ArcFitter(LevelField &field, double tolerance);
 
     void fit(const LevelArc &arc, std::vector<LevelSegment> &segments);
 
@@ -54,7 +54,8 @@ private:
 
     LevelField &field_;
     const pieces::PieceGrid &grid_;
-    double level_, tolerance_;
+    std::array<int, 2> degrees_{}; // of the surface
+    double tolerance_;
     std::vector<std::array<double, 4>> samples_; // cubic Bernstein functions at Chebyshev points
     double factor_ = 1;
     int64_t piece_ = -1;

@@ -14,25 +14,6 @@ PieceDomain domain_of(const pieces::PieceGrid &grid, int64_t piece) {
     return {{part[0].lower, part[1].lower}, {part[0].upper, part[1].upper}};
 }
 
-LevelNet net_of(LevelField &field, int64_t piece, double level, double noise) {
-    LevelNet net{{field.degree(0), field.degree(1)}, noise, field.least_weight(), {}, {}};
-    net.values.resize(field.coefficients());
-    net.weights.resize(field.weighted() ? net.values.size() : 0);
-    field.net(piece, net.values, net.weights);
-    for (size_t i = 0; i < net.values.size(); ++i) {
-        net.values[i] -= level * net.weight(i);
-    }
-    return net;
-}
-
-// Differences from the level are rounded, and so are the means of a subdivision.
-LevelTrace::LevelTrace(LevelField &field, const SurfaceBorders &borders, double level, double off,
-                       double tolerance)
-    : field_(field), borders_(borders), level_(level),
-      noise_(field.noise() + off +
-             (8 + 4 * (field.degree(0) + field.degree(1))) * eps * (field.grid().radius() + std::abs(level))),
-      near_(std::max(tolerance, 4 * noise_)) {}
-
 std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) const {
     const pieces::PieceGrid &grid = field_.grid();
     const int k = static_cast<int>(axis);
@@ -43,13 +24,15 @@ std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) co
 }
 
 void LevelTrace::add(int64_t piece) {
-    LevelNet net = net_of(field_, piece, level_, noise_);
-    if (net.side(4 * noise_) != 0) {
+    LevelNet net = field_.net(piece);
+    if (net.side(4 * net.noise) != 0) {
         return;
     }
     const PieceDomain domain = domain_of(field_.grid(), piece);
     LevelBorder border = this->border(piece, domain, net);
-    BoxSearch(found_, near_).run(piece, domain, std::move(net), std::move(border));
+    const double near =
+        std::max(near_, 16 * net.noise); // more than what tells signs, so that boxes end at one of both
+    BoxSearch(found_, near).run(piece, domain, std::move(net), std::move(border));
 }
 
 LevelBorder LevelTrace::border(int64_t piece, const PieceDomain &domain, const LevelNet &net) {
@@ -83,7 +66,7 @@ const std::vector<EdgeRoot> &LevelTrace::edge(int64_t piece, size_t axis, int en
     if (is_new) {
         const bool from = axis == 0 ? border.above[at_end][0] : border.above[0][at_end],
                    to = axis == 0 ? border.above[at_end][1] : border.above[1][at_end];
-        for (const double place : edge_roots(net.edge(axis, end), noise_, from, to)) {
+        for (const double place : edge_roots(net.edge(axis, end), net.noise, from, to)) {
             std::array<double, 2> at{};
             at[axis] = domain.parameter(axis, end);
             at[other] = domain.parameter(other, place);

@@ -15,13 +15,11 @@ namespace nrb::intersect {
 // neighbours end in the same roots. Pieces are neighbours across seams too, but not across jumps.
 class LevelTrace {
 public:
-    // Where f = level; what is within the tolerance of it need not be told apart. The level is known to within `off`.
-    LevelTrace(LevelField &field, const SurfaceBorders &borders, double level, double off, double tolerance);
+    // tolerance: in space, in the frame.
+    LevelTrace(LevelField &field, const SurfaceBorders &borders, double tolerance)
+        : field_(field), borders_(borders), near_(field.resolution(tolerance)) {}
 
-    // Pieces on which f has the level, as its coefficients say.
     void add(int64_t piece);
-    // How far from the level coefficients may be that are not told from it.
-    [[nodiscard]] double room() const noexcept { return 4 * noise_; }
     [[nodiscard]] LevelPieces take() noexcept { return std::move(found_); }
 
 private:
@@ -38,14 +36,12 @@ private:
 
     LevelField &field_;
     const SurfaceBorders &borders_;
-    double level_, noise_, near_;
+    double near_;
     std::map<Corner, bool> corners_;
     std::map<EdgeKey, std::vector<EdgeRoot>> edges_;
     LevelPieces found_;
 };
 
 PieceDomain domain_of(const pieces::PieceGrid &grid, int64_t piece);
-// f - level on a piece.
-LevelNet net_of(LevelField &field, int64_t piece, double level, double noise);
 
 } // namespace nrb::intersect

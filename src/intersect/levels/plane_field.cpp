@@ -1,30 +1,68 @@
 // SPDX-License-Identifier: MIT
+#include "intersect/levels/plane_field.h"
+
 #include "base/numbers.h"
-#include "intersect/levels/level_field.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace nrb::intersect {
 
 PlaneField::PlaneField(const pieces::PieceGrid &grid, const std::array<double, 3> &normal)
-    : LevelField(grid), normal_(normal), noise_(1.01 * grid.moved() + 16 * eps * grid.radius()),
-      work_(static_cast<size_t>(grid.shape().values())), patch_(work_.size()) {
+    : LevelField(grid), normal_(normal), work_(static_cast<size_t>(grid.shape().values())),
+      patch_(work_.size()) {
     for (int k = 0; k < grid.shape().axes; ++k) {
         degrees_[static_cast<size_t>(grid.spline_axis(k))] = grid.shape().degree(k);
     }
+    for (int64_t piece = 0; piece < grid.count(); ++piece) {
+        const LevelNet net = distances(piece);
+        count_work(8 * std::ssize(net.values));
+        Interval range{infinity, -infinity};
+        for (size_t i = 0; i < net.values.size(); ++i) {
+            const double w = net.weight(i);
+            range.lower = w > net.least_weight ? std::min(range.lower, net.values[i] / w) : -infinity;
+            range.upper = w > net.least_weight ? std::max(range.upper, net.values[i] / w) : infinity;
+        }
+        ranges_.push_back(range);
+    }
 }
 
-int PlaneField::degree(int axis) const noexcept {
-    return degrees_[static_cast<size_t>(axis)];
+// Differences from the level are rounded, and so are the means of a subdivision.
+void PlaneField::set_level(double level, double error) noexcept {
+    level_ = level;
+    noise_ = 1.01 * grid().moved() + error +
+             (24 + 4 * (degrees_[0] + degrees_[1])) * eps * (grid().radius() + std::abs(level));
 }
 
-void PlaneField::net(int64_t piece, std::span<double> values, std::span<double> weights) {
+bool PlaneField::may_vanish(int64_t piece) const {
+    const Interval range = ranges_[static_cast<size_t>(piece)];
+    return range.lower - 4 * noise_ <= level_ && level_ <= range.upper + 4 * noise_;
+}
+
+LevelNet PlaneField::distances(int64_t piece) {
+    LevelNet net;
+    net.degrees = degrees_;
+    net.least_weight = grid().positive() ? 0 : 64 * grid().rounding().weight;
     grid().patch(piece, work_.data(), patch_.data());
-    const double *record = patch_.data();
-    for (size_t i = 0; i < values.size(); ++i, record += grid().shape().lanes) {
-        values[i] = normal_[0] * record[0] + normal_[1] * record[1] + normal_[2] * record[2];
-        if (!weights.empty()) {
-            weights[i] = record[3];
+    const auto lanes = static_cast<size_t>(grid().shape().lanes);
+    for (size_t i = 0; i < patch_.size(); i += lanes) {
+        net.values.push_back(normal_[0] * patch_[i] + normal_[1] * patch_[i + 1] +
+                             normal_[2] * patch_[i + 2]);
+        if (grid().shape().weighted) {
+            net.weights.push_back(patch_[i + 3]);
         }
     }
+    return net;
+}
+
+LevelNet PlaneField::net(int64_t piece) {
+    LevelNet net = distances(piece);
+    net.noise = noise_;
+    for (size_t i = 0; i < net.values.size(); ++i) {
+        net.values[i] -= level_ * net.weight(i);
+    }
+    return net;
 }
 
 } // namespace nrb::intersect

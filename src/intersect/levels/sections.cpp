@@ -3,84 +3,12 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/levels/level_curve.h"
+#include "intersect/levels/plane_field.h"
+#include "intersect/levels/surface_levels.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace nrb::intersect {
-
-namespace {
-
-// Between which values the function lies on each piece.
-std::vector<Interval> ranges_of(LevelField &field) {
-    std::vector<Interval> ranges;
-    std::vector<double> values(field.coefficients()), weights(field.weighted() ? values.size() : 0);
-    for (int64_t piece = 0; piece < field.grid().count(); ++piece) {
-        field.net(piece, values, weights);
-        count_work(8 * std::ssize(values));
-        Interval range{infinity, -infinity};
-        for (size_t i = 0; i < values.size(); ++i) {
-            const double w = weights.empty() ? 1 : weights[i];
-            const bool certain = w > 0;
-            range.lower = certain ? std::min(range.lower, values[i] / w) : -infinity;
-            range.upper = certain ? std::max(range.upper, values[i] / w) : infinity;
-        }
-        ranges.push_back(range);
-    }
-    return ranges;
-}
-
-class Sections {
-public:
-    Sections(LevelField &field, double tolerance)
-        : field_(field), borders_(field.grid()), tolerance_(tolerance), ranges_(ranges_of(field)) {}
-
-    void add(double level, double off, int64_t index) {
-        LevelTrace trace(field_, borders_, level, off, tolerance_);
-        const double room = trace.room();
-        for (int64_t piece = 0; piece < field_.grid().count(); ++piece) {
-            const Interval range = ranges_[static_cast<size_t>(piece)];
-            if (range.lower - room <= level && level <= range.upper + room) {
-                trace.add(piece);
-            }
-        }
-        add_chains(level, index, trace.take());
-    }
-    Meet take() noexcept { return std::move(meet_); }
-
-private:
-    void add_chains(double level, int64_t index, const LevelPieces &found) {
-        const LevelChains chains = chains_of(field_.grid(), borders_, found);
-        const int64_t first_node = std::ssize(meet_.nodes), first_loop = loops_;
-        for (const MeetNode &node : chains.nodes) {
-            meet_.nodes.push_back(node);
-            meet_.nodes.back().level = index;
-            meet_.complete = meet_.complete && node.kind != NodeKind::undecided;
-        }
-        ArcFitter fitter(field_, level, tolerance_);
-        for (const LevelChain &chain : chains.chains) {
-            LevelCurve curve = curve_of(fitter, field_.grid(), borders_, found, chain);
-            const auto moved = [](int32_t i, int64_t first) { return i < 0 ? int64_t{-1} : first + i; };
-            meet_.branches.push_back({index,
-                                      std::move(curve.space),
-                                      std::move(curve.on),
-                                      curve.deviation,
-                                      {moved(chain.nodes[0], first_node), moved(chain.nodes[1], first_node)},
-                                      moved(chain.loop, first_loop)});
-            loops_ = std::max(loops_, meet_.branches.back().loop + 1);
-        }
-    }
-
-    int64_t loops_ = 0;
-    LevelField &field_;
-    SurfaceBorders borders_;
-    double tolerance_;
-    std::vector<Interval> ranges_;
-    Meet meet_;
-};
-
-} // namespace
 
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
                     std::span<const double> offsets, double tolerance) {
@@ -88,7 +16,8 @@ Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
     const LimitedSearch limited;
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
     PlaneField field(grid, normal);
-    Sections sections(field, grid.scaled(tolerance));
+    SurfaceLevels levels(field, tolerance);
+    Meet meet;
     Steps steps(std::ssize(offsets));
     for (size_t i = 0; i < offsets.size(); ++i, steps.next()) {
         double level = offsets[i], size = std::abs(level);
@@ -96,9 +25,10 @@ Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
             level -= normal[c] * grid.frame().centre[c];
             size += std::abs(normal[c] * grid.frame().centre[c]);
         }
-        sections.add(grid.scaled(level), 8 * eps * grid.scaled(size), static_cast<int64_t>(i));
+        field.set_level(grid.scaled(level), 8 * eps * grid.scaled(size));
+        meet.append(levels.find(static_cast<int64_t>(i)));
     }
-    return sections.take();
+    return meet;
 }
 
 } // namespace nrb::intersect

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/levels/piece_field.h"
+
+#include "base/watch.h"
+
+#include <algorithm>
+
+namespace nrb::intersect {
+
+namespace {
+
+// The degrees of a polynomial on the axes of a surface.
+std::array<int, 2> degrees_of(const pieces::HomogeneousPiece &piece, const RoundedPolynomial &f) noexcept {
+    return {f.shape.degrees[static_cast<size_t>(piece.axis(0))],
+            f.shape.degrees[static_cast<size_t>(piece.axis(1))]};
+}
+
+} // namespace
+
+PieceField::PieceField(const Spline &surface, const pieces::PieceGrid &grid, Function function)
+    : LevelField(grid), borders_(grid),
+      maker_(surface, {surface.axis(0).domain(), surface.axis(1).domain(), {}}),
+      function_(std::move(function)) {
+    const pieces::HomogeneousPiece first = maker_.piece(0);
+    degrees_ = degrees_of(first, function_(first));
+}
+
+void PieceField::divide_at_poles(const pieces::HomogeneousPiece &made, const pieces::PieceGrid::Index &index,
+                                 RoundedPolynomial &f) const {
+    for (size_t k = 0; k < 2; ++k) {
+        for (const bool upper : {false, true}) {
+            if (borders_.is_collapsed(k, index[k], upper)) {
+                divide_end(f, made.axis(static_cast<int>(k)), upper);
+            }
+        }
+    }
+}
+
+LevelNet PieceField::net(int64_t piece) {
+    const pieces::PieceGrid::Index index = grid().index(piece);
+    const pieces::HomogeneousPiece made = maker_.piece(index[0] * maker_.count(1) + index[1]);
+    RoundedPolynomial f = function_(made);
+    divide_at_poles(made, index, f);
+    count_work(64 * std::ssize(f.values));
+    LevelNet net;
+    net.degrees = degrees_of(made, f);
+    for (size_t i = 0; i < f.values.size(); ++i) {
+        net.noise = std::max(net.noise, f.error(i));
+    }
+    net.values = f.values;
+    return net;
+}
+
+} // namespace nrb::intersect

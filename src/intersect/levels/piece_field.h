@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Functions over a surface made of its pieces and their derivatives.
+#pragma once
+
+#include "intersect/levels/level_field.h"
+#include "intersect/levels/surface_borders.h"
+#include "pieces/derivative_pieces.h"
+
+#include <functional>
+
+namespace nrb::intersect {
+
+// Any polynomial in those of a piece, divided by its zeros along sides of one point, where normals vanish. Its other zeros
+// are told apart as far as rounding allows.
+class PieceField final : public LevelField {
+public:
+    using Function = std::function<RoundedPolynomial(const pieces::HomogeneousPiece &)>;
+    PieceField(const Spline &surface, const pieces::PieceGrid &grid, Function function);
+
+    [[nodiscard]] std::array<int, 2> degrees() const override { return degrees_; }
+    [[nodiscard]] bool may_vanish(int64_t) const override { return true; }
+    LevelNet net(int64_t piece) override;
+    [[nodiscard]] double resolution(double) const noexcept override { return 0; }
+
+private:
+    void divide_at_poles(const pieces::HomogeneousPiece &made, const pieces::PieceGrid::Index &index,
+                         RoundedPolynomial &f) const;
+
+    SurfaceBorders borders_;
+    pieces::PieceMaker maker_;
+    Function function_;
+    std::array<int, 2> degrees_{};
+};
+
+} // namespace nrb::intersect

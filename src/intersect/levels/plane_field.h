@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The distance from planes, over a surface.
+#pragma once
+
+#include "intersect/levels/level_field.h"
+
+#include <vector>
+
+namespace nrb::intersect {
+
+// x . n - level in the frame of the pieces, n a unit vector. Precondition: a surface in space.
+class PlaneField final : public LevelField {
+public:
+    PlaneField(const pieces::PieceGrid &grid, const std::array<double, 3> &normal);
+
+    // Known to within an error. Pieces are compared with it first by the ranges of their coefficients.
+    void set_level(double level, double error) noexcept;
+
+    [[nodiscard]] std::array<int, 2> degrees() const override { return degrees_; }
+    [[nodiscard]] bool may_vanish(int64_t piece) const override;
+    LevelNet net(int64_t piece) override;
+    [[nodiscard]] double resolution(double tolerance) const noexcept override { return tolerance; }
+
+private:
+    LevelNet distances(int64_t piece);
+
+    std::array<double, 3> normal_;
+    std::array<int, 2> degrees_{};
+    double level_ = 0, noise_ = 0;
+    std::vector<double> work_, patch_;
+    std::vector<Interval> ranges_; // of x . n on the pieces
+};
+
+} // namespace nrb::intersect
