@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/levels/level_curve.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,35 @@ private:
     Meet meet_;
 };
 
+// Planes by a unit normal, however long the one that was given.
+class Planes {
+public:
+    explicit Planes(const std::array<double, 3> &normal) : normal_(normal) {
+        double largest = 0;
+        for (const double x : normal) {
+            largest = std::max(largest, std::abs(x));
+        }
+        exponent_ = std::ilogb(largest);
+        for (double &x : normal_) {
+            x = std::ldexp(x, -exponent_);
+        }
+        length_ = norm(normal_.data(), 3);
+        for (double &x : normal_) {
+            x /= length_;
+        }
+    }
+
+    [[nodiscard]] const std::array<double, 3> &normal() const noexcept { return normal_; }
+    [[nodiscard]] double distance(double offset) const noexcept {
+        return std::ldexp(offset / length_, -exponent_);
+    }
+
+private:
+    std::array<double, 3> normal_;
+    int exponent_ = 0;
+    double length_ = 1;
+};
+
 } // namespace
 
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
@@ -87,16 +117,20 @@ Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
     const UsualLimit usual(usual_work(surface.point_count() + 1000 * std::ssize(offsets)));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
-    PlaneField field(grid, normal);
+    const Planes planes(normal);
+    PlaneField field(grid, planes.normal());
     Sections sections(field, grid.scaled(tolerance));
     Steps steps(std::ssize(offsets));
     for (size_t i = 0; i < offsets.size(); ++i, steps.next()) {
-        double level = offsets[i], size = std::abs(level);
+        double level = planes.distance(offsets[i]), size = std::abs(level);
         for (size_t c = 0; c < 3; ++c) {
-            level -= normal[c] * grid.frame().centre[c];
-            size += std::abs(normal[c] * grid.frame().centre[c]);
+            const double part = planes.normal()[c] * grid.frame().centre[c];
+            level -= part;
+            size += std::abs(part);
         }
-        sections.add(grid.scaled(level), 8 * eps * grid.scaled(size), static_cast<int64_t>(i));
+        if (std::isfinite(size)) { // else it is farther away than numbers reach
+            sections.add(grid.scaled(level), 8 * eps * grid.scaled(size), static_cast<int64_t>(i));
+        }
     }
     return sections.take();
 }
