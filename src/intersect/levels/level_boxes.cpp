@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "bernstein/de_casteljau.h"
 #include "intersect/levels/edge_roots.h"
 
 #include <algorithm>
@@ -64,17 +63,17 @@ bool alternate(std::vector<PlacedRoot> &roots, size_t axis, double near, bool en
     return roots.size() % 2 == 0;
 }
 
-bool is_hidden(const LevelNet::Edge &edge, double noise) noexcept {
+bool is_hidden(const LevelNet::Edge &edge) noexcept {
     for (size_t i = 0; i < edge.values.size(); ++i) {
-        if (std::abs(edge.values[i]) > noise * (edge.weights.empty() ? 1 : edge.weights[i])) {
+        if (std::abs(edge.values[i]) > edge.known(i)) {
             return false;
         }
     }
     return true;
 }
-bool is_certain(const LevelNet::Edge &edge, double noise) noexcept {
+bool is_certain(const LevelNet::Edge &edge) noexcept {
     for (size_t i = 0; i < edge.values.size(); ++i) {
-        if (!(edge.values[i] > noise * (edge.weights.empty() ? 1 : edge.weights[i]))) {
+        if (!(edge.values[i] > edge.known(i))) {
             return false;
         }
     }
@@ -118,7 +117,7 @@ void BoxSearch::run(int64_t piece, const PieceDomain &domain, LevelNet net, Leve
 void BoxSearch::look(Box &box) {
     const LevelNet &net = box.net;
     count_work(12 * std::ssize(net.values));
-    if (net.side(4 * net.noise) != 0) {
+    if (net.side(4) != 0) {
         return;
     }
     const bool roots = has_roots(box.border), positive = net.has_positive_weights();
@@ -192,8 +191,7 @@ void BoxSearch::take_open_edges(const Box &box, const std::array<LevelNet::Slope
                 continue;
             }
             const LevelNet::Edge edge = box.net.edge(axis, static_cast<int>(end));
-            if (box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] &&
-                is_hidden(edge, box.net.noise)) {
+            if (box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] && is_hidden(edge)) {
                 take_edge(box, axis, end);
             } else {
                 take_touches(box, axis, end, edge, 0, 1);
@@ -219,10 +217,10 @@ void BoxSearch::take_edge(const Box &box, size_t axis, size_t end) {
 void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const LevelNet::Edge &edge, double from,
                              double length) {
     constexpr double smallest_part = 0x1p-30;
-    if (is_certain(edge, box.net.noise)) {
+    if (is_certain(edge)) {
         return;
     }
-    if (length < smallest_part || is_hidden(edge, box.net.noise)) {
+    if (length < smallest_part || is_hidden(edge)) {
         LevelPart part = box.part;
         part.lower[axis] += static_cast<double>(end) * part.length[axis];
         part.length[axis] = 0;
@@ -231,12 +229,8 @@ void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const Leve
         found_.clusters.push_back({part, {}, true});
         return;
     }
-    LevelNet::Edge upper = edge, lower = edge;
-    const int degree = static_cast<int>(edge.values.size()) - 1;
-    subdivide(degree, 1, 0.5, upper.values.data(), lower.values.data());
-    if (!edge.weights.empty()) {
-        subdivide(degree, 1, 0.5, upper.weights.data(), lower.weights.data());
-    }
+    LevelNet::Edge upper = edge;
+    const LevelNet::Edge lower = upper.take_lower_half();
     take_touches(box, axis, end, lower, from, length / 2);
     take_touches(box, axis, end, upper, from + length / 2, length / 2);
 }
@@ -308,7 +302,7 @@ void BoxSearch::set_middle(LevelBorder &whole, Box &lower, Box &upper, size_t ax
 std::vector<EdgeRoot> BoxSearch::middle_roots(const Box &box, size_t axis, bool start, bool end) {
     const size_t other = 1 - axis;
     std::vector<EdgeRoot> roots;
-    for (const double along : edge_roots(box.net.edge(axis, 0), box.net.noise, start, end)) {
+    for (const double along : edge_roots(box.net.edge(axis, 0), start, end)) {
         const double place = box.part.lower[other] + along * box.part.length[other];
         std::array<double, 2> at{};
         at[axis] = box.part.lower[axis];

@@ -2,6 +2,7 @@
 // A function over a surface, piece by piece in Bernstein form.
 #pragma once
 
+#include "intersect/levels/level_net.h"
 #include "pieces/tree/piece_grid.h"
 
 #include <array>
@@ -11,7 +12,7 @@
 namespace nrb::intersect {
 
 // f(u, v) = h(u, v) / w(u, v), both of degrees degree(0), degree(1); without weights w = 1. Coefficients are
-// [degree(0) + 1][degree(1) + 1]; those of h are known to within noise() times those of w.
+// [degree(0) + 1][degree(1) + 1]; noise() says to within what those of h are known.
 class LevelField {
 public:
     explicit LevelField(const pieces::PieceGrid &grid) : grid_(grid) {}
@@ -21,7 +22,7 @@ public:
 
     [[nodiscard]] const pieces::PieceGrid &grid() const noexcept { return grid_; }
     [[nodiscard]] virtual int degree(int axis) const noexcept = 0;
-    [[nodiscard]] virtual double noise() const noexcept = 0;
+    [[nodiscard]] virtual Noise noise() const noexcept = 0;
     // Whether weights are there.
     [[nodiscard]] virtual bool weighted() const noexcept = 0;
     // Weights above this are known to be positive.
@@ -44,14 +45,14 @@ public:
     PlaneField(const pieces::PieceGrid &grid, const std::array<double, 3> &normal);
 
     [[nodiscard]] int degree(int axis) const noexcept override;
-    [[nodiscard]] double noise() const noexcept override { return noise_; }
+    [[nodiscard]] Noise noise() const noexcept override { return noise_; }
     [[nodiscard]] bool weighted() const noexcept override { return grid().shape().weighted; }
     void net(int64_t piece, std::span<double> values, std::span<double> weights) override;
 
 private:
     std::array<double, 3> normal_;
     std::array<int, 2> degrees_{};
-    double noise_;
+    Noise noise_;
     std::vector<double> work_, patch_;
 };
 

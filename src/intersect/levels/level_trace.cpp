@@ -14,7 +14,7 @@ PieceDomain domain_of(const pieces::PieceGrid &grid, int64_t piece) {
     return {{part[0].lower, part[1].lower}, {part[0].upper, part[1].upper}};
 }
 
-LevelNet net_of(LevelField &field, int64_t piece, double level, double noise) {
+LevelNet net_of(LevelField &field, int64_t piece, double level, const Noise &noise) {
     LevelNet net{{field.degree(0), field.degree(1)}, noise, field.least_weight(), {}, {}};
     net.values.resize(field.coefficients());
     net.weights.resize(field.weighted() ? net.values.size() : 0);
@@ -28,10 +28,14 @@ LevelNet net_of(LevelField &field, int64_t piece, double level, double noise) {
 // Differences from the level are rounded, and so are the means of a subdivision.
 LevelTrace::LevelTrace(LevelField &field, const SurfaceBorders &borders, double level, double off,
                        double tolerance)
-    : field_(field), borders_(borders), level_(level),
-      noise_(field.noise() + off +
-             (8 + 4 * (field.degree(0) + field.degree(1))) * eps * (field.grid().radius() + std::abs(level))),
-      near_(std::max(tolerance, 4 * noise_)) {}
+    : field_(field), borders_(borders), level_(level), noise_(field.noise()) {
+    const double roundings = 8 + 4 * (field.degree(0) + field.degree(1));
+    noise_.relative += off + roundings * eps * (field.grid().radius() + std::abs(level));
+    if (!field.grid().positive()) {
+        noise_.absolute += std::abs(level) * 2 * field.grid().rounding().weight;
+    }
+    near_ = std::max(tolerance, 4 * noise_.relative);
+}
 
 std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) const {
     const pieces::PieceGrid &grid = field_.grid();
@@ -44,7 +48,7 @@ std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) co
 
 void LevelTrace::add(int64_t piece) {
     LevelNet net = net_of(field_, piece, level_, noise_);
-    if (net.side(4 * noise_) != 0) {
+    if (net.side(4) != 0) {
         return;
     }
     const PieceDomain domain = domain_of(field_.grid(), piece);
@@ -83,7 +87,7 @@ const std::vector<EdgeRoot> &LevelTrace::edge(int64_t piece, size_t axis, int en
     if (is_new) {
         const bool from = axis == 0 ? border.above[at_end][0] : border.above[0][at_end],
                    to = axis == 0 ? border.above[at_end][1] : border.above[1][at_end];
-        for (const double place : edge_roots(net.edge(axis, end), noise_, from, to)) {
+        for (const double place : edge_roots(net.edge(axis, end), from, to)) {
             std::array<double, 2> at{};
             at[axis] = domain.parameter(axis, end);
             at[other] = domain.parameter(other, place);

@@ -21,7 +21,8 @@ public:
     // Pieces on which f has the level, as its coefficients say.
     void add(int64_t piece);
     // How far from the level coefficients may be that are not told from it.
-    [[nodiscard]] double room() const noexcept { return 4 * noise_; }
+    [[nodiscard]] double room() const noexcept { return 4 * noise_.relative; }
+    [[nodiscard]] const Noise &noise() const noexcept { return noise_; }
     [[nodiscard]] LevelPieces take() noexcept { return std::move(found_); }
 
 private:
@@ -38,7 +39,9 @@ private:
 
     LevelField &field_;
     const SurfaceBorders &borders_;
-    double level_, noise_, near_;
+    double level_;
+    Noise noise_;
+    double near_;
     std::map<Corner, bool> corners_;
     std::map<EdgeKey, std::vector<EdgeRoot>> edges_;
     LevelPieces found_;
@@ -46,6 +49,6 @@ private:
 
 PieceDomain domain_of(const pieces::PieceGrid &grid, int64_t piece);
 // f - level on a piece.
-LevelNet net_of(LevelField &field, int64_t piece, double level, double noise);
+LevelNet net_of(LevelField &field, int64_t piece, double level, const Noise &noise);
 
 } // namespace nrb::intersect

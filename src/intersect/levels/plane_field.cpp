@@ -4,8 +4,17 @@
 
 namespace nrb::intersect {
 
+namespace {
+
+Noise noise_of(const pieces::PieceGrid &grid) {
+    const double relative = 1.01 * grid.moved() + 16 * eps * grid.radius();
+    return {relative, grid.positive() ? 0 : 2 * grid.rounding().record};
+}
+
+} // namespace
+
 PlaneField::PlaneField(const pieces::PieceGrid &grid, const std::array<double, 3> &normal)
-    : LevelField(grid), normal_(normal), noise_(1.01 * grid.moved() + 16 * eps * grid.radius()),
+    : LevelField(grid), normal_(normal), noise_(noise_of(grid)),
       work_(static_cast<size_t>(grid.shape().values())), patch_(work_.size()) {
     for (int k = 0; k < grid.shape().axes; ++k) {
         degrees_[static_cast<size_t>(grid.spline_axis(k))] = grid.shape().degree(k);

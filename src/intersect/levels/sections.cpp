@@ -23,9 +23,10 @@ std::vector<Interval> ranges_of(LevelField &field) {
         Interval range{infinity, -infinity};
         for (size_t i = 0; i < values.size(); ++i) {
             const double w = weights.empty() ? 1 : weights[i];
-            const bool certain = w > 0;
-            range.lower = certain ? std::min(range.lower, values[i] / w) : -infinity;
-            range.upper = certain ? std::max(range.upper, values[i] / w) : infinity;
+            const bool certain = w > field.least_weight();
+            const double room = 5 * field.noise().absolute;
+            range.lower = certain ? std::min(range.lower, (values[i] - room) / w) : -infinity;
+            range.upper = certain ? std::max(range.upper, (values[i] + room) / w) : infinity;
         }
         ranges.push_back(range);
     }
@@ -46,12 +47,12 @@ public:
                 trace.add(piece);
             }
         }
-        add_chains(level, index, trace.take());
+        add_chains(level, index, trace.noise(), trace.take());
     }
     Meet take() noexcept { return std::move(meet_); }
 
 private:
-    void add_chains(double level, int64_t index, const LevelPieces &found) {
+    void add_chains(double level, int64_t index, const Noise &noise, const LevelPieces &found) {
         const LevelChains chains = chains_of(field_.grid(), borders_, found);
         const int64_t first_node = std::ssize(meet_.nodes), first_loop = loops_;
         for (const MeetNode &node : chains.nodes) {
@@ -59,7 +60,7 @@ private:
             meet_.nodes.back().level = index;
             meet_.complete = meet_.complete && node.kind != NodeKind::undecided;
         }
-        ArcFitter fitter(field_, level, tolerance_);
+        ArcFitter fitter(field_, level, noise, tolerance_);
         for (const LevelChain &chain : chains.chains) {
             LevelCurve curve = curve_of(fitter, field_.grid(), borders_, found, chain);
             const auto moved = [](int32_t i, int64_t first) { return i < 0 ? int64_t{-1} : first + i; };
