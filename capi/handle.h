@@ -3,6 +3,7 @@
 #pragma once
 
 #include "face/face.h"
+#include "intersect/levels/level_meet.h"
 #include "model/model.h"
 #include "refine/parts/cut.h"
 #include "spline/spline.h"
@@ -33,6 +34,10 @@ struct nurbs_face {
 
 struct nurbs_model {
     nrb::model::ModelPtr model;
+};
+
+struct nurbs_meet {
+    std::shared_ptr<const nrb::intersect::Meet> meet;
 };
 
 struct nurbs_list {

@@ -37,7 +37,8 @@ class ArgumentReader:
         self.values = {}
         self.used = dict.fromkeys(calls_model.LENGTHS, 0)
         self.places = {"nurbs": ["out", "other"], "nurbs_list": ["list"], "nurbs_statistics": ["statistics"],
-                       "nurbs_face": ["face"], "nurbs_model": ["model"]}
+                       "nurbs_face": ["face"], "nurbs_model": ["model"],
+                       "nurbs_meet": ["meet"]}
 
     def arguments(self):
         self.check_names()

@@ -29,6 +29,7 @@ CRATE = {
     "statistics": ["statistics_handles", "Statistics"],
     "face": ["face_handles", "Face"],
     "model": ["Model"],
+    "meet": ["Meet"],
 }
 STANDARD = {"std::path": ["Path"], "std::ptr": ["null", "null_mut"]}
 

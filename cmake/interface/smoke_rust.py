@@ -21,7 +21,7 @@ NOTICE = f"""\
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{{Call, Face, List, Model, Spline, Statistics}};
+use nurbs::{{Call, Face, List, Meet, Model, Spline, Statistics}};
 use smoke_support::{{begin, by_hand, show, written}};
 """
 

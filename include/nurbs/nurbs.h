@@ -280,6 +280,10 @@ typedef struct nurbs_face nurbs_face;
  * opaque. \since 1.1 */
 typedef struct nurbs_model nurbs_model;
 
+/** \brief Where a surface meets planes: curves, and the places where they end; immutable, reference counted, opaque.
+ * \since 1.1 */
+typedef struct nurbs_meet nurbs_meet;
+
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
 typedef int32_t nurbs_status;
 
@@ -5243,6 +5247,18 @@ NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *refere
  * double uv[2], distance;
  * int32_t status = 0; // NURBS_RAY_HIT | NURBS_RAY_CERTIFIED: proven to be the first
  * nurbs_surface_rays(surface, 1, eye, 0, 0, down, 0, 0, uv, &distance, &status);
+ *
+ * const double up[] = {0, 0, 1}, heights[] = {0.25, 0.5, 0.75};
+ * nurbs_meet *meet = NULL;
+ * int64_t branches = 0;
+ * nurbs_surface_sections(surface, up, 3, heights, 1e-6, &meet); // curves to within 1e-6
+ * nurbs_meet_counts(meet, &branches, NULL, &complete);
+ * for (int64_t i = 0; i < branches; ++i) {
+ *     nurbs *space = NULL;
+ *     nurbs_meet_branch(meet, i, &space, NULL);
+ *     nurbs_destroy(space);
+ * }
+ * nurbs_meet_destroy(meet);
  * \endcode
  * Every answer says what is proven. Each hit has a kind and a range of parameters, and it is proven that
  * there is no solution outside of the ranges; `complete` is 1 if no hit is undecided. With a tolerance of 0
@@ -5466,6 +5482,114 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
                                               const double *range, int64_t cap, double *params,
                                               double *distances, int32_t *kinds, int64_t *count,
                                               int32_t *complete);
+/** \name Kinds of nodes of a nurbs_meet
+ * @{ */
+#define NURBS_NODE_BORDER 1 /**< the surface ends or jumps there */
+#define NURBS_NODE_SEAM 2   /**< it closes there on an axis that is not periodic: the branch goes on beyond */
+#define NURBS_NODE_TOUCH 3  /**< a part near the plane in which branches are not told apart */
+#define NURBS_NODE_UNDECIDED 4 /**< a part in which it is left open what there is */
+/** @} */
+
+/** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
+ * until normal . S changes strictly along one parameter, so that the section is a graph over the other one, in which
+ * neither a loop nor an end can hide; curves of neighbours end in the same places. Every branch has normal . S >
+ * offset on its left in the parameter domain. In space it runs along normal x N with N = S_u x S_v: seen from the
+ * tip of the normal, around a body whose N points outwards, with the body on its left. Branches end in nodes:
+ * borders of the surface, seams, and
+ * - TOUCH: all of the part is within the tolerance of the plane (or what rounding makes of it), and the section is
+ *   not simple in it: a peak, a pit, a saddle or a pole at the offset, a place of the border that the plane
+ *   touches, or a piece in the plane. A loop that fits into the tolerance is such a node, too.
+ * - UNDECIDED: where the limit of work came first, or the surface is too nearly singular for double precision.
+ *   Outside of nodes the branches are all there is.
+ *
+ * A border in the plane is a branch, unless it has the surface on its right and no branch is beside it: f > 0 on the
+ * left, where f is 0 counts as above. Costs: a few microseconds a piece that is cut, and some ten a piece of a curve.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] normal [3] of the planes, of any length but 0.
+ * \param[in] n number of planes.
+ * \param[in] offsets [n] in any order, in units of the length of the normal.
+ * \param[in] tolerance > 0: the largest distance of the curves from the section.
+ * \param[out] out the new meet; branches in the order of the planes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _TOLERANCE,
+ *   _NOT_REPRESENTABLE; _DIRECTION if the normal is not finite or 0, _POINT_NOT_FINITE if an offset is not finite.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_t n,
+                                              const double *offsets, double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_surface_sections() as a call that can be watched and ended. At the limit of work what was not looked
+ * at is undecided, and curves keep the deviation that they have.
+ * \param[in] g,normal,n,offsets,tolerance as for nurbs_surface_sections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_sections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_sections_with(const nurbs *g, const double *normal, int64_t n,
+                                                   const double *offsets, double tolerance,
+                                                   const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief Another handle on the same meet, in constant time.
+ * \param[in] meet a meet.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out);
+
+/** \brief Frees a handle on a meet. Curves taken from it stay valid.
+ * \param[in] meet or NULL, which does nothing: a meet.
+ * \since 1.1 */
+NURBS_API void nurbs_meet_destroy(nurbs_meet *meet);
+
+/** \brief How much a meet holds.
+ * \param[in] meet a meet.
+ * \param[out] branches or NULL: number of branches.
+ * \param[out] nodes or NULL: number of nodes.
+ * \param[out] complete or NULL: 1 if it is proven that there is nothing else, no node being undecided; else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branches, int64_t *nodes,
+                                         int32_t *complete);
+
+/** \brief What the branches of a meet belong to, and where they end.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of branches.
+ * \param[out] levels [cap] or NULL: index of the plane, 0-based.
+ * \param[out] end_nodes [cap][2] or NULL: the nodes at which each begins and ends, 0-based; -1: it closes.
+ * \param[out] loops [cap] or NULL: the closed way that it is a part of, or all of, 0-based; those of one way follow
+ *   each other in its direction, from one seam to the next. -1: none.
+ * \param[out] deviations [cap] or NULL: a proven bound of the distance, in space, of the curve in space from the
+ *   section, and of the surface over the curve in the parameter domain from it. Larger than the tolerance only where
+ *   rounding or the limit of work prevents it; INFINITY: nothing is proven.
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *levels,
+                                           int64_t *end_nodes, int64_t *loops, double *deviations,
+                                           int64_t *count);
+
+/** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+ * \param[in] meet a meet.
+ * \param[in] index 0-based.
+ * \param[out] space or NULL: the curve in space.
+ * \param[out] on_surface or NULL: the curve in the parameter domain, of dimension 2, normal . S > offset on its left.
+ *   On a periodic axis it may run into neighbouring periods.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space,
+                                         nurbs **on_surface);
+
+/** \brief The nodes of a meet: where branches end, and where there may be more than they tell.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of nodes.
+ * \param[out] levels [cap] or NULL: index of the plane, 0-based.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_NODE_ constants each.
+ * \param[out] params [cap][2] or NULL: parameters of the surface; of a part its middle.
+ * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis. Where the surface
+ *   closes, a part on both sides of the seam has the range of both.
+ * \param[out] count or NULL: number of nodes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
+                                        double *params, double *ranges, int64_t *count);
 /** @} */
 
 /** \defgroup edit Weights and control points

@@ -53,6 +53,7 @@
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/measure.hpp>
+#include <nurbs/cpp/meets.hpp>
 #include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/parts.hpp>
 #include <nurbs/cpp/placement.hpp>

@@ -18,7 +18,8 @@ INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_wri
           "nurbs_list_write_file_with", "nurbs_list_to_bytes", "nurbs_list_from_bytes",
           "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy",
           "nurbs_data_init", "nurbs_statistics_create", "nurbs_statistics_destroy", "nurbs_statistics_size",
-          "nurbs_fit_options_init", "nurbs_cloud_options_init", "nurbs_face_destroy", "nurbs_model_destroy"}
+          "nurbs_fit_options_init", "nurbs_cloud_options_init", "nurbs_face_destroy", "nurbs_model_destroy",
+          "nurbs_meet_destroy"}
 
 
 def functions():
@@ -27,15 +28,15 @@ def functions():
     text = re.sub(r"/\*.*?\*/", " ", HEADER.read_text(), flags=re.S)
     found = {}
     for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text):
-        first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face|nurbs_model) \*\w+(,|$)", arguments)
-        own = re.match("nurbs_(?:read_(?=model))?(statistics|face|model)", name)
+        first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face|nurbs_model|nurbs_meet) \*\w+(,|$)", arguments)
+        own = re.match("nurbs_(?:read_(?=model))?(statistics|face|model|meet)", name)
         found[name] = f"nurbs_{own[1]}" if own else first[1] if first else ""
     return found
 
 
 def names_of(function):
     """What a function may be called here."""
-    name = function[len("nurbs_"):].removeprefix("statistics_").removeprefix("face_").removeprefix("model_").removesuffix("_with")
+    name = re.sub("^nurbs_(statistics_|face_|model_|meet_)?", "", function).removesuffix("_with")
     name = name.replace("read_model", "read")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
@@ -68,7 +69,7 @@ class Rule(unittest.TestCase):
         found = functions()
         self.assertTrue(found)
         for function, first in found.items():
-            if function not in INSIDE and first not in ("nurbs_statistics", "nurbs_face", "nurbs_model"):
+            if function not in INSIDE and first not in ("nurbs_statistics", "nurbs_face", "nurbs_model", "nurbs_meet"):
                 named = names_of(function)
                 made = function.startswith("nurbs_create_") or function == "nurbs_from_bytes"
                 self.assertEqual(bool(named & methods.keys()), first == "nurbs" or made, function)
@@ -93,6 +94,13 @@ class Rule(unittest.TestCase):
         methods = attributes(nurbs.Model)
         found = {function for function, first in functions().items() if first == "nurbs_model"} - INSIDE
         self.assertGreaterEqual(found, {"nurbs_read_model", "nurbs_read_model_file_with", "nurbs_model_face"})
+        for function in found:
+            self.assertTrue(names_of(function) & methods.keys(), function)
+
+    def test_methods_of_meets(self):
+        methods = attributes(nurbs.Meet)
+        found = {function for function, first in functions().items() if first == "nurbs_meet"} - INSIDE
+        self.assertGreaterEqual(found, {"nurbs_meet_counts", "nurbs_meet_branch", "nurbs_meet_clone"})
         for function in found:
             self.assertTrue(names_of(function) & methods.keys(), function)
 

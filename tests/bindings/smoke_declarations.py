@@ -149,7 +149,7 @@ class Call:
                 self.show_array(name, parameter, self.outputs[parameter])
             elif isinstance(value, NewHandle):
                 shown = {"list": self.show_list, "statistics": self.show_statistics, "face": self.show_face,
-                         "model": self.show_model}.get(value.place, self.show_spline)
+                         "model": self.show_model, "meet": self.show_meet}.get(value.place, self.show_spline)
                 shown(name, parameter, self.outputs[parameter].value)
         if self.call.result is not None:
             found = self.outputs["return"]
@@ -208,6 +208,18 @@ class Call:
         for i in range(counts[3].value):
             edge = self.library.answer("nurbs_model_edge", ctypes.c_void_p, model, i, None, None, None)
             self.show_spline(name, f"{parameter}.edges", edge)
+
+    def show_meet(self, name, parameter, meet):
+        branches, nodes = ctypes.c_int64(), ctypes.c_int64()
+        self.library.call("nurbs_meet_counts", meet, ctypes.byref(branches), ctypes.byref(nodes), None)
+        kinds = (ctypes.c_int32 * nodes.value)()
+        self.library.call("nurbs_meet_nodes", meet, nodes.value, None, kinds, None, None, None)
+        show(name, f"{parameter}.nodes", map(str, kinds))
+        for i in range(branches.value):
+            space, on_surface = ctypes.c_void_p(), ctypes.c_void_p()
+            self.library.call("nurbs_meet_branch", meet, i, ctypes.byref(space), ctypes.byref(on_surface))
+            for g in (space, on_surface):
+                self.show_spline(name, f"{parameter}.branches", g.value)
 
     def show_list(self, name, parameter, handle):
         count = self.library.answer("nurbs_list_count", ctypes.c_int64, handle)

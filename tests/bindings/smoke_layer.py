@@ -28,7 +28,7 @@ INSTEAD = {"contents": ("bytes",), "curves": ("boundaries",), "end": ("end_a",),
 # What the package takes from the shapes of arrays, those of structs too.
 IN_SHAPES = ("counts", "dim", "degrees", "break_counts", "n", "axes")
 OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics, "face": nurbs.Face,
-          "model": nurbs.Model}
+          "model": nurbs.Model, "meet": nurbs.Meet}
 
 
 class Unlike(Exception):
@@ -260,6 +260,12 @@ class LayerCall:
                 yield from self.handle_lines(f"{name}.faces", face)
             for edge in found.edges:
                 yield from self.handle_lines(f"{name}.edges", edge.spline)
+            return
+        if isinstance(found, nurbs.Meet):
+            yield f"{name}.nodes", map(str, found.nodes.kinds)
+            for i in range(found.counts.branches):
+                for curve in found.branch(i):
+                    yield from self.handle_lines(f"{name}.branches", curve)
             return
         yield f"{name}.degrees", map(str, found.degrees)
         yield f"{name}.knots", [text_of(x, ctypes.c_double) for knots in found.knots for x in knots]

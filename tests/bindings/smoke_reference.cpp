@@ -115,6 +115,22 @@ void print_model(const std::string &name, const nurbs_model *model) {
     }
 }
 
+void print_meet(const std::string &name, const nurbs_meet *meet) {
+    int64_t branches = 0, nodes = 0;
+    CHECK_OK(nurbs_meet_counts(meet, &branches, &nodes, nullptr));
+    std::vector<int32_t> kinds(static_cast<size_t>(nodes));
+    CHECK_OK(nurbs_meet_nodes(meet, nodes, nullptr, kinds.data(), nullptr, nullptr, nullptr));
+    print_integers<int32_t>((name + ".nodes").c_str(), kinds);
+    for (int64_t i = 0; i < branches; ++i) {
+        nurbs *curves[2] = {nullptr, nullptr};
+        CHECK_OK(nurbs_meet_branch(meet, i, &curves[0], &curves[1]));
+        for (nurbs *curve : curves) {
+            print_spline((name + ".branches").c_str(), curve);
+            nurbs_destroy(curve);
+        }
+    }
+}
+
 void print_list(const char *name, const nurbs_list *list) {
     const std::string before = where;
     where += name;
@@ -151,6 +167,8 @@ void print_slot(const Slot &slot, const calls::Output &o) {
         print_face(slot.parameter, o.face);
     } else if (place == "model") {
         print_model(slot.parameter, o.model);
+    } else if (place == "meet") {
+        print_meet(slot.parameter, o.meet);
     } else {
         print_spline(slot.parameter, place == "out" ? o.out : o.other);
     }

@@ -10,7 +10,7 @@ module smoke_support
     interface show
         module procedure show_double, show_doubles, show_singles, show_int, show_ints, show_long, show_longs
         module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics, show_face, &
-            show_model
+            show_model, show_meet
     end interface show
 
     interface flat
@@ -154,6 +154,25 @@ contains
             call show(name//'.edges', edge)
         end do
     end subroutine show_model
+
+    subroutine show_meet(name, meet)
+        character(len=*), intent(in) :: name
+        class(nurbs_meet), intent(in) :: meet
+        type(nurbs_spline) :: space, on_surface
+        integer(c_int64_t), allocatable :: levels(:)
+        integer(c_int32_t), allocatable :: kinds(:)
+        real(c_double), allocatable :: params(:, :), ranges(:, :)
+        integer(c_int64_t) :: branches
+        integer :: i
+        call meet%counts(branches)
+        call meet%nodes(levels, kinds, params, ranges)
+        call show(name//'.nodes', kinds)
+        do i = 1, int(branches)
+            call meet%branch(i, space, on_surface)
+            call show(name//'.branches', space)
+            call show(name//'.branches', on_surface)
+        end do
+    end subroutine show_meet
 
     subroutine show_spline(name, g)
         character(len=*), intent(in) :: name

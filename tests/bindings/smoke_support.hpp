@@ -121,6 +121,16 @@ inline void show(const std::string &name, const libnurbs::Spline &spline) {
     show(name + ".points", spline.homogeneous_points());
 }
 
+inline void show(const std::string &name, const libnurbs::Meet &meet) {
+    show(name + ".nodes", libnurbs::MeetNodes(meet.nodes()).kinds);
+    const std::int64_t branches = libnurbs::MeetCounts(meet.counts()).branches;
+    for (std::int64_t i = 0; i < branches; ++i) {
+        const std::pair<libnurbs::Spline, libnurbs::Spline> curves = meet.branch(i);
+        show(name + ".branches", curves.first);
+        show(name + ".branches", curves.second);
+    }
+}
+
 inline void show(const std::string &name, const libnurbs::List &list) {
     show(name + ".count", list.size());
     for (std::int64_t i = 0; i < list.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! How the smoke test of Rust prints what calls return: see smoke_reference.cpp.
 
-use nurbs::{Face, List, Model, Spline, Statistics};
+use nurbs::{Face, List, Meet, Model, Spline, Statistics};
 use std::cell::RefCell;
 
 thread_local!(static CALL: RefCell<&'static str> = const { RefCell::new("") });
@@ -123,6 +123,17 @@ impl Show for Model {
         }
         for i in 0..n.edges as usize {
             show(&format!("{name}.edges"), &self.edge(i).expect(name).spline);
+        }
+    }
+}
+
+impl Show for Meet {
+    fn lines(&self, name: &str) {
+        show(&format!("{name}.nodes"), &self.nodes().expect(name).kinds);
+        for i in 0..self.counts().expect(name).branches as usize {
+            let (space, on_surface) = self.branch(i).expect(name);
+            show(&format!("{name}.branches"), &space);
+            show(&format!("{name}.branches"), &on_surface);
         }
     }
 }

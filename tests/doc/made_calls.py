@@ -62,8 +62,12 @@ class Border:
                                               ctypes.byref(self.face)) == 0
         assert self.library.nurbs_model_create(ctypes.c_int64(1), ctypes.byref(self.face), ctypes.c_double(0),
                                                ctypes.byref(self.model)) == 0
+        self.meet = ctypes.c_void_p()
+        assert self.library.nurbs_surface_sections(surface, (ctypes.c_double * 3)(0, 0, 1), ctypes.c_int64(1),
+                                                   (ctypes.c_double * 1)(0.25), ctypes.c_double(0.25),
+                                                   ctypes.byref(self.meet)) == 0
         self.handles = {"nurbs_list": self.list, "nurbs_statistics": self.statistics, "nurbs_face": self.face,
-                        "nurbs_model": self.model}
+                        "nurbs_model": self.model, "nurbs_meet": self.meet}
         self.structs = {struct.name: slots.struct_class(self.manual, struct) for struct in self.manual.structs}
         self.callbacks = {name: slots.callback_type(self.manual, name)(lambda *_: 0) for name in self.manual.callbacks}
 

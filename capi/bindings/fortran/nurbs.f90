@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 ! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> libnurbs for Fortran 2018: splines, lists of splines, statistics of data, trimmed faces and models of
-!> them as types that clean up after themselves.
+!> them, and where shapes meet, as types that clean up after themselves.
 !>
 !> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
 !>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.
@@ -36,6 +36,7 @@ module nurbs
     use nurbs_fittings, only: fit_points, fit_tolerance, cloud_start, fit_cloud, nurbs_statistics
     use nurbs_faces, only: nurbs_face
     use nurbs_models, only: nurbs_model
+    use nurbs_meets, only: nurbs_meet
     use nurbs_fits
     use nurbs_knot_vectors
     use nurbs_frames

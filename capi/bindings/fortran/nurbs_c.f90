@@ -2938,6 +2938,74 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_surface_ray_hits
+        !> Where planes normal . x = offset cut a surface: all curves, proven to be all.
+        function nurbs_surface_sections(g, normal, n, offsets, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: normal(*), offsets(*)
+            integer(c_int64_t), value :: n
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_sections
+        !> nurbs_surface_sections() as a call that can be watched and ended.
+        function nurbs_surface_sections_with(g, normal, n, offsets, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: normal(*), offsets(*)
+            integer(c_int64_t), value :: n
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_sections_with
+        !> Another handle on the same meet, in constant time.
+        function nurbs_meet_clone(meet, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_clone
+        !> Frees a handle on a meet.
+        subroutine nurbs_meet_destroy(meet) bind(c)
+            import
+            type(c_ptr), value :: meet
+        end subroutine nurbs_meet_destroy
+        !> How much a meet holds.
+        function nurbs_meet_counts(meet, branches, nodes, complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), intent(inout), optional :: branches, nodes
+            integer(c_int32_t), intent(inout), optional :: complete
+            integer(c_int32_t) :: r
+        end function nurbs_meet_counts
+        !> What the branches of a meet belong to, and where they end.
+        function nurbs_meet_branches(meet, cap, levels, end_nodes, loops, deviations, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: levels(*), end_nodes(*), loops(*), count
+            real(c_double), intent(inout), optional :: deviations(*)
+            integer(c_int32_t) :: r
+        end function nurbs_meet_branches
+        !> A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+        function nurbs_meet_branch(meet, index, space, on_surface) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: index
+            type(c_ptr), intent(out), optional :: space, on_surface
+            integer(c_int32_t) :: r
+        end function nurbs_meet_branch
+        !> The nodes of a meet: where branches end, and where there may be more than they tell.
+        function nurbs_meet_nodes(meet, cap, levels, kinds, params, ranges, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: levels(*), count
+            integer(c_int32_t), intent(inout), optional :: kinds(*)
+            real(c_double), intent(inout), optional :: params(*), ranges(*)
+            integer(c_int32_t) :: r
+        end function nurbs_meet_nodes
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.

@@ -425,6 +425,14 @@ module nurbs_constants
     ! it comes from behind: from the side to which S_u x S_v does not point
     integer(c_int32_t), parameter :: NURBS_RAY_BACK = int(z'08', c_int32_t)
 
+    ! --- Kinds of nodes of a nurbs_meet
+    integer(c_int32_t), parameter :: NURBS_NODE_BORDER = 1  ! the surface ends or jumps there
+    ! it closes there on an axis that is not periodic: the branch goes on beyond
+    integer(c_int32_t), parameter :: NURBS_NODE_SEAM = 2
+    ! a part near the plane in which branches are not told apart
+    integer(c_int32_t), parameter :: NURBS_NODE_TOUCH = 3
+    integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
+
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_VALUE = 0

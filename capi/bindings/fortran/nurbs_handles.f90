@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: MIT
-!> The handles that splines, lists of splines, statistics, faces and models own: how they are replaced, copied and freed.
+!> The handles that splines, lists of splines, statistics, faces, models and meets own: how they are replaced, copied and freed.
 module nurbs_handles
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_face_to_bytes, nurbs_fit_options, &
         nurbs_fit_options_init, nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, &
-        nurbs_list_write_with, nurbs_model_clone, nurbs_model_destroy, nurbs_model_to_bytes, nurbs_model_write, &
+        nurbs_list_write_with, nurbs_meet_clone, nurbs_meet_destroy, nurbs_model_clone, nurbs_model_destroy, nurbs_model_to_bytes, nurbs_model_write, &
         nurbs_model_write_with, nurbs_read_options, nurbs_read_options_init, &
         nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, nurbs_to_bytes, &
         nurbs_write_options, nurbs_write_options_init
@@ -83,6 +83,16 @@ module nurbs_handles
         generic :: assignment(=) => copy_model
         final :: finish_model
     end type nurbs_model_handle
+
+    !> The handle of what is found where shapes meet. An assignment makes another handle on the same.
+    type, public :: nurbs_meet_handle
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: destroy => destroy_meet, replace => replace_meet
+        procedure, private :: copy_meet
+        generic :: assignment(=) => copy_meet
+        final :: finish_meet
+    end type nurbs_meet_handle
 
 contains
 
@@ -284,6 +294,34 @@ contains
             handles(i) = faces(i)%handle
         end do
     end function handles_of_faces
+
+    ! Meets
+
+    subroutine destroy_meet(this)
+        class(nurbs_meet_handle), intent(inout) :: this
+        call replace_meet(this, c_null_ptr)
+    end subroutine destroy_meet
+
+    impure elemental subroutine finish_meet(this)
+        type(nurbs_meet_handle), intent(inout) :: this
+        call destroy_meet(this)
+    end subroutine finish_meet
+
+    subroutine replace_meet(this, handle)
+        class(nurbs_meet_handle), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call nurbs_meet_destroy(this%handle)
+        this%handle = handle
+    end subroutine replace_meet
+
+    impure elemental subroutine copy_meet(this, other)
+        class(nurbs_meet_handle), intent(inout) :: this
+        class(nurbs_meet_handle), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_meet_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy_meet
 
     ! Models
 

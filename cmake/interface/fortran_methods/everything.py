@@ -5,7 +5,7 @@ HEAD = """\
 ! SPDX-License-Identifier: MIT
 ! {notice}
 !> libnurbs for Fortran 2018: splines, lists of splines, statistics of data, trimmed faces and models of
-!> them as types that clean up after themselves.
+!> them, and where shapes meet, as types that clean up after themselves.
 !>
 !> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
 !>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.

@@ -40,10 +40,13 @@ TYPES = {
     "faces": Type("nurbs_face", "nurbs_face_handle", "A trimmed face; an assignment makes another handle on the same face."),
     "models": Type("nurbs_model", "nurbs_model_handle",
                    "Faces and the edges that they share, in parts; an assignment makes another handle on the same model."),
+    "meets": Type("nurbs_meet", "nurbs_meet_handle",
+                  "Curves where shapes meet; an assignment makes another handle on the same curves."),
 }
 #: Where names of other modules come from.
 HOMES = {"nurbs_calls": r"nurbs_call\b",
-         "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|nurbs_face_handle|nurbs_model_handle|handles_of|as_many",
+         "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|nurbs_face_handle|nurbs_model_handle|"
+                          r"nurbs_meet_handle|handles_of|as_many",
          **{f"nurbs_{module}": rf"\b{kind.name}\b" for module, kind in TYPES.items()}}
 
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /// \file handles.hpp
-/// \brief What Spline, List, Statistics, Face and Model are before anything is done with them: owners of a handle.
+/// \brief What Spline, List, Statistics, Face, Model and Meet are before anything is done with them: owners of a handle.
 #ifndef NURBS_CPP_HANDLES_HPP
 #define NURBS_CPP_HANDLES_HPP
 
@@ -212,7 +212,31 @@ private:
     nurbs_model *handle_ = nullptr;
 };
 
-// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics, a Face or a Model.
+/// The same of what is found where shapes meet.
+class MeetHandle {
+public:
+    MeetHandle() noexcept = default;
+    explicit MeetHandle(nurbs_meet *owned) noexcept : handle_(owned) {}
+    MeetHandle(const MeetHandle &other) {
+        if (other.handle_ != nullptr) {
+            check_copy(nurbs_meet_clone(other.handle_, &handle_));
+        }
+    }
+    MeetHandle(MeetHandle &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    MeetHandle &operator=(MeetHandle other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~MeetHandle() { nurbs_meet_destroy(handle_); }
+
+    [[nodiscard]] const nurbs_meet *get() const noexcept { return handle_; }
+    [[nodiscard]] nurbs_meet *release() noexcept { return std::exchange(handle_, nullptr); }
+
+private:
+    nurbs_meet *handle_ = nullptr;
+};
+
+// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics, a Face, a Model or a Meet.
 template <class Owner, class F, class... Arguments>
 Owner made(F &&f, const Arguments &...arguments) {
     decltype(std::declval<Owner>().release()) handle = nullptr;

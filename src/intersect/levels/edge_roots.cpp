@@ -15,7 +15,7 @@ constexpr double smallest_part = 0x1p-44;
 
 class EdgeSearch {
 public:
-    EdgeSearch(const LevelNet::Edge &whole, double noise) : whole_(whole), noise_(noise) {}
+    explicit EdgeSearch(const LevelNet::Edge &whole) : whole_(whole) {}
 
     std::vector<double> run(bool above_at_start, bool above_at_end) {
         visit(whole_, 0, 1, above_at_start, above_at_end);
@@ -33,14 +33,9 @@ private:
             }
             return;
         }
-        Edge upper = edge, lower = edge;
-        const int degree = static_cast<int>(edge.values.size()) - 1;
-        subdivide(degree, 1, 0.5, upper.values.data(), lower.values.data());
-        if (!edge.weights.empty()) {
-            subdivide(degree, 1, 0.5, upper.weights.data(), lower.weights.data());
-        }
-        const double w = edge.weights.empty() ? 1 : upper.weights.front();
-        const bool middle = upper.values.front() >= -noise_ * w;
+        Edge upper = edge;
+        const Edge lower = upper.take_lower_half();
+        const bool middle = upper.values.front() >= -upper.known(0);
         visit(lower, from, length / 2, start, middle);
         visit(upper, from + length / 2, length / 2, middle, end);
     }
@@ -50,8 +45,7 @@ private:
         int changes = 0;
         bool last = start;
         for (size_t i = 0; i < edge.values.size(); ++i) {
-            const double known = noise_ * (edge.weights.empty() ? 1 : edge.weights[i]);
-            if (std::abs(edge.values[i]) > known) {
+            if (std::abs(edge.values[i]) > edge.known(i)) {
                 changes += (edge.values[i] > 0) != last ? 1 : 0;
                 last = edge.values[i] > 0;
             }
@@ -98,15 +92,13 @@ private:
     }
 
     const Edge &whole_;
-    double noise_;
     std::vector<double> roots_;
 };
 
 } // namespace
 
-std::vector<double> edge_roots(const LevelNet::Edge &edge, double noise, bool above_at_start,
-                               bool above_at_end) {
-    return EdgeSearch(edge, noise).run(above_at_start, above_at_end);
+std::vector<double> edge_roots(const LevelNet::Edge &edge, bool above_at_start, bool above_at_end) {
+    return EdgeSearch(edge).run(above_at_start, above_at_end);
 }
 
 } // namespace nrb::intersect

@@ -11,7 +11,6 @@ namespace nrb::intersect {
 // Places in [0, 1], rising, at each of which the sign changes: as many as the signs at the ends demand, but for an even
 // number. What is nearer to 0 than the noise has no sign of its own: it takes that of what is around it. By halving
 // until coefficients change their sign once at most, then secants.
-std::vector<double> edge_roots(const LevelNet::Edge &edge, double noise, bool above_at_start,
-                               bool above_at_end);
+std::vector<double> edge_roots(const LevelNet::Edge &edge, bool above_at_start, bool above_at_end);
 
 } // namespace nrb::intersect

@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "bernstein/de_casteljau.h"
 #include "intersect/levels/edge_roots.h"
 
 #include <algorithm>
@@ -17,12 +16,6 @@ constexpr int most_halvings = 96; // halvings
 // Of the slopes of arcs: what is less even is halved, since errors of curves are told by the least slope.
 constexpr double least_evenness = 1.0 / 16;
 constexpr int depth_of_evenness = 24;
-
-// Also somewhat beyond the box, where curves along arcs may run.
-bool is_even_around(const LevelNet &net, size_t axis) {
-    const LevelNet::Slope slope = net.part({-arc_room, -arc_room}, {1 + arc_room, 1 + arc_room}).slope(axis);
-    return slope.least >= least_evenness / 4 * slope.most;
-}
 
 bool has_roots(const LevelBorder &border) noexcept {
     return std::ranges::any_of(border.edges, [](const auto &edge) { return !edge.empty(); });
@@ -70,17 +63,17 @@ bool alternate(std::vector<PlacedRoot> &roots, size_t axis, double near, bool en
     return roots.size() % 2 == 0;
 }
 
-bool is_hidden(const LevelNet::Edge &edge, double noise) noexcept {
+bool is_hidden(const LevelNet::Edge &edge) noexcept {
     for (size_t i = 0; i < edge.values.size(); ++i) {
-        if (std::abs(edge.values[i]) > noise * (edge.weights.empty() ? 1 : edge.weights[i])) {
+        if (std::abs(edge.values[i]) > edge.known(i)) {
             return false;
         }
     }
     return true;
 }
-bool is_certain(const LevelNet::Edge &edge, double noise) noexcept {
+bool is_certain(const LevelNet::Edge &edge) noexcept {
     for (size_t i = 0; i < edge.values.size(); ++i) {
-        if (!(edge.values[i] > noise * (edge.weights.empty() ? 1 : edge.weights[i]))) {
+        if (!(edge.values[i] > edge.known(i))) {
             return false;
         }
     }
@@ -124,7 +117,7 @@ void BoxSearch::run(int64_t piece, const PieceDomain &domain, LevelNet net, Leve
 void BoxSearch::look(Box &box) {
     const LevelNet &net = box.net;
     count_work(12 * std::ssize(net.values));
-    if (net.side(4 * net.noise) != 0) {
+    if (net.side(4) != 0) {
         return;
     }
     const bool roots = has_roots(box.border), positive = net.has_positive_weights();
@@ -135,8 +128,8 @@ void BoxSearch::look(Box &box) {
         };
         const size_t best = evenness(1) > evenness(0) ? 1 : 0;
         const bool near = net.is_near(near_);
-        const bool even = !roots || (box.depth >= depth_of_evenness && !near) ||
-                          (evenness(best) >= least_evenness && is_even_around(net, best));
+        const bool even =
+            !roots || evenness(best) >= least_evenness || (box.depth >= depth_of_evenness && !near);
         if (slopes[best].sign != 0 && even && (!roots || take_arcs(box, 1 - best, slopes[best].sign))) {
             take_open_edges(box, slopes);
             return;
@@ -199,8 +192,7 @@ void BoxSearch::take_open_edges(const Box &box, const std::array<LevelNet::Slope
                 continue;
             }
             const LevelNet::Edge edge = box.net.edge(axis, static_cast<int>(end));
-            if (box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] &&
-                is_hidden(edge, box.net.noise)) {
+            if (box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] && is_hidden(edge)) {
                 take_edge(box, axis, end);
             } else {
                 take_touches(box, axis, end, edge, 0, 1);
@@ -226,10 +218,10 @@ void BoxSearch::take_edge(const Box &box, size_t axis, size_t end) {
 void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const LevelNet::Edge &edge, double from,
                              double length) {
     constexpr double smallest_part = 0x1p-30;
-    if (is_certain(edge, box.net.noise)) {
+    if (is_certain(edge)) {
         return;
     }
-    if (length < smallest_part || is_hidden(edge, box.net.noise)) {
+    if (length < smallest_part || is_hidden(edge)) {
         LevelPart part = box.part;
         part.lower[axis] += static_cast<double>(end) * part.length[axis];
         part.length[axis] = 0;
@@ -238,12 +230,8 @@ void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const Leve
         found_.clusters.push_back({part, {}, true});
         return;
     }
-    LevelNet::Edge upper = edge, lower = edge;
-    const int degree = static_cast<int>(edge.values.size()) - 1;
-    subdivide(degree, 1, 0.5, upper.values.data(), lower.values.data());
-    if (!edge.weights.empty()) {
-        subdivide(degree, 1, 0.5, upper.weights.data(), lower.weights.data());
-    }
+    LevelNet::Edge upper = edge;
+    const LevelNet::Edge lower = upper.take_lower_half();
     take_touches(box, axis, end, lower, from, length / 2);
     take_touches(box, axis, end, upper, from + length / 2, length / 2);
 }
@@ -315,7 +303,7 @@ void BoxSearch::set_middle(LevelBorder &whole, Box &lower, Box &upper, size_t ax
 std::vector<EdgeRoot> BoxSearch::middle_roots(const Box &box, size_t axis, bool start, bool end) {
     const size_t other = 1 - axis;
     std::vector<EdgeRoot> roots;
-    for (const double along : edge_roots(box.net.edge(axis, 0), box.net.noise, start, end)) {
+    for (const double along : edge_roots(box.net.edge(axis, 0), start, end)) {
         const double place = box.part.lower[other] + along * box.part.length[other];
         std::array<double, 2> at{};
         at[axis] = box.part.lower[axis];

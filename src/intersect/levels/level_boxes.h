@@ -68,9 +68,6 @@ struct LevelBorder {
     std::array<bool, 4> collapsed{}; // in one point
 };
 
-// How far around the box of an arc f changes strictly, in parts of the box, but for arcs in the smallest boxes.
-inline constexpr double arc_room = 1.0 / 16;
-
 // Parameters of a piece.
 struct PieceDomain {
     std::array<double, 2> lower, upper;

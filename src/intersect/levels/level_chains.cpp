@@ -133,13 +133,14 @@ private:
         }
     }
 
-    // What begins and ends in each root. A root at which two arcs begin or end belongs to neither.
+    // What begins and ends in each root: an arc alone, where one piece closes. A root at which two arcs begin or end belongs
+    // to neither.
     void link() {
         taken_.assign(found_.arcs.size(), false);
         for (size_t i = 0; i < found_.arcs.size(); ++i) {
             const LevelArc &arc = found_.arcs[i];
             int32_t &next = next_[root(arc.from)], &last = last_[root(arc.to)];
-            if (arc.from == arc.to || next != none || last != none) {
+            if ((arc.from == arc.to && arc.is_point()) || next != none || last != none) {
                 taken_[i] = true;
                 add_node(NodeKind::undecided, found_.roots[root(arc.from)].at, ranges_of(arc.part));
                 continue;

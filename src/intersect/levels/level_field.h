@@ -22,6 +22,10 @@ public:
     // Whether there may be zeros on a piece: a quick look.
     [[nodiscard]] virtual bool may_vanish(int64_t piece) const = 0;
     virtual LevelNet net(int64_t piece) = 0;
+    // Weights of the surface above this are known to be positive.
+    [[nodiscard]] double least_weight() const noexcept {
+        return grid_.positive() ? 0 : 64 * grid_.rounding().weight;
+    }
     // Up to which |f| zeros need not be told apart if they matter to within a tolerance in space; 0: at none.
     [[nodiscard]] virtual double resolution(double tolerance) const noexcept = 0;
 

@@ -18,23 +18,12 @@ AxisLayers layers(const LevelNet &net, size_t axis) noexcept {
                      : AxisLayers{static_cast<int64_t>(net.rows()), net.degrees[1], 1};
 }
 
-// Coefficients along one axis, over [lower, upper] in place of [0, 1]: each end by de Casteljau's algorithm.
-void restrict_layers(const AxisLayers &all, double lower, double upper, std::vector<double> &values) {
-    std::vector<double> kept(values.size());
-    subdivide(all, upper, values.data(), kept.data()); // kept: over [0, upper]
-    if (lower != 0) {
-        std::vector<double> below(values.size());
-        subdivide(all, lower / upper, kept.data(), below.data());
-    }
-    values = std::move(kept);
-}
-
 } // namespace
 
-int LevelNet::side(double distance) const noexcept {
+int LevelNet::side(double times) const noexcept {
     bool above = true, below = true;
     for (size_t i = 0; i < values.size(); ++i) {
-        const double far = distance * weight(i);
+        const double far = times * noise.of(weight(i));
         above = above && values[i] > far;
         below = below && values[i] < -far;
     }
@@ -54,6 +43,10 @@ bool LevelNet::has_positive_weights() const noexcept {
     return std::ranges::all_of(weights, [this](double w) { return w > least_weight; });
 }
 
+double LevelNet::largest_weight() const noexcept {
+    return weights.empty() ? 1 : *std::ranges::max_element(weights);
+}
+
 LevelNet::Slope LevelNet::slope(size_t axis) const noexcept {
     const size_t step = axis == 0 ? columns() : 1;
     double least = infinity, most = -infinity, room = 0;
@@ -66,7 +59,7 @@ LevelNet::Slope LevelNet::slope(size_t axis) const noexcept {
             const double change = values[at + step] - values[at];
             least = std::min(least, change);
             most = std::max(most, change);
-            room = std::max(room, 2 * noise * std::max(weight(at), weight(at + step)));
+            room = std::max(room, noise.of(weight(at)) + noise.of(weight(at + step)));
         }
     }
     if (!(least <= most)) {
@@ -88,22 +81,11 @@ LevelNet LevelNet::take_lower_half(size_t axis) {
     return lower;
 }
 
-LevelNet LevelNet::part(const std::array<double, 2> &lower, const std::array<double, 2> &upper) const {
-    LevelNet part = *this;
-    for (size_t k = 0; k < 2; ++k) {
-        restrict_layers(layers(*this, k), lower[k], upper[k], part.values);
-        if (!weights.empty()) {
-            restrict_layers(layers(*this, k), lower[k], upper[k], part.weights);
-        }
-    }
-    return part;
-}
-
 LevelNet::Edge LevelNet::edge(size_t axis, int end) const {
     const size_t size = axis == 0 ? columns() : rows(), step = axis == 0 ? 1 : columns();
     const size_t last = axis == 0 ? (rows() - 1) * columns() : columns() - 1;
     const size_t first = end == 0 ? 0 : last;
-    Edge edge;
+    Edge edge{{}, {}, noise};
     for (size_t i = 0; i < size; ++i) {
         edge.values.push_back(values[first + i * step]);
         if (!weights.empty()) {
@@ -111,6 +93,16 @@ LevelNet::Edge LevelNet::edge(size_t axis, int end) const {
         }
     }
     return edge;
+}
+
+LevelNet::Edge LevelNet::Edge::take_lower_half() {
+    Edge lower = *this;
+    const int degree = static_cast<int>(values.size()) - 1;
+    subdivide(degree, 1, 0.5, values.data(), lower.values.data());
+    if (!weights.empty()) {
+        subdivide(degree, 1, 0.5, weights.data(), lower.weights.data());
+    }
+    return lower;
 }
 
 LevelNet::Point LevelNet::at(const std::array<double, 2> &place) const noexcept {
@@ -131,6 +123,23 @@ LevelNet::Point LevelNet::at(const std::array<double, 2> &place) const noexcept 
         point.slope[1] += functions[0][i] * slope;
     }
     return point;
+}
+
+// Each end by de Casteljau's algorithm.
+void restrict_to(const std::array<int, 2> &degrees, int64_t width, const std::array<Interval, 2> &box,
+                 std::vector<double> &values) {
+    std::vector<double> lower(values.size());
+    for (size_t k = 0; k < 2; ++k) {
+        const AxisLayers all = k == 0 ? AxisLayers{1, degrees[0], (degrees[1] + 1) * width}
+                                      : AxisLayers{degrees[0] + 1, degrees[1], width};
+        if (box[k].upper < 1) {
+            subdivide(all, box[k].upper, values.data(), lower.data());
+            std::swap(values, lower);
+        }
+        if (box[k].lower > 0) {
+            subdivide(all, box[k].lower / box[k].upper, values.data(), lower.data());
+        }
+    }
 }
 
 } // namespace nrb::intersect

@@ -6,7 +6,6 @@
 #include "bernstein/de_casteljau.h"
 #include "intersect/levels/level_trace.h"
 #include "numeric/norm.h"
-#include "numeric/vector3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,9 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_depth = 20;
+constexpr int most_depth = 24, most_depth_without_proof = 6;
+// How far around its box an arc may be approximated, in parts of the box.
+constexpr double around = 1.0 / 16;
 
 template <size_t N>
 std::array<double, N> moved(const std::array<double, N> &from, double by,
@@ -56,8 +57,6 @@ ArcFitter::ArcFitter(LevelField &field, double tolerance)
     const auto values = static_cast<size_t>(grid_.shape().values());
     patch_.resize(values);
     work_.resize(std::max(values, static_cast<size_t>(pieces::evaluation_work(grid_.shape()))));
-    const auto order = static_cast<size_t>(std::max(degrees_[0], degrees_[1])) + 1;
-    matrix_.resize(order * order);
     record_.resize(3 * static_cast<size_t>(grid_.shape().lanes));
 }
 
@@ -69,63 +68,39 @@ void ArcFitter::set_piece(int64_t piece) {
     domain_ = domain_of(grid_, piece);
     net_ = field_.net(piece);
     grid_.patch(piece, work_.data(), patch_.data());
+    bounds_.set(net_, degrees_, patch_);
 }
 
-// Of coefficients w_i (P_i, 1) over the box around the arc. The derivative is a mean of degree (w_(i+1) (P_(i+1) - S) -
-// w_i (P_i - S)) / w.
-double ArcFitter::largest_move(size_t axis, double length) const noexcept {
-    const auto rows = static_cast<size_t>(degrees_[0]) + 1, columns = static_cast<size_t>(degrees_[1]) + 1;
-    const size_t step = axis == 0 ? columns : 1;
-    const auto lanes = static_cast<size_t>(grid_.shape().lanes);
-    const auto point = [&](size_t i) {
-        const double *record = part_.data() + i * lanes;
-        return Vector3{record[0] / record[3], record[1] / record[3], record[2] / record[3]};
-    };
-    double most = 0, most_of_weight = 0, size = 0;
-    for (size_t i = 0; i < rows * columns; ++i) {
-        size = std::max(size, nrb::length(point(i) - point(0)));
-        if ((axis == 0 ? i / columns : i % columns) < static_cast<size_t>(degrees_[axis])) {
-            const double w = part_[i * lanes + 3], next = part_[(i + step) * lanes + 3];
-            most = std::max(most, next * nrb::length(point(i + step) - point(i)));
-            most_of_weight = std::max(most_of_weight, std::abs(next - w));
-        }
-    }
-    return degrees_[axis] * (most + 2 * size * most_of_weight) / (room_.least_weight * length);
-}
-
-// The records of the present piece over a box.
-void ArcFitter::set_part(const std::array<double, 2> &lower, const std::array<double, 2> &upper) {
-    part_ = patch_;
-    for (int k = 0; k < grid_.shape().axes; ++k) {
-        const auto on = static_cast<size_t>(grid_.spline_axis(k));
-        pieces::part_matrix(grid_.shape().degree(k), lower[on], upper[on], matrix_.data());
-        pieces::apply_matrix(grid_.shape(), k, matrix_.data(), part_.data(), work_.data());
-        std::copy_n(work_.data(), part_.size(), part_.data());
-    }
-    room_.least_weight = infinity;
-    for (size_t i = 3; i < part_.size(); i += static_cast<size_t>(grid_.shape().lanes)) {
-        room_.least_weight = std::min(room_.least_weight, part_[i]);
-    }
-}
-
-void ArcFitter::set_arc(const LevelArc &arc) {
-    set_piece(arc.part.piece);
-    axis_ = arc.axis;
+// Somewhat more than the box, so that tangents at its border need not be bent, where f changes strictly there too.
+ArcFitter::Room ArcFitter::room_of(const LevelArc &arc) const {
     const size_t other = 1 - axis_;
-    std::array<double, 2> lower = arc.part.lower, upper = arc.part.lower;
+    Room room;
     for (size_t k = 0; k < 2; ++k) {
-        lower[k] -= arc_room * arc.part.length[k];
-        upper[k] += (1 + arc_room) * arc.part.length[k];
-        room_.box[k] = {arc.part.lower[k] - arc_room / 2 * arc.part.length[k],
-                        arc.part.lower[k] + (1 + arc_room / 2) * arc.part.length[k]};
+        room.box[k] = {arc.part.lower[k], arc.part.lower[k] + arc.part.length[k]};
     }
-    const LevelNet near = net_.part(lower, upper);
-    const LevelNet::Slope slope = near.slope(other);
-    room_.least_slope =
-        slope.sign == 0 ? 0 : slope.least * near.degrees[other] / (upper[other] - lower[other]);
-    set_part(lower, upper);
-    room_.largest_move = largest_move(other, upper[other] - lower[other]);
-    room_.margin = arc_room / 2 * arc.part.length[other];
+    Room wide = room;
+    wide.box[other] = {std::max(room.box[other].lower - around * arc.part.length[other], 0.0),
+                       std::min(room.box[other].upper + around * arc.part.length[other], 1.0)};
+    wide.bounds = bounds_.over(wide.box, other);
+    if (wide.bounds.least_slope > 0 && wide.bounds.least_weight > net_.least_weight) {
+        return wide;
+    }
+    room.bounds = bounds_.over(room.box, other);
+    return room;
+}
+
+// aside: where the curve and the level are along the other axis.
+ArcFitter::Room ArcFitter::part_of(const Room &room, const Node &a, const Node &b,
+                                   const Interval &aside) const {
+    const size_t other = 1 - axis_;
+    Room part = room;
+    part.box[axis_] = {std::min(a.place[axis_], b.place[axis_]), std::max(a.place[axis_], b.place[axis_])};
+    part.box[other] = {std::max(room.box[other].lower, aside.lower),
+                       std::min(room.box[other].upper, aside.upper)};
+    part.own = true;
+    part.bounds = bounds_.over(part.box, other);
+    part.bounds.least_slope = std::max(part.bounds.least_slope, room.bounds.least_slope);
+    return part;
 }
 
 void ArcFitter::evaluate(const std::array<double, 2> &place, int order) {
@@ -171,10 +146,10 @@ ArcFitter::Node ArcFitter::node(const std::array<double, 2> &place) {
 }
 
 // On the level, by Newton's method in an interval that closes in.
-ArcFitter::Node ArcFitter::node_between(const Node &a, const Node &b, double share) {
+ArcFitter::Node ArcFitter::node_between(const Room &room, const Node &a, const Node &b, double share) {
     const size_t other = 1 - axis_;
     std::array<double, 2> place = moved(moved({}, 1 - share, a.place), share, b.place);
-    Interval range{std::max(room_.box[other].lower, 0.0), std::min(room_.box[other].upper, 1.0)};
+    Interval range = room.box[other];
     for (int i = 0; i < 60 && range.upper - range.lower > 2 * eps; ++i) {
         const LevelNet::Point point = net_.at(place);
         const double slope = point.slope[other];
@@ -193,34 +168,63 @@ void ArcFitter::fit(const LevelArc &arc, std::vector<LevelSegment> &segments) {
     if (arc.is_point()) {
         return;
     }
-    set_arc(arc);
-    fit_between(node(arc.first), node(arc.last), 0, segments);
+    set_piece(arc.part.piece);
+    axis_ = arc.axis;
+    fit_between(node(arc.first), node(arc.last), room_of(arc), segments);
 }
 
-// Errors fall with the fourth power of the length.
-void ArcFitter::fit_between(const Node &a, const Node &b, int depth, std::vector<LevelSegment> &segments) {
-    LevelSegment segment = hermite(a, b);
-    set_deviation(segment);
+// Rounding is what more segments do not mend.
+bool ArcFitter::is_good(const Room &room, const LevelSegment &segment) const noexcept {
+    if (segment.deviation <= tolerance_ || room.depth >= most_depth || work_ended()) {
+        return true;
+    }
+    return std::isfinite(segment.deviation) ? room.own && segment.deviation <= 2 * rounding(room.bounds)
+                                            : room.depth >= most_depth_without_proof;
+}
+
+void ArcFitter::fit_between(const Node &a, const Node &b, const Room &room,
+                            std::vector<LevelSegment> &segments) {
+    LevelSegment segment = hermite(a, b, room);
+    const double away = set_deviation(room, segment);
     count_work(std::ssize(samples_) * 8 * std::ssize(net_.values));
-    if (segment.deviation <= tolerance_ || depth >= most_depth || work_ended()) {
+    if (is_good(room, segment)) {
         for (std::array<double, 2> &place : segment.on) {
             place = {domain_.parameter(0, place[0]), domain_.parameter(1, place[1])};
         }
         segments.push_back(segment);
         return;
     }
+    if (room.own || room.depth == 0) {
+        divide(a, b, room, segment, segments);
+        return;
+    }
+    Interval aside{infinity, -infinity};
+    for (const std::array<double, 2> &place : segment.on) {
+        aside = {std::min(aside.lower, place[1 - axis_] - away),
+                 std::max(aside.upper, place[1 - axis_] + away)};
+    }
+    count_work(40 * std::ssize(net_.values));
+    fit_between(a, b, part_of(room, a, b, aside), segments);
+}
+
+// Errors fall with the fourth power of the length.
+void ArcFitter::divide(const Node &a, const Node &b, const Room &room, const LevelSegment &segment,
+                       std::vector<LevelSegment> &segments) {
     const double wanted = std::ceil(1.05 * std::sqrt(std::sqrt(segment.deviation / tolerance_)));
     const int parts = wanted < 16 ? std::max(static_cast<int>(wanted), 2) : std::isfinite(wanted) ? 16 : 2;
+    Room next = room;
+    next.depth += parts > 8 ? 4 : parts > 4 ? 3 : parts > 2 ? 2 : 1;
+    next.own = false;
     Node from = a;
     for (int i = 1; i <= parts; ++i) {
-        const Node to = i == parts ? b : node_between(a, b, static_cast<double>(i) / parts);
-        fit_between(from, to, depth + (parts > 8 ? 4 : parts > 4 ? 3 : parts > 2 ? 2 : 1), segments);
+        const Node to = i == parts ? b : node_between(room, a, b, static_cast<double>(i) / parts);
+        fit_between(from, to, next, segments);
         from = to;
     }
 }
 
 // As long as an arc of a circle with that chord and these tangents.
-LevelSegment ArcFitter::hermite(const Node &a, const Node &b) const noexcept {
+LevelSegment ArcFitter::hermite(const Node &a, const Node &b, const Room &room) const noexcept {
     const double chord = distance(a.point.data(), b.point.data(), 3),
                  cosine = dot(a.tangent.data(), b.tangent.data(), 3);
     const bool still = norm(a.tangent.data(), 3) == 0 || norm(b.tangent.data(), 3) == 0;
@@ -231,23 +235,32 @@ LevelSegment ArcFitter::hermite(const Node &a, const Node &b) const noexcept {
     segment.on = {a.place, moved(a.place, third, a.tangent_on), moved(b.place, -third, b.tangent_on),
                   b.place};
     segment.space = {a.point, moved(a.point, third, a.tangent), moved(b.point, -third, b.tangent), b.point};
-    for (std::array<double, 2> &place : segment.on) {
-        place = {std::clamp(place[0], 0.0, 1.0), std::clamp(place[1], 0.0, 1.0)};
+    std::array<Interval, 2> box = room.box;
+    box[axis_] = {std::min(a.place[axis_], b.place[axis_]), std::max(a.place[axis_], b.place[axis_])};
+    for (size_t i = 1; i < 3; ++i) {
+        for (size_t k = 0; k < 2; ++k) {
+            segment.on[i][k] = std::clamp(segment.on[i][k], box[k].lower, box[k].upper);
+        }
     }
     return segment;
 }
 
-bool ArcFitter::has_room(const LevelSegment &segment) const noexcept {
-    return std::ranges::all_of(segment.on, [this](const std::array<double, 2> &place) {
-        return place[0] >= room_.box[0].lower && place[0] <= room_.box[0].upper &&
-               place[1] >= room_.box[1].lower && place[1] <= room_.box[1].upper;
-    });
+// Of points, and of parameters, which have no more digits than those of the domain.
+double ArcFitter::rounding(const PartBounds &bounds) const noexcept {
+    double sum =
+        grid_.moved_by_weights(grid_.radius(), bounds.least_weight) + grid_.moved() + 4 * eps * grid_.size();
+    for (size_t k = 0; k < 2; ++k) {
+        const double lower = domain_.lower[k], upper = domain_.upper[k];
+        sum += bounds.moves[k] * 2 * eps * std::max(std::abs(lower), std::abs(upper)) / (upper - lower);
+    }
+    return sum + bounds.moves[1 - axis_] * net_.noise.of(bounds.largest_weight) / bounds.least_slope;
 }
 
-void ArcFitter::set_deviation(LevelSegment &segment) {
+double ArcFitter::set_deviation(const Room &room, LevelSegment &segment) {
+    const PartBounds &bounds = room.bounds;
     segment.deviation = infinity;
-    if (!(room_.least_slope > 0) || !(room_.least_weight > 0) || !has_room(segment)) {
-        return;
+    if (!(bounds.least_slope > 0) || !(bounds.least_weight > net_.least_weight)) {
+        return infinity;
     }
     double most = 0, most_apart = 0;
     for (const std::array<double, 4> &functions : samples_) {
@@ -261,10 +274,10 @@ void ArcFitter::set_deviation(LevelSegment &segment) {
         }
         most_apart = std::max(most_apart, norm(apart, 3));
     }
-    const double away = factor_ * most / room_.least_slope;
-    if (away <= room_.margin) {
-        segment.deviation = factor_ * most_apart / room_.least_weight + room_.largest_move * away;
-    }
+    const double away = factor_ * most / bounds.least_slope;
+    segment.deviation =
+        factor_ * most_apart / bounds.least_weight + bounds.moves[1 - axis_] * away + rounding(bounds);
+    return away + net_.noise.of(bounds.largest_weight) / bounds.least_slope;
 }
 
 } // namespace nrb::intersect

@@ -4,6 +4,7 @@
 
 #include "intersect/levels/level_boxes.h"
 #include "intersect/levels/level_field.h"
+#include "intersect/levels/piece_bounds.h"
 
 namespace nrb::intersect {
 
@@ -18,8 +19,9 @@ struct LevelSegment {
 // With points, and tangents of length 1 in space, at both ends (Hermite). The function along such a piece, and the
 // difference of the curve in space from the surface over the one in the parameter domain, are polynomials in the
 // parameter; of degree n they are at most 1 + 2 / pi log(n + 1) times as large as at n + 1 Chebyshev points
-// (H. Ehlich & K. Zeller, Math. Z. 93 (1966)). Where f changes along an axis by at least s, the level is within |f| / s
-// of a place along that axis.
+// (H. Ehlich & K. Zeller, Math. Z. 93 (1966)). The curve in the parameter domain stays in the box of its arc, in which
+// the level is a graph over one coordinate: where f changes along the other one by at least s, the level is within
+// |f| / s of a place, along that axis.
 class ArcFitter {
 public:
     // tolerance: in the frame.
@@ -32,24 +34,27 @@ private:
         std::array<double, 2> place, tangent_on;
         std::array<double, 3> point, tangent;
     };
-    // What holds on the box of an arc, and somewhat around it.
+    // Where a segment may be, and what holds there.
     struct Room {
         std::array<Interval, 2> box;
-        double least_slope = 0;  // of f w along the axis that is not that of the arc
-        double largest_move = 0; // of the surface along that axis
-        double least_weight = 1, margin = 0;
+        PartBounds bounds;
+        int depth = 0;
+        bool own = false; // of the segment alone
     };
 
     void set_piece(int64_t piece);
-    void set_arc(const LevelArc &arc);
-    void set_part(const std::array<double, 2> &lower, const std::array<double, 2> &upper);
-    [[nodiscard]] double largest_move(size_t axis, double length) const noexcept;
+    [[nodiscard]] Room room_of(const LevelArc &arc) const;
+    [[nodiscard]] Room part_of(const Room &room, const Node &a, const Node &b, const Interval &aside) const;
     [[nodiscard]] Node node(const std::array<double, 2> &place);
-    [[nodiscard]] Node node_between(const Node &a, const Node &b, double share);
-    void fit_between(const Node &a, const Node &b, int depth, std::vector<LevelSegment> &segments);
-    [[nodiscard]] LevelSegment hermite(const Node &a, const Node &b) const noexcept;
-    void set_deviation(LevelSegment &segment);
-    [[nodiscard]] bool has_room(const LevelSegment &segment) const noexcept;
+    [[nodiscard]] Node node_between(const Room &room, const Node &a, const Node &b, double share);
+    void fit_between(const Node &a, const Node &b, const Room &room, std::vector<LevelSegment> &segments);
+    void divide(const Node &a, const Node &b, const Room &room, const LevelSegment &segment,
+                std::vector<LevelSegment> &segments);
+    [[nodiscard]] LevelSegment hermite(const Node &a, const Node &b, const Room &room) const noexcept;
+    // How far a segment is from the level along the axis aside; sets its deviation.
+    double set_deviation(const Room &room, LevelSegment &segment);
+    [[nodiscard]] double rounding(const PartBounds &bounds) const noexcept;
+    [[nodiscard]] bool is_good(const Room &room, const LevelSegment &segment) const noexcept;
     void evaluate(const std::array<double, 2> &place, int order);
 
     LevelField &field_;
@@ -61,9 +66,9 @@ private:
     int64_t piece_ = -1;
     PieceDomain domain_{};
     LevelNet net_;
-    std::vector<double> patch_, part_, matrix_, work_, record_;
-    size_t axis_ = 0;
-    Room room_;
+    PieceBounds bounds_;
+    std::vector<double> patch_, work_, record_;
+    size_t axis_ = 0; // that of the present arc
 };
 
 } // namespace nrb::intersect

@@ -25,13 +25,13 @@ std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) co
 
 void LevelTrace::add(int64_t piece) {
     LevelNet net = field_.net(piece);
-    if (net.side(4 * net.noise) != 0) {
+    if (net.side(4) != 0) {
         return;
     }
     const PieceDomain domain = domain_of(field_.grid(), piece);
     LevelBorder border = this->border(piece, domain, net);
-    const double near =
-        std::max(near_, 16 * net.noise); // more than what tells signs, so that boxes end at one of both
+    // More than what tells signs, so that boxes end at one of both.
+    const double near = std::max(near_, 16 * net.noise.of(net.largest_weight()));
     BoxSearch(found_, near).run(piece, domain, std::move(net), std::move(border));
 }
 
@@ -66,7 +66,7 @@ const std::vector<EdgeRoot> &LevelTrace::edge(int64_t piece, size_t axis, int en
     if (is_new) {
         const bool from = axis == 0 ? border.above[at_end][0] : border.above[0][at_end],
                    to = axis == 0 ? border.above[at_end][1] : border.above[1][at_end];
-        for (const double place : edge_roots(net.edge(axis, end), net.noise, from, to)) {
+        for (const double place : edge_roots(net.edge(axis, end), from, to)) {
             std::array<double, 2> at{};
             at[axis] = domain.parameter(axis, end);
             at[other] = domain.parameter(other, place);

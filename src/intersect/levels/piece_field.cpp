@@ -44,8 +44,9 @@ LevelNet PieceField::net(int64_t piece) {
     count_work(64 * std::ssize(f.values));
     LevelNet net;
     net.degrees = degrees_of(made, f);
+    net.least_weight = least_weight();
     for (size_t i = 0; i < f.values.size(); ++i) {
-        net.noise = std::max(net.noise, f.error(i));
+        net.noise.absolute = std::max(net.noise.absolute, f.error(i));
     }
     net.values = f.values;
     return net;

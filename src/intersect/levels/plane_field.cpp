@@ -20,30 +20,41 @@ PlaneField::PlaneField(const pieces::PieceGrid &grid, const std::array<double, 3
         count_work(8 * std::ssize(net.values));
         Interval range{infinity, -infinity};
         for (size_t i = 0; i < net.values.size(); ++i) {
-            const double w = net.weight(i);
-            range.lower = w > net.least_weight ? std::min(range.lower, net.values[i] / w) : -infinity;
-            range.upper = w > net.least_weight ? std::max(range.upper, net.values[i] / w) : infinity;
+            const double w = net.weight(i), room = 5 * absolute_noise();
+            const bool certain = w > net.least_weight;
+            range.lower = certain ? std::min(range.lower, (net.values[i] - room) / w) : -infinity;
+            range.upper = certain ? std::max(range.upper, (net.values[i] + room) / w) : infinity;
         }
         ranges_.push_back(range);
     }
 }
 
+// Of records whose weights have no certain sign.
+double PlaneField::absolute_noise() const noexcept {
+    return grid().positive() ? 0 : 2 * grid().rounding().record;
+}
+
 // Differences from the level are rounded, and so are the means of a subdivision.
 void PlaneField::set_level(double level, double error) noexcept {
     level_ = level;
-    noise_ = 1.01 * grid().moved() + error +
-             (24 + 4 * (degrees_[0] + degrees_[1])) * eps * (grid().radius() + std::abs(level));
+    const double roundings = 24 + 4 * (degrees_[0] + degrees_[1]);
+    noise_ = {1.01 * grid().moved() + error + roundings * eps * (grid().radius() + std::abs(level)),
+              absolute_noise()};
+    if (!grid().positive()) {
+        noise_.absolute += std::abs(level) * 2 * grid().rounding().weight;
+    }
 }
 
 bool PlaneField::may_vanish(int64_t piece) const {
     const Interval range = ranges_[static_cast<size_t>(piece)];
-    return range.lower - 4 * noise_ <= level_ && level_ <= range.upper + 4 * noise_;
+    const double room = 4 * noise_.relative;
+    return range.lower - room <= level_ && level_ <= range.upper + room;
 }
 
 LevelNet PlaneField::distances(int64_t piece) {
     LevelNet net;
     net.degrees = degrees_;
-    net.least_weight = grid().positive() ? 0 : 64 * grid().rounding().weight;
+    net.least_weight = least_weight();
     grid().patch(piece, work_.data(), patch_.data());
     const auto lanes = static_cast<size_t>(grid().shape().lanes);
     for (size_t i = 0; i < patch_.size(); i += lanes) {

@@ -23,10 +23,12 @@ public:
 
 private:
     LevelNet distances(int64_t piece);
+    [[nodiscard]] double absolute_noise() const noexcept;
 
     std::array<double, 3> normal_;
     std::array<int, 2> degrees_{};
-    double level_ = 0, noise_ = 0;
+    double level_ = 0;
+    Noise noise_;
     std::vector<double> work_, patch_;
     std::vector<Interval> ranges_; // of x . n on the pieces
 };

@@ -5,28 +5,66 @@
 #include "base/watch.h"
 #include "intersect/levels/plane_field.h"
 #include "intersect/levels/surface_levels.h"
+#include "numeric/norm.h"
 
 #include <cmath>
 
 namespace nrb::intersect {
+
+namespace {
+
+// Planes by a unit normal, however long the one that was given.
+class Planes {
+public:
+    explicit Planes(const std::array<double, 3> &normal) : normal_(normal) {
+        double largest = 0;
+        for (const double x : normal) {
+            largest = std::max(largest, std::abs(x));
+        }
+        exponent_ = std::ilogb(largest);
+        for (double &x : normal_) {
+            x = std::ldexp(x, -exponent_);
+        }
+        length_ = norm(normal_.data(), 3);
+        for (double &x : normal_) {
+            x /= length_;
+        }
+    }
+
+    [[nodiscard]] const std::array<double, 3> &normal() const noexcept { return normal_; }
+    [[nodiscard]] double distance(double offset) const noexcept {
+        return std::ldexp(offset / length_, -exponent_);
+    }
+
+private:
+    std::array<double, 3> normal_;
+    int exponent_ = 0;
+    double length_ = 1;
+};
+
+} // namespace
 
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
                     std::span<const double> offsets, double tolerance) {
     const UsualLimit usual(usual_work(surface.point_count() + 1000 * std::ssize(offsets)));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
-    PlaneField field(grid, normal);
+    const Planes planes(normal);
+    PlaneField field(grid, planes.normal());
     SurfaceLevels levels(field, tolerance);
     Meet meet;
     Steps steps(std::ssize(offsets));
     for (size_t i = 0; i < offsets.size(); ++i, steps.next()) {
-        double level = offsets[i], size = std::abs(level);
+        double level = planes.distance(offsets[i]), size = std::abs(level);
         for (size_t c = 0; c < 3; ++c) {
-            level -= normal[c] * grid.frame().centre[c];
-            size += std::abs(normal[c] * grid.frame().centre[c]);
+            const double part = planes.normal()[c] * grid.frame().centre[c];
+            level -= part;
+            size += std::abs(part);
         }
-        field.set_level(grid.scaled(level), 8 * eps * grid.scaled(size));
-        meet.append(levels.find(static_cast<int64_t>(i)));
+        if (std::isfinite(size)) { // else it is farther away than numbers reach
+            field.set_level(grid.scaled(level), 8 * eps * grid.scaled(size));
+            meet.append(levels.find(static_cast<int64_t>(i)));
+        }
     }
     return meet;
 }

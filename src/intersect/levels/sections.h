@@ -6,7 +6,7 @@
 
 namespace nrb::intersect {
 
-// The planes x . normal = |normal| offset, tolerance > 0. Precondition: a surface in space.
+// The planes x . normal = offset, tolerance > 0. Preconditions: a surface in space, a finite normal that is not 0.
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
                     std::span<const double> offsets, double tolerance);
 

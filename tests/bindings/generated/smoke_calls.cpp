@@ -119,6 +119,7 @@ struct Inputs {
     n::Face face = n::Face::create(surface, {1}, std::vector<n::Spline>{outline}, {}, {}, 0.001, 0u);
     n::Model model = n::Model::create(std::vector<n::Face>{face, face}, 0.001);
     n::Model layered = n::Model::read(std::as_bytes(std::span(layers)));
+    n::Meet meet = n::Meet::sections(surface, std::array<double, 3>{0.0, 0.0, 1.0}, {0.5, 2.0}, 0.001);
 };
 
 void data(const Inputs &in) {
@@ -800,6 +801,48 @@ void data(const Inputs &in) {
         edges.write_file(replaced_path(), 1, options);
     }
     {
+        begin("surface_sections in two planes");
+        const auto found = n::Meet::sections(in.surface, std::array<double, 3>{0.0, 0.5, 2.0}, {1.0, 3.0}, 0.01);
+        show("out", found);
+    }
+    {
+        begin("surface_sections");
+        const auto found = n::Meet::sections(in.surface, std::array<double, 3>{0.0, 0.0, 1.0}, {1.5}, 0.0001);
+        show("out", found);
+    }
+    by_hand("meet_clone");
+    by_hand("meet_destroy");
+    {
+        begin("meet_branches");
+        const auto found = in.meet.branches();
+        show("levels", found.levels);
+        show("end_nodes", found.end_nodes);
+        show("loops", found.loops);
+        show("deviations", found.deviations);
+    }
+    {
+        begin("meet_branches levels");
+        const auto found = in.meet.branches();
+        show("levels", found.levels);
+        show("end_nodes", found.end_nodes);
+        show("loops", found.loops);
+        show("deviations", found.deviations);
+    }
+    {
+        begin("meet_branch");
+        const auto found = in.meet.branch(1);
+        show("space", found.first);
+        show("on_surface", found.second);
+    }
+    {
+        begin("meet_nodes");
+        const auto found = in.meet.nodes();
+        show("levels", found.levels);
+        show("kinds", found.kinds);
+        show("params", found.params);
+        show("ranges", found.ranges);
+    }
+    {
         begin("read_with");
         const auto found = n::List::read(std::as_bytes(std::span(file)), {}, watched());
         show("out", found);
@@ -1001,6 +1044,16 @@ void data(const Inputs &in) {
         n::WriteOptions options;
         options.unit = 0.0254;
         edges.write_file(replaced_path(), 1, options, watched());
+    }
+    {
+        begin("surface_sections_with in two planes");
+        const auto found = n::Meet::sections(in.surface, std::array<double, 3>{0.0, 0.5, 2.0}, {1.0, 3.0}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_sections_with");
+        const auto found = n::Meet::sections(in.surface, std::array<double, 3>{0.0, 0.0, 1.0}, {1.5}, 0.0001, watched());
+        show("out", found);
     }
 }
 
@@ -2876,6 +2929,13 @@ void scalar(const Inputs &in) {
         show("faces", found.faces);
         show("edges", found.edges);
         show("vertices", found.vertices);
+    }
+    {
+        begin("meet_counts");
+        const auto found = in.meet.counts();
+        show("branches", found.branches);
+        show("nodes", found.nodes);
+        show("complete", found.complete);
     }
     {
         begin("model_face_name");

@@ -634,6 +634,7 @@ program smoke_calls
     type(nurbs_face) :: face
     type(nurbs_model) :: model
     type(nurbs_model) :: layered
+    type(nurbs_meet) :: meet
     type(nurbs_data) :: data_given
     real(c_double), target :: data_params(5, 1)
     real(c_double), target :: data_values(5, 1)
@@ -680,6 +681,7 @@ program smoke_calls
     faces_given(2) = face
     call model%create(faces=faces_given, metres=0.001d0)
     call layered%read(contents=layers_text)
+    call meet%sections(g=surface, normal=[0.0d0, 0.0d0, 1.0d0], offsets=[0.5d0, 2.0d0], tolerance=0.001d0)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -1657,6 +1659,70 @@ contains
             call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, &
                 options=options_given)
         end block
+        call begin('surface_sections in two planes')
+        block
+            type(nurbs_meet) :: found
+            call found%sections(g=surface, normal=[0.0d0, 0.5d0, 2.0d0], offsets=[1.0d0, 3.0d0], tolerance=0.01d0)
+            call show('out', found)
+        end block
+        call begin('surface_sections')
+        block
+            type(nurbs_meet) :: found
+            call found%sections(g=surface, normal=[0.0d0, 0.0d0, 1.0d0], offsets=[1.5d0], tolerance=0.0001d0)
+            call show('out', found)
+        end block
+        call by_hand('meet_clone')
+        call by_hand('meet_destroy')
+        call begin('meet_branches')
+        block
+            integer(c_int64_t), allocatable :: levels_found(:)
+            integer(c_int64_t), allocatable :: end_nodes_found(:, :)
+            integer(c_int64_t), allocatable :: loops_found(:)
+            real(c_double), allocatable :: deviations_found(:)
+            call meet%branches(levels=levels_found, end_nodes=end_nodes_found, loops=loops_found, &
+                deviations=deviations_found)
+            call show('levels', levels_found - 1)
+            call show('end_nodes', flat(reshape(end_nodes_found, [size(end_nodes_found, 2), size(end_nodes_found, 1)], &
+                order=[2, 1])) - 1)
+            call show('loops', loops_found)
+            call show('deviations', deviations_found)
+        end block
+        call begin('meet_branches levels')
+        block
+            integer(c_int64_t), allocatable :: levels_found(:)
+            integer(c_int64_t), allocatable :: end_nodes_found(:, :)
+            integer(c_int64_t), allocatable :: loops_found(:)
+            real(c_double), allocatable :: deviations_found(:)
+            call meet%branches(levels=levels_found, end_nodes=end_nodes_found, loops=loops_found, &
+                deviations=deviations_found)
+            call show('levels', levels_found - 1)
+            call show('end_nodes', flat(reshape(end_nodes_found, [size(end_nodes_found, 2), size(end_nodes_found, 1)], &
+                order=[2, 1])) - 1)
+            call show('loops', loops_found)
+            call show('deviations', deviations_found)
+        end block
+        call begin('meet_branch')
+        block
+            type(nurbs_spline) :: space_found
+            type(nurbs_spline) :: on_surface_found
+            call meet%branch(index=2, space=space_found, on_surface=on_surface_found)
+            call show('space', space_found)
+            call show('on_surface', on_surface_found)
+        end block
+        call begin('meet_nodes')
+        block
+            integer(c_int64_t), allocatable :: levels_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: ranges_found(:, :)
+            call meet%nodes(levels=levels_found, kinds=kinds_found, params=params_found, ranges=ranges_found)
+            call show('levels', levels_found - 1)
+            call show('kinds', kinds_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+        end block
         call begin('read_with')
         block
             type(nurbs_call) :: watching
@@ -1974,6 +2040,22 @@ contains
             options_given%unit = 0.0254d0
             call edges%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=1, &
                 options=options_given, call=watching)
+        end block
+        call begin('surface_sections_with in two planes')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%sections(g=surface, normal=[0.0d0, 0.5d0, 2.0d0], offsets=[1.0d0, 3.0d0], tolerance=0.01d0, &
+                call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_sections_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%sections(g=surface, normal=[0.0d0, 0.0d0, 1.0d0], offsets=[1.5d0], tolerance=0.0001d0, &
+                call=watching)
+            call show('out', found)
         end block
     end subroutine calls_of_data
 
@@ -4843,6 +4925,16 @@ contains
             call show('faces', faces_found)
             call show('edges', edges_found)
             call show('vertices', vertices_found)
+        end block
+        call begin('meet_counts')
+        block
+            integer(c_int64_t) :: branches_found
+            integer(c_int64_t) :: nodes_found
+            logical :: complete_found
+            call meet%counts(branches=branches_found, nodes=nodes_found, complete=complete_found)
+            call show('branches', branches_found)
+            call show('nodes', nodes_found)
+            call show('complete', complete_found)
         end block
         call begin('model_face_name')
         block

@@ -5,7 +5,7 @@
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{Call, Face, List, Model, Spline, Statistics};
+use nurbs::{Call, Face, List, Meet, Model, Spline, Statistics};
 use smoke_support::{begin, by_hand, show, written};
 
 const FILE: &str = r#"a file of the test programs                                             S      1
@@ -254,6 +254,7 @@ struct Given {
     face: Face,
     model: Model,
     layered: Model,
+    meet: Meet,
 }
 
 fn given() -> nurbs::Result<Given> {
@@ -363,6 +364,7 @@ fn given() -> nurbs::Result<Given> {
     let face = Face::create(&surface, &[1], &[Some(&outline)], &[], &[], 0.001, 0)?;
     let model = Model::create(&[&face, &face], 0.001)?;
     let layered = Model::read(LAYERS.as_bytes(), None)?;
+    let meet = Meet::sections(&surface, &[0.0, 0.0, 1.0], &[0.5, 2.0], 0.001)?;
     Ok(Given {
         curve,
         r#loop,
@@ -378,6 +380,7 @@ fn given() -> nurbs::Result<Given> {
         face,
         model,
         layered,
+        meet,
     })
 }
 
@@ -1363,6 +1366,48 @@ fn data(given: &Given) -> nurbs::Result<()> {
             Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
         )?;
     }
+    begin("surface_sections in two planes");
+    {
+        let found = Meet::sections(&given.surface, &[0.0, 0.5, 2.0], &[1.0, 3.0], 0.01)?;
+        show("out", &found);
+    }
+    begin("surface_sections");
+    {
+        let found = Meet::sections(&given.surface, &[0.0, 0.0, 1.0], &[1.5], 0.0001)?;
+        show("out", &found);
+    }
+    by_hand("meet_clone");
+    by_hand("meet_destroy");
+    begin("meet_branches");
+    {
+        let found = given.meet.branches()?;
+        show("levels", &found.levels);
+        show("end_nodes", &found.end_nodes);
+        show("loops", &found.loops);
+        show("deviations", &found.deviations);
+    }
+    begin("meet_branches levels");
+    {
+        let found = given.meet.branches()?;
+        show("levels", &found.levels);
+        show("end_nodes", &found.end_nodes);
+        show("loops", &found.loops);
+        show("deviations", &found.deviations);
+    }
+    begin("meet_branch");
+    {
+        let found = given.meet.branch(1)?;
+        show("space", &found.0);
+        show("on_surface", &found.1);
+    }
+    begin("meet_nodes");
+    {
+        let found = given.meet.nodes()?;
+        show("levels", &found.levels);
+        show("kinds", &found.kinds);
+        show("params", &found.params);
+        show("ranges", &found.ranges);
+    }
     begin("read_with");
     {
         let found = List::read_with(FILE.as_bytes(), None, &mut Call::new().progress(|_| true))?;
@@ -1673,6 +1718,28 @@ fn data(given: &Given) -> nurbs::Result<()> {
             Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
             &mut Call::new().progress(|_| true),
         )?;
+    }
+    begin("surface_sections_with in two planes");
+    {
+        let found = Meet::sections_with(
+            &given.surface,
+            &[0.0, 0.5, 2.0],
+            &[1.0, 3.0],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_sections_with");
+    {
+        let found = Meet::sections_with(
+            &given.surface,
+            &[0.0, 0.0, 1.0],
+            &[1.5],
+            0.0001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
     }
     Ok(())
 }
@@ -3981,6 +4048,13 @@ fn scalar(given: &Given) -> nurbs::Result<()> {
         show("faces", &found.faces);
         show("edges", &found.edges);
         show("vertices", &found.vertices);
+    }
+    begin("meet_counts");
+    {
+        let found = given.meet.counts()?;
+        show("branches", &found.branches);
+        show("nodes", &found.nodes);
+        show("complete", &found.complete);
     }
     begin("model_face_name");
     {

@@ -25,7 +25,7 @@ void check_intact(const Inputs &in); // they hold what fresh ones hold
 std::vector<double> numbers_of(const nurbs *g);
 bool same_bits(std::span<const double> a, std::span<const double> b);
 
-// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, a model, or none.
+// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, a model, a meet, or none.
 struct Output {
     Output();
     nurbs *out = check_poison(), *other = check_poison();
@@ -33,6 +33,7 @@ struct Output {
     nurbs_statistics *statistics = nullptr;
     nurbs_face *face = nullptr;
     nurbs_model *model = nullptr;
+    nurbs_meet *meet = nullptr;
     double values[1024];
     float singles[64];
     int64_t spans[64];
@@ -75,6 +76,9 @@ inline void destroy(nurbs_face *face) {
 }
 inline void destroy(nurbs_model *model) {
     nurbs_model_destroy(model);
+}
+inline void destroy(nurbs_meet *meet) {
+    nurbs_meet_destroy(meet);
 }
 
 // An input that is made for one call.

@@ -13,7 +13,7 @@ namespace calls {
 
 namespace {
 
-// The splines of the inputs, those of the lists, the faces and the models behind the others, each to be destroyed.
+// The splines of the inputs, those of the lists, the faces, the models and the meets behind the others, each to be destroyed.
 std::vector<nurbs *> splines_of(const Inputs &in) {
     std::vector<nurbs *> all;
     for (const auto spline : splines) {
@@ -37,6 +37,10 @@ std::vector<nurbs *> splines_of(const Inputs &in) {
             continue;
         }
         CHECK_OK(nurbs_model_edge(in.*model, 0, nullptr, nullptr, nullptr, &all.emplace_back(nullptr)));
+    }
+    for (const auto meet : meets) {
+        CHECK_OK(nurbs_meet_branch(in.*meet, 0, &all.emplace_back(nullptr), nullptr));
+        CHECK_OK(nurbs_meet_branch(in.*meet, 0, nullptr, &all.emplace_back(nullptr)));
     }
     return all;
 }
@@ -104,6 +108,9 @@ void destroy(const Inputs &in) {
     for (const auto model : models) {
         nurbs_model_destroy(in.*model);
     }
+    for (const auto meet : meets) {
+        nurbs_meet_destroy(in.*meet);
+    }
 }
 
 void check_intact(const Inputs &in) {
@@ -150,6 +157,7 @@ void destroy(const Output &o) {
     nurbs_statistics_destroy(o.statistics);
     nurbs_face_destroy(o.face);
     nurbs_model_destroy(o.model);
+    nurbs_meet_destroy(o.meet);
 }
 
 void check_nothing_written(const Output &o) {
@@ -160,6 +168,7 @@ void check_nothing_written(const Output &o) {
     CHECK(o.statistics == nullptr);
     CHECK(o.face == nullptr);
     CHECK(o.model == nullptr);
+    CHECK(o.meet == nullptr);
     CHECK_UNTOUCHED(o.values);
     CHECK_UNTOUCHED(o.singles);
     CHECK_UNTOUCHED(o.spans);

@@ -28,7 +28,8 @@ HEAD = f'''\
 
 
 def is_handle(entry):
-    return entry.base in ("nurbs", "nurbs_list", "nurbs_statistics", "nurbs_face", "nurbs_model") and entry.pointers == 1
+    return (entry.base in ("nurbs", "nurbs_list", "nurbs_statistics", "nurbs_face", "nurbs_model", "nurbs_meet")
+            and entry.pointers == 1)
 
 
 def moved(entry):

@@ -174,6 +174,26 @@ inline void discard(nurbs_model *model) {
     nurbs_model_destroy(model);
 }
 
+inline void add_handle(Output &output, const nurbs_meet *meet) {
+    if (meet == nullptr) {
+        return;
+    }
+    int64_t counts[2] = {0, 0};
+    (void)nurbs_meet_counts(meet, &counts[0], &counts[1], nullptr);
+    output.add(counts, 2);
+    for (int64_t i = 0; i < counts[0]; ++i) {
+        nurbs *curves[2] = {nullptr, nullptr};
+        (void)nurbs_meet_branch(meet, i, &curves[0], &curves[1]);
+        for (nurbs *curve : curves) {
+            add_handle(output, curve);
+            nurbs_destroy(curve);
+        }
+    }
+}
+inline void discard(nurbs_meet *meet) {
+    nurbs_meet_destroy(meet);
+}
+
 } // namespace recorded
 
 #endif

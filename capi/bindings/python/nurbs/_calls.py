@@ -249,6 +249,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_fit_tolerance, lib.nurbs_fit_tolerance_with),
         (lib.nurbs_fit_cloud, lib.nurbs_fit_cloud_with),
         (lib.nurbs_face_create, lib.nurbs_face_create_with),
+        (lib.nurbs_surface_sections, lib.nurbs_surface_sections_with),
         (lib.nurbs_reduce_knots, lib.nurbs_reduce_knots_with),
         (lib.nurbs_reduce_degree, lib.nurbs_reduce_degree_with),
         (lib.nurbs_simplify, lib.nurbs_simplify_with),

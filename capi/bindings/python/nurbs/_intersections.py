@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple
 
 import numpy
 
-from ._arrays import address, exactly, if_given, parameters
+from ._arrays import address, exactly, if_given, parameters, vector
 from ._base import SplineBase, handle_of
 from ._calls import listed, watched
 from ._library import call, lib
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from ._arrays import Floats, Int32s
     from ._calls import Progress
+    from ._meets import Meet
 
 __all__ = ["Hits", "PairHits", "RayHits", "Rays"]
 
@@ -120,3 +121,13 @@ class Intersections(SplineBase):
 
         return listed(RayHits, arrays, lib.nurbs_surface_ray_hits, self._handle, start.ctypes.data, way.ctypes.data,
                       address(limits))
+
+    def sections(self, normal: ArrayLike, offsets: ArrayLike, tolerance: float, *, progress: Progress = None,
+                 work: Optional[int] = None) -> Meet:
+        """Where planes normal . x = offset cut a surface, one offset or an array (n,): all curves to within a tolerance,
+        with proof that there are no others."""
+        from ._meets import Meet  # which holds splines, and so cannot come before them
+
+        across, planes = exactly(normal, 3, "normal"), vector(offsets)
+        return Meet._made(watched(lib.nurbs_surface_sections, progress, work), self._handle, across.ctypes.data,
+                          planes.size, planes.ctypes.data, tolerance)

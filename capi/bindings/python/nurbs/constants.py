@@ -289,6 +289,12 @@ NURBS_RAY_CERTIFIED = 0x02  # nothing is nearer; without NURBS_RAY_HIT: it meets
 NURBS_RAY_TOUCH = 0x04  # it touches the surface there, as far as rounding can tell, or passes it
 NURBS_RAY_BACK = 0x08  # it comes from behind: from the side to which S_u x S_v does not point
 
+# --- Kinds of nodes of a nurbs_meet
+NURBS_NODE_BORDER = 1  # the surface ends or jumps there
+NURBS_NODE_SEAM = 2  # it closes there on an axis that is not periodic: the branch goes on beyond
+NURBS_NODE_TOUCH = 3  # a part near the plane in which branches are not told apart
+NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
+
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
 NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way

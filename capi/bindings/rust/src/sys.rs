@@ -39,6 +39,13 @@ pub struct nurbs_model {
     _private: [u8; 0],
 }
 
+/// Where a surface meets planes: curves, and the places where they end; immutable, reference counted, opaque.
+/// Never made or moved on this side.
+#[repr(C)]
+pub struct nurbs_meet {
+    _private: [u8; 0],
+}
+
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
@@ -865,6 +872,16 @@ pub const NURBS_RAY_CERTIFIED: i32 = 0x02;
 pub const NURBS_RAY_TOUCH: i32 = 0x04;
 /// it comes from behind: from the side to which S_u x S_v does not point
 pub const NURBS_RAY_BACK: i32 = 0x08;
+
+// --- Kinds of nodes of a nurbs_meet
+/// the surface ends or jumps there
+pub const NURBS_NODE_BORDER: i32 = 1;
+/// it closes there on an axis that is not periodic: the branch goes on beyond
+pub const NURBS_NODE_SEAM: i32 = 2;
+/// a part near the plane in which branches are not told apart
+pub const NURBS_NODE_TOUCH: i32 = 3;
+/// a part in which it is left open what there is
+pub const NURBS_NODE_UNDECIDED: i32 = 4;
 
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
@@ -3647,6 +3664,75 @@ extern "C" {
         kinds: *mut i32,
         count: *mut i64,
         complete: *mut i32,
+    ) -> nurbs_status;
+    /// Where planes normal . x = offset cut a surface: all curves, proven to be all.
+    pub fn nurbs_surface_sections(
+        g: *const nurbs,
+        normal: *const f64,
+        n: i64,
+        offsets: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_sections() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_surface_sections_with(
+        g: *const nurbs,
+        normal: *const f64,
+        n: i64,
+        offsets: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Another handle on the same meet, in constant time.
+    pub fn nurbs_meet_clone(meet: *const nurbs_meet, out: *mut *mut nurbs_meet) -> nurbs_status;
+    /// Frees a handle on a meet.
+    ///
+    /// May be null: `meet`.
+    pub fn nurbs_meet_destroy(meet: *mut nurbs_meet);
+    /// How much a meet holds.
+    ///
+    /// May be null: `branches`, `nodes`, `complete`.
+    pub fn nurbs_meet_counts(
+        meet: *const nurbs_meet,
+        branches: *mut i64,
+        nodes: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// What the branches of a meet belong to, and where they end.
+    ///
+    /// May be null: `levels`, `end_nodes`, `loops`, `deviations`, `count`.
+    pub fn nurbs_meet_branches(
+        meet: *const nurbs_meet,
+        cap: i64,
+        levels: *mut i64,
+        end_nodes: *mut i64,
+        loops: *mut i64,
+        deviations: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+    ///
+    /// May be null: `space`, `on_surface`.
+    pub fn nurbs_meet_branch(
+        meet: *const nurbs_meet,
+        index: i64,
+        space: *mut *mut nurbs,
+        on_surface: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The nodes of a meet: where branches end, and where there may be more than they tell.
+    ///
+    /// May be null: `levels`, `kinds`, `params`, `ranges`, `count`.
+    pub fn nurbs_meet_nodes(
+        meet: *const nurbs_meet,
+        cap: i64,
+        levels: *mut i64,
+        kinds: *mut i32,
+        params: *mut f64,
+        ranges: *mut f64,
+        count: *mut i64,
     ) -> nurbs_status;
     // --- Weights and control points
     /// Changes a weight so that the point at a parameter moves by a distance towards the control point, or

@@ -851,6 +851,47 @@ const Call group[] = {
          options.unit = 0.0254;
          return nurbs_list_write_file(made_edges, replaced_path, 1, &options);
      }},
+    {"surface_sections in two planes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double normal[] = {0, 0.5, 2};
+         static constexpr double offsets[] = {1, 3};
+         return nurbs_surface_sections(in.surface, normal, 2, offsets, 0.01, &o.meet);
+     }},
+    {"surface_sections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double normal[] = {0, 0, 1};
+         static constexpr double offsets[] = {1.5};
+         return nurbs_surface_sections(in.surface, normal, 1, offsets, 0.0001, &o.meet);
+     }},
+    {"meet_clone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_clone(in.meet, &o.meet);
+     }},
+    {"meet_destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_another_meet(in, make_another_meet);
+         if (made_another_meet.status() != NURBS_OK) {
+             return made_another_meet.status();
+         }
+         nurbs_meet_destroy(made_another_meet.release());
+         return NURBS_OK;
+     }},
+    {"meet_branches",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_branches(in.meet, 4, o.spans, o.spans + 4, o.spans + 12, o.values, o.spans + 16);
+     }},
+    {"meet_branches levels",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_branches(in.meet, 4, o.spans, nullptr, nullptr, nullptr, nullptr);
+     }},
+    {"meet_branch",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_branch(in.meet, 1, &o.out, &o.other);
+     }},
+    {"meet_nodes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_nodes(in.meet, 8, o.spans, o.states, o.values, o.values + 16, o.spans + 8);
+     }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -1195,6 +1236,22 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_list_write_file_with(made_edges, replaced_path, 1, &options, &call);
+     }},
+    {"surface_sections_with in two planes",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double normal[] = {0, 0.5, 2};
+         static constexpr double offsets[] = {1, 3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_sections_with(in.surface, normal, 2, offsets, 0.01, &call, &o.meet);
+     }},
+    {"surface_sections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double normal[] = {0, 0, 1};
+         static constexpr double offsets[] = {1.5};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_sections_with(in.surface, normal, 1, offsets, 0.0001, &call, &o.meet);
      }},
 };
 

@@ -76,6 +76,10 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_counts(in.model, o.spans, o.spans + 1, o.spans + 2, o.spans + 3, o.spans + 4);
      }},
+    {"meet_counts",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_counts(in.meet, o.spans, o.spans + 1, o.states);
+     }},
     {"model_face_name",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_face_name(in.model, 1, o.text, 16, o.spans);

@@ -120,6 +120,12 @@ nurbs_status make_layered(const Inputs &, nurbs_model **out) {
     return nurbs_read_model(texts::layers, 549, nullptr, out);
 }
 
+nurbs_status make_meet(const Inputs &in, nurbs_meet **out) {
+    static constexpr double normal[] = {0, 0, 1};
+    static constexpr double offsets[] = {0.5, 2};
+    return nurbs_surface_sections(in.surface, normal, 2, offsets, 0.001, out);
+}
+
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
     return nurbs_clone(in.curve, out);
 }
@@ -170,6 +176,10 @@ nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out) {
 
 nurbs_status make_another_model(const Inputs &in, nurbs_model **out) {
     return nurbs_model_clone(in.model, out);
+}
+
+nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out) {
+    return nurbs_meet_clone(in.meet, out);
 }
 
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out) {
@@ -234,6 +244,7 @@ Inputs make_inputs() {
     CHECK_OK(make_face(in, &in.face));
     CHECK_OK(make_model(in, &in.model));
     CHECK_OK(make_layered(in, &in.layered));
+    CHECK_OK(make_meet(in, &in.meet));
     return in;
 }
 

@@ -1,0 +1,118 @@
+! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+!> Curves where shapes meet, and the nodes where these end; every answer says whether it is complete. Conventions: see
+!> the module nurbs.
+module nurbs_meets
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c, only: nurbs_surface_sections, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, &
+        nurbs_meet_nodes, nurbs_surface_sections_with
+    use nurbs_support
+    use nurbs_calls
+    use nurbs_handles
+    use nurbs_splines
+    implicit none
+    private
+
+    !> Curves where shapes meet; an assignment makes another handle on the same curves.
+    type, extends(nurbs_meet_handle), public :: nurbs_meet
+    contains
+        procedure :: sections, counts, branches, branch, nodes
+    end type nurbs_meet
+
+contains
+
+    !> Where planes normal . x = offset cut a surface: all curves to within a tolerance, proven to be all.
+    subroutine sections(this, g, normal, offsets, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: normal(3), offsets(:), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        n = size(offsets, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_surface_sections_with(g%handle, normal, n, offsets, tolerance, watched(call), made)
+        else
+            code = nurbs_surface_sections(g%handle, normal, n, offsets, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine sections
+
+    !> How much it holds.
+    subroutine counts(this, branches, nodes, complete, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), intent(inout), optional :: branches, nodes
+        logical, intent(inout), optional :: complete
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: answer
+        answer = 0
+        call settle(nurbs_meet_counts(this%handle, branches, nodes, answer), status)
+        if (present(complete)) complete = answer /= 0
+    end subroutine counts
+
+    !> Of each branch its plane, the nodes at which it begins and ends, end_nodes(n, 2), 0 where it closes, the closed
+    !> way that it is a part of, counted from 0, -1 for none, and a proven bound of the distances of its curves from the
+    !> section.
+    subroutine branches(this, levels, end_nodes, loops, deviations, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: levels(:), end_nodes(:, :), loops(:)
+        real(c_double), allocatable, intent(inout) :: deviations(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int64_t), allocatable :: end_nodes_c(:, :)
+        n = 0
+        code = nurbs_meet_branches(this%handle, 0_c_int64_t, count=n)
+        if (allocated(levels)) deallocate (levels)
+        if (allocated(loops)) deallocate (loops)
+        if (allocated(deviations)) deallocate (deviations)
+        allocate (levels(n), end_nodes_c(2, n), loops(n), deviations(n))
+        if (code == NURBS_OK) code = nurbs_meet_branches(this%handle, n, levels, end_nodes_c, loops, deviations)
+        if (code == NURBS_OK) then
+            levels = levels + 1
+            end_nodes = transpose(end_nodes_c) + 1
+        end if
+        call settle(code, status)
+    end subroutine branches
+
+    !> The curves of a branch, with common knots: in space, and in the parameter domain.
+    subroutine branch(this, index, space, on_surface, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        type(nurbs_spline), intent(inout) :: space, on_surface
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made_space, made_on_surface
+        code = nurbs_meet_branch(this%handle, index - 1_c_int64_t, made_space, made_on_surface)
+        call space%replace(made_space)
+        call on_surface%replace(made_on_surface)
+        call settle(code, status)
+    end subroutine branch
+
+    !> Of each node its plane, one of the NURBS_NODE_ constants, params(n, 2) of the surface, and ranges(n, 4): the
+    !> lower and upper end of the part on the first axis, and on the second one.
+    subroutine nodes(this, levels, kinds, params, ranges, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: levels(:)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        real(c_double), allocatable, intent(inout) :: params(:, :), ranges(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :), ranges_c(:, :)
+        n = 0
+        code = nurbs_meet_nodes(this%handle, 0_c_int64_t, count=n)
+        if (allocated(levels)) deallocate (levels)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (levels(n), kinds(n), params_c(2, n), ranges_c(4, n))
+        if (code == NURBS_OK) code = nurbs_meet_nodes(this%handle, n, levels, kinds, params_c, ranges_c)
+        params = transpose(params_c)
+        ranges = transpose(ranges_c)
+        if (code == NURBS_OK) levels = levels + 1
+        call settle(code, status)
+    end subroutine nodes
+end module nurbs_meets

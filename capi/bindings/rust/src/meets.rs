@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
+//! Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
+
+use crate::call::Call;
+use crate::error::{check, Result};
+use crate::meet::Meet;
+use crate::spline::Spline;
+use crate::sys;
+use std::ptr::null_mut;
+
+/// How much a meet holds.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct MeetCounts {
+    /// Number of branches.
+    pub branches: i64,
+    /// Number of nodes.
+    pub nodes: i64,
+    /// Whether it is proven that there is nothing else, no node being undecided.
+    pub complete: bool,
+}
+
+/// What branches belong to, and where they end.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeetBranches {
+    /// Which plane each lies in.
+    pub levels: Vec<i64>,
+    /// `[n][2]`: the nodes at which it begins and ends, -1 where it closes.
+    pub end_nodes: Vec<[i64; 2]>,
+    /// The closed way that it is a part of, counted from 0; -1 for none.
+    pub loops: Vec<i64>,
+    /// Proven bounds of the distances of its curves from the section.
+    pub deviations: Vec<f64>,
+}
+
+/// Where branches end, and where there may be more than they tell.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeetNodes {
+    /// Which plane each lies in.
+    pub levels: Vec<i64>,
+    /// One of the `NURBS_NODE_` constants each.
+    pub kinds: Vec<i32>,
+    /// `[n][2]` of the surface; of a part its middle.
+    pub params: Vec<[f64; 2]>,
+    /// `[n][2][2]` of parameters: the lower and upper end of the part on each axis.
+    pub ranges: Vec<[f64; 2]>,
+}
+
+/// Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
+impl Meet {
+    /// Where planes normal . x = offset cut a surface: all curves to within a tolerance, proven to be all.
+    pub fn sections(g: &Spline, normal: &[f64; 3], offsets: &[f64], tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_sections(
+                g.raw(),
+                normal.as_ptr(),
+                offsets.len() as i64,
+                offsets.as_ptr(),
+                tolerance,
+                out,
+            )
+        })
+    }
+
+    /// The same as `sections`; it can be watched and stopped.
+    pub fn sections_with(
+        g: &Spline,
+        normal: &[f64; 3],
+        offsets: &[f64],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_sections_with(
+                g.raw(),
+                normal.as_ptr(),
+                offsets.len() as i64,
+                offsets.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// How much it holds.
+    pub fn counts(&self) -> Result<MeetCounts> {
+        let mut branches = 0;
+        let mut nodes = 0;
+        let mut complete = 0;
+        check(unsafe { sys::nurbs_meet_counts(self.raw(), &mut branches, &mut nodes, &mut complete) })?;
+        Ok(MeetCounts { branches, nodes, complete: complete != 0 })
+    }
+
+    /// What the branches belong to, and where they end.
+    pub fn branches(&self) -> Result<MeetBranches> {
+        let fill = |cap, levels, end_nodes, loops, deviations, count| unsafe {
+            sys::nurbs_meet_branches(self.raw(), cap, levels, end_nodes, loops, deviations, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut levels = vec![0; n];
+        let mut end_nodes = vec![[0; 2]; n];
+        let mut loops = vec![0; n];
+        let mut deviations = vec![0.0; n];
+        check(fill(
+            count,
+            levels.as_mut_ptr(),
+            end_nodes.as_mut_ptr().cast(),
+            loops.as_mut_ptr(),
+            deviations.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok(MeetBranches { levels, end_nodes, loops, deviations })
+    }
+
+    /// The curves of a branch, with common knots: in space, and in the parameter domain.
+    pub fn branch(&self, index: usize) -> Result<(Spline, Spline)> {
+        let mut space = null_mut();
+        let on_surface =
+            Spline::made(|out| unsafe { sys::nurbs_meet_branch(self.raw(), index as i64, &mut space, out) })?;
+        Ok((unsafe { Spline::owned(space) }, on_surface))
+    }
+
+    /// Where branches end, and where there may be more than they tell.
+    pub fn nodes(&self) -> Result<MeetNodes> {
+        let fill = |cap, levels, kinds, params, ranges, count| unsafe {
+            sys::nurbs_meet_nodes(self.raw(), cap, levels, kinds, params, ranges, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut levels = vec![0; n];
+        let mut kinds = vec![0; n];
+        let mut params = vec![[0.0; 2]; n];
+        let mut ranges = vec![[0.0; 2]; 2 * n];
+        check(fill(
+            count,
+            levels.as_mut_ptr(),
+            kinds.as_mut_ptr(),
+            params.as_mut_ptr().cast(),
+            ranges.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(MeetNodes { levels, kinds, params, ranges })
+    }
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Where planes cut surfaces, and what was found there.
+#include "checks.h"
+#include "guard.h"
+#include "outputs.h"
+#include "watched.h"
+
+#include "base/checked.h"
+#include "base/tolerance.h"
+#include "intersect/levels/sections.h"
+#include "spline/kind.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+const intersect::Meet &meet_of(const nurbs_meet *meet) {
+    require(meet, "meet");
+    return *meet->meet;
+}
+
+std::array<double, 3> checked_normal(const double *normal) {
+    require(normal, "normal");
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(normal[c])) {
+            fail(Status::direction, "normal[%d] = %s, expected a number", c, Number(normal[c]).text);
+        }
+    }
+    if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) {
+        fail(Status::direction, "normal is 0, expected a direction");
+    }
+    return {normal[0], normal[1], normal[2]};
+}
+
+std::span<const double> checked_offsets(const double *offsets, int64_t n) {
+    check_length(n, "n");
+    checked_array(n, "offsets");
+    if (n > 0) {
+        require(offsets, "offsets");
+    }
+    for (int64_t i = 0; i < n; ++i) {
+        if (!std::isfinite(offsets[i])) {
+            fail(Status::point_not_finite, "offsets[%lld] = %s, expected a finite value",
+                 static_cast<long long>(i), Number(offsets[i]).text);
+        }
+    }
+    return {offsets, static_cast<size_t>(n)};
+}
+
+} // namespace
+
+nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_t n, const double *offsets,
+                                    double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &surface = surface_of(g);
+        check_dimension(surface, 3, 3);
+        const std::array<double, 3> direction = checked_normal(normal);
+        const std::span<const double> all = checked_offsets(offsets, n);
+        check_positive_tolerance(tolerance);
+        auto meet = std::make_shared<const intersect::Meet>(
+            intersect::plane_sections(surface, direction, all, tolerance));
+        *out = new nurbs_meet{std::move(meet)};
+    });
+}
+
+nurbs_status nurbs_surface_sections_with(const nurbs *g, const double *normal, int64_t n,
+                                         const double *offsets, double tolerance,
+                                         const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_surface_sections(g, normal, n, offsets, tolerance, out); });
+}
+
+nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        require(meet, "meet");
+        *out = new nurbs_meet{meet->meet};
+    });
+}
+
+void nurbs_meet_destroy(nurbs_meet *meet) {
+    delete meet;
+}
+
+nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branches, int64_t *nodes, int32_t *complete) {
+    return guard([&] {
+        const intersect::Meet &own = meet_of(meet);
+        check_apart(
+            {memory("branches", branches, 1), memory("nodes", nodes, 1), memory("complete", complete, 1)},
+            {});
+        put(branches, int64_t{std::ssize(own.branches)});
+        put(nodes, int64_t{std::ssize(own.nodes)});
+        put(complete, int32_t{own.complete});
+    });
+}
+
+nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *end_nodes,
+                                 int64_t *loops, double *deviations, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("levels", levels, filled), memory("end_nodes", end_nodes, 2 * filled),
+                     memory("loops", loops, filled), memory("deviations", deviations, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(levels, i, branches[i].level);
+            put(end_nodes, 2 * i, branches[i].nodes[0]);
+            put(end_nodes, 2 * i + 1, branches[i].nodes[1]);
+            put(loops, i, branches[i].loop);
+            put(deviations, i, branches[i].deviation);
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
+
+nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space, nurbs **on_surface) {
+    return guard([&] {
+        put(space, static_cast<nurbs *>(nullptr));
+        put(on_surface, static_cast<nurbs *>(nullptr));
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        if (space != nullptr && space == on_surface) {
+            fail(Status::overlap, "output on_surface overlaps space");
+        }
+        if (index < 0 || index >= std::ssize(branches)) {
+            fail(Status::index, "index = %lld, expected one of the %zu branches",
+                 static_cast<long long>(index), branches.size());
+        }
+        const intersect::MeetBranch &branch = branches[static_cast<size_t>(index)];
+        auto in_space = std::make_unique<nurbs>(nurbs{branch.space});
+        if (on_surface != nullptr) {
+            give(branch.on, on_surface);
+        }
+        if (space != nullptr) {
+            *space = in_space.release();
+        }
+    });
+}
+
+nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
+                              double *params, double *ranges, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetNode> &nodes = meet_of(meet).nodes;
+        const int64_t filled = checked_cap(cap, std::ssize(nodes));
+        check_apart({memory("levels", levels, filled), memory("kinds", kinds, filled),
+                     memory("params", params, 2 * filled), memory("ranges", ranges, 4 * filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(levels, i, nodes[i].level);
+            put(kinds, i, static_cast<int32_t>(nodes[i].kind));
+            for (size_t k = 0; k < 2; ++k) {
+                put(params, 2 * i + k, nodes[i].at[k]);
+                put(ranges, 4 * i + 2 * k, nodes[i].range[k].lower);
+                put(ranges, 4 * i + 2 * k + 1, nodes[i].range[k].upper);
+            }
+        }
+        put(count, int64_t{std::ssize(nodes)});
+    });
+}
