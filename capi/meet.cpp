@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;

@@ -5527,6 +5527,95 @@ NURBS_API nurbs_status nurbs_surface_sections_with(const nurbs *g, const double 
                                                    const double *offsets, double tolerance,
                                                    const nurbs_call_options *call, nurbs_meet **out);
 
+/** \name Kinds of contours
+ * Of a surface S with N = S_u x S_v, a vector d and a number c: where f = 0. Where N is 0, at poles and singular points,
+ * f is 0 for no other reason: collapsed sides are left out, others are nodes.
+ * @{ */
+#define NURBS_CONTOUR_SILHOUETTE 1  /**< f = N . d: what is seen as an outline along d */
+#define NURBS_CONTOUR_PERSPECTIVE 2 /**< f = N . (S - d): the outline that is seen from the point d */
+#define NURBS_CONTOUR_ISOPHOTE                                                                               \
+    3 /**< (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle */
+#define NURBS_CONTOUR_PARABOLIC 4 /**< f = K, the Gaussian curvature, but for a positive factor */
+/** @} */
+
+/** \brief Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all, as curves in space and
+ * in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose zeros are followed as
+ * nurbs_surface_sections() does, with f > 0 on the left of branches. As f is no distance, zeros are told apart as far as
+ * double precision allows: a saddle or a peak of f at 0 is a node TOUCH, and so is all of a surface on which f
+ * vanishes, a cylinder seen along its axis. A mirror's reflection of parallel light strips are isophotes of the
+ * bisectors. Costs: some ten microseconds a piece, a hundred for parabolic curves.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] kind one of the NURBS_CONTOUR_ constants.
+ * \param[in] d [3] or NULL: the direction of any length but 0, or the point; not used by parabolic curves.
+ * \param[in] n number of cosines: those of isophotes; 0 for the other kinds, whose level is 0.
+ * \param[in] cosines [n] or NULL: of the angle between N and d, in [-1, 1], in any order.
+ * \param[in] tolerance > 0: the largest distance of the curves in space from the contour.
+ * \param[out] out the new meet; branches in the order of the cosines.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE; _RULE if kind is none
+ *   of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE (parabolic curves of degrees above 8), _COUNT if n < 0, or > 0 for a kind without cosines, _DIRECTION if d is needed and is not finite
+ *   or is a direction of length 0, _FACTOR if a cosine is not in [-1, 1].
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_contours(const nurbs *g, int32_t kind, const double *d, int64_t n,
+                                              const double *cosines, double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_surface_contours() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] g,kind,d,n,cosines,tolerance as for nurbs_surface_contours().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_contours(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_contours_with(const nurbs *g, int32_t kind, const double *d, int64_t n,
+                                                   const double *cosines, double tolerance,
+                                                   const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere, any quadric or
+ * algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each Bezier piece, followed as by
+ * nurbs_surface_contours(), with f > 0 on the left of branches.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] degree of f, 1 to 8; times the degrees of the surface at most 2 NURBS_MAX_DEGREE.
+ * \param[in] coefficients [M], M = (dim + degree)! / (dim! degree!), dim = 3, in the order of nurbs_curve_level().
+ * \param[in] tolerance > 0: the largest distance of the curves in space from the set.
+ * \param[out] out the new meet, all of it of level 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DEGREE, _TOLERANCE, _NOT_REPRESENTABLE; _POINT_NOT_FINITE if a
+ *   coefficient is not finite, _DIRECTION if all but the last are 0.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_level(const nurbs *g, int32_t degree, const double *coefficients,
+                                           double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_surface_level() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] g,degree,coefficients,tolerance as for nurbs_surface_level().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_level(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_level_with(const nurbs *g, int32_t degree, const double *coefficients,
+                                                double tolerance, const nurbs_call_options *call,
+                                                nurbs_meet **out);
+
+/** \brief Level curves of a scalar spline over a surface: where a temperature, a pressure or a thickness has given values,
+ * all of them, proven to be all. Followed as by nurbs_surface_contours(), with scalar > value on the left of branches.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] scalar a spline of dimension 1 with the same domain, periodic on the same axes; degrees and knots are its own.
+ * \param[in] n number of values.
+ * \param[in] values [n] in any order.
+ * \param[in] tolerance > 0: the largest distance of the curves in space from the level.
+ * \param[out] out the new meet; branches in the order of the values.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE;
+ *   _INCOMPATIBLE if domains or periodic axes differ, _POINT_NOT_FINITE if a value is not finite.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_level_curves(const nurbs *g, const nurbs *scalar, int64_t n,
+                                                  const double *values, double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_surface_level_curves() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] g,scalar,n,values,tolerance as for nurbs_surface_level_curves().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_level_curves(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nurbs *scalar, int64_t n,
+                                                       const double *values, double tolerance,
+                                                       const nurbs_call_options *call, nurbs_meet **out);
+
 /** \brief Another handle on the same meet, in constant time.
  * \param[in] meet a meet.
  * \param[out] out the new handle.

@@ -2959,6 +2959,77 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_sections_with
+        !> Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all, as curves
+        !> in space and in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose
+        !> zeros are followed as nurbs_surface_sections() does, with f > 0 on the left of branches.
+        function nurbs_surface_contours(g, kind, d, n, cosines, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kind
+            real(c_double), intent(in), optional :: d(*), cosines(*)
+            integer(c_int64_t), value :: n
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_contours
+        !> nurbs_surface_contours() as a call that can be watched and ended, as nurbs_surface_sections_with().
+        function nurbs_surface_contours_with(g, kind, d, n, cosines, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kind
+            real(c_double), intent(in), optional :: d(*), cosines(*)
+            integer(c_int64_t), value :: n
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_contours_with
+        !> Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere,
+        !> any quadric or algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each
+        !> Bezier piece, followed as by nurbs_surface_contours(), with f > 0 on the left of branches.
+        function nurbs_surface_level(g, degree, coefficients, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: degree
+            real(c_double), intent(in) :: coefficients(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_level
+        !> nurbs_surface_level() as a call that can be watched and ended, as nurbs_surface_sections_with().
+        function nurbs_surface_level_with(g, degree, coefficients, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: degree
+            real(c_double), intent(in) :: coefficients(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_level_with
+        !> Level curves of a scalar spline over a surface: where a temperature, a pressure or a thickness has
+        !> given values, all of them, proven to be all.
+        function nurbs_surface_level_curves(g, scalar, n, values, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, scalar
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: values(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_level_curves
+        !> nurbs_surface_level_curves() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_surface_level_curves_with(g, scalar, n, values, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, scalar
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: values(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_level_curves_with
         !> Another handle on the same meet, in constant time.
         function nurbs_meet_clone(meet, out) bind(c) result(r)
             import

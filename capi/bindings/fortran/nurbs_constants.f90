@@ -433,6 +433,16 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NODE_TOUCH = 3
     integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
 
+    ! --- Kinds of contours
+    ! f = N . d: what is seen as an outline along d
+    integer(c_int32_t), parameter :: NURBS_CONTOUR_SILHOUETTE = 1
+    ! f = N . (S - d): the outline that is seen from the point d
+    integer(c_int32_t), parameter :: NURBS_CONTOUR_PERSPECTIVE = 2
+    ! (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
+    integer(c_int32_t), parameter :: NURBS_CONTOUR_ISOPHOTE = 3
+    ! f = K, the Gaussian curvature, but for a positive factor
+    integer(c_int32_t), parameter :: NURBS_CONTOUR_PARABOLIC = 4
+
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_VALUE = 0

@@ -5,8 +5,10 @@
 module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_surface_sections, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, &
-        nurbs_meet_nodes, nurbs_surface_sections_with
+    use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_level, &
+        nurbs_surface_level_curves, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, nurbs_meet_nodes, &
+        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_level_with, &
+        nurbs_surface_level_curves_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -17,7 +19,7 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, counts, branches, branch, nodes
+        procedure :: sections, contours, level, level_curves, counts, branches, branch, nodes
     end type nurbs_meet
 
 contains
@@ -41,6 +43,71 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine sections
+
+    !> Silhouettes, isophotes of some angles, and parabolic curves of a surface: all of them, proven to be all.
+    subroutine contours(this, g, kind, d, cosines, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: kind
+        real(c_double), intent(in), optional :: d(3)
+        real(c_double), intent(in) :: cosines(:), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        n = size(cosines, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_surface_contours_with(g%handle, kind, d, n, cosines, tolerance, watched(call), made)
+        else
+            code = nurbs_surface_contours(g%handle, kind, d, n, cosines, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine contours
+
+    !> Where an implicit polynomial of space vanishes on a surface, proven to be all.
+    subroutine level(this, g, degree, coefficients, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: degree
+        real(c_double), intent(in) :: coefficients(:), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = fitting([fits(coefficients, monomials(dim_of(g%handle), degree))])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_surface_level_with(g%handle, degree, coefficients, tolerance, watched(call), made)
+            else
+                code = nurbs_surface_level(g%handle, degree, coefficients, tolerance, made)
+            end if
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine level
+
+    !> Where a scalar spline over a surface has given values, proven to be all.
+    subroutine level_curves(this, g, scalar, values, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g, scalar
+        real(c_double), intent(in) :: values(:), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        n = size(values, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_surface_level_curves_with(g%handle, scalar%handle, n, values, tolerance, watched(call), made)
+        else
+            code = nurbs_surface_level_curves(g%handle, scalar%handle, n, values, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine level_curves
 
     !> How much it holds.
     subroutine counts(this, branches, nodes, complete, status)

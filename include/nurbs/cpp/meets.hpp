@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,12 @@ inline constexpr std::int32_t node_seam = NURBS_NODE_SEAM;
 inline constexpr std::int32_t node_touch = NURBS_NODE_TOUCH;
 inline constexpr std::int32_t node_undecided = NURBS_NODE_UNDECIDED;
 
+/// Kinds of contours.
+inline constexpr std::int32_t contour_silhouette = NURBS_CONTOUR_SILHOUETTE;
+inline constexpr std::int32_t contour_perspective = NURBS_CONTOUR_PERSPECTIVE;
+inline constexpr std::int32_t contour_isophote = NURBS_CONTOUR_ISOPHOTE;
+inline constexpr std::int32_t contour_parabolic = NURBS_CONTOUR_PARABOLIC;
+
 /// How much a meet holds.
 struct MeetCounts {
     std::int64_t branches; ///< Number of branches.
@@ -30,7 +37,7 @@ struct MeetCounts {
 
 /// What branches belong to, and where they end.
 struct MeetBranches {
-    std::vector<std::int64_t> levels; ///< Which plane each lies in.
+    std::vector<std::int64_t> levels; ///< Which plane, or value, each belongs to.
     /// [n][2]: the nodes at which it begins and ends, -1 where it closes.
     std::vector<std::int64_t> end_nodes;
     std::vector<std::int64_t> loops; ///< The closed way that it is a part of, counted from 0; -1 for none.
@@ -39,7 +46,7 @@ struct MeetBranches {
 
 /// Where branches end, and where there may be more than they tell.
 struct MeetNodes {
-    std::vector<std::int64_t> levels; ///< Which plane each lies in.
+    std::vector<std::int64_t> levels; ///< Which plane, or value, each belongs to.
     std::vector<std::int32_t> kinds;  ///< One of the node_ constants each.
     std::vector<double> params;       ///< [n][2] of the surface; of a part its middle.
     /// [n][2][2] of parameters: the lower and upper end of the part on each axis.
@@ -66,6 +73,50 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_surface_sections_with, g.get(), normal.data(),
                                   detail::length(offsets), offsets.data(), tolerance, watch.get());
+    }
+    /// Silhouettes, isophotes of some angles, and parabolic curves of a surface: all of them, proven to be all.
+    [[nodiscard]] static Returned<Meet> contours(const Spline &g, std::int32_t kind,
+                                                 const std::optional<std::array<double, 3>> &d,
+                                                 View<double> cosines, double tolerance) {
+        return detail::made<Meet>(nurbs_surface_contours, g.get(), kind, d ? d->data() : nullptr,
+                                  detail::length(cosines), cosines.data(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> contours(const Spline &g, std::int32_t kind,
+                                                 const std::optional<std::array<double, 3>> &d,
+                                                 View<double> cosines, double tolerance,
+                                                 const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_contours_with, g.get(), kind, d ? d->data() : nullptr,
+                                  detail::length(cosines), cosines.data(), tolerance, watch.get());
+    }
+    /// Where an implicit polynomial of space vanishes on a surface, proven to be all.
+    [[nodiscard]] static Returned<Meet> level(const Spline &g, std::int32_t degree, View<double> coefficients,
+                                              double tolerance) {
+        detail::require(coefficients, detail::monomials(detail::dimension(g.get()), degree), "coefficients");
+        return detail::made<Meet>(nurbs_surface_level, g.get(), degree, coefficients.data(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> level(const Spline &g, std::int32_t degree, View<double> coefficients,
+                                              double tolerance, const CallOptions &call) {
+        detail::require(coefficients, detail::monomials(detail::dimension(g.get()), degree), "coefficients");
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_level_with, g.get(), degree, coefficients.data(), tolerance,
+                                  watch.get());
+    }
+    /// Where a scalar spline over a surface has given values, proven to be all.
+    [[nodiscard]] static Returned<Meet> level_curves(const Spline &g, const Spline &scalar,
+                                                     View<double> values, double tolerance) {
+        return detail::made<Meet>(nurbs_surface_level_curves, g.get(), scalar.get(), detail::length(values),
+                                  values.data(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> level_curves(const Spline &g, const Spline &scalar,
+                                                     View<double> values, double tolerance,
+                                                     const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_level_curves_with, g.get(), scalar.get(),
+                                  detail::length(values), values.data(), tolerance, watch.get());
     }
     /// How much it holds.
     [[nodiscard]] Returned<MeetCounts> counts() const {

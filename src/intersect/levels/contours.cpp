@@ -93,6 +93,22 @@ PieceField::Function function_of(ContourKind kind, const Vector &d, double cosin
     return [](const HomogeneousPiece &piece) { return Bending(piece).gauss(); };
 }
 
+// Bounds of the degree of f on an axis of degree p: N is of degree 2 p - 1, or 3 p - 1 with weights.
+int degree_of(ContourKind kind, bool weighted, int p) noexcept {
+    const int normal = std::max(weighted ? 3 * p - 1 : 2 * p - 1, 0);
+    switch (kind) {
+    case ContourKind::silhouette:
+        return normal;
+    case ContourKind::perspective:
+        return normal + p;
+    case ContourKind::isophote:
+        return 2 * normal;
+    case ContourKind::parabolic:
+        break;
+    }
+    return 2 * (normal + p);
+}
+
 // Of the two signs of N . d the squares do not tell, a branch has one.
 bool has_sign(const Spline &surface, const MeetBranch &branch, const Vector &d, double cosine) {
     const Interval domain = branch.on->axis(0).domain();
@@ -115,6 +131,7 @@ bool has_sign(const Spline &surface, const MeetBranch &branch, const Vector &d, 
 
 Meet surface_contours(const Spline &surface, ContourKind kind, const Vector &d,
                       std::span<const double> cosines, double tolerance) {
+    check_function_degree(surface, [&](int p) { return degree_of(kind, surface.rational(), p); });
     const UsualLimit usual(usual_work(surface.point_count() + 1000 * std::ssize(cosines), 200000));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
@@ -126,8 +143,7 @@ Meet surface_contours(const Spline &surface, ContourKind kind, const Vector &d,
         PieceField field(surface, grid, function_of(kind, d, cosine));
         Meet meet = SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i));
         if (cosine != 0) {
-            std::erase_if(meet.branches,
-                          [&](const MeetBranch &branch) { return !has_sign(surface, branch, d, cosine); });
+            meet.keep([&](const MeetBranch &branch) { return has_sign(surface, branch, d, cosine); });
         }
         all.append(std::move(meet));
     }

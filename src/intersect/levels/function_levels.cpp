@@ -61,6 +61,7 @@ SplinePtr with_breaks_of(SplinePtr spline, const Spline &other) {
 } // namespace
 
 Meet implicit_level(const Spline &surface, const ImplicitForm &form, double tolerance) {
+    check_function_degree(surface, [&](int p) { return p * form.degree(); });
     const UsualLimit usual(usual_work(surface.point_count(), 200000));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);

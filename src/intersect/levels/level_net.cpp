@@ -2,8 +2,8 @@
 #include "intersect/levels/level_net.h"
 
 #include "base/numbers.h"
-#include "basis/bspline.h"
 #include "bernstein/de_casteljau.h"
+#include "numeric/binomial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +106,10 @@ LevelNet::Edge LevelNet::Edge::take_lower_half() {
 }
 
 LevelNet::Point LevelNet::at(const std::array<double, 2> &place) const noexcept {
-    std::array<std::array<double, 2 * max_basis>, 2> functions; // values, then derivatives
+    constexpr size_t stride = max_product_degree + 1;
+    std::array<std::array<double, 2 * stride>, 2> functions; // values, then derivatives
     for (size_t k = 0; k < 2; ++k) {
-        bernstein_functions(degrees[k], place[k], 1, max_basis, functions[k].data());
+        bernstein_functions(degrees[k], place[k], 1, stride, functions[k].data());
     }
     Point point{};
     for (size_t i = 0; i < rows(); ++i) {
@@ -116,10 +117,10 @@ LevelNet::Point LevelNet::at(const std::array<double, 2> &place) const noexcept 
         for (size_t j = 0; j < columns(); ++j) {
             const double c = values[i * columns() + j];
             value += functions[1][j] * c;
-            slope += functions[1][max_basis + j] * c;
+            slope += functions[1][stride + j] * c;
         }
         point.value += functions[0][i] * value;
-        point.slope[0] += functions[0][max_basis + i] * value;
+        point.slope[0] += functions[0][stride + i] * value;
         point.slope[1] += functions[0][i] * slope;
     }
     return point;

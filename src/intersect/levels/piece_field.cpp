@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/levels/piece_field.h"
 
+#include "base/error.h"
 #include "base/watch.h"
 
 #include <algorithm>
@@ -16,6 +17,17 @@ std::array<int, 2> degrees_of(const pieces::HomogeneousPiece &piece, const Round
 }
 
 } // namespace
+
+void check_function_degree(const Spline &surface, const std::function<int(int p)> &degree) {
+    for (int k = 0; k < 2; ++k) {
+        const int p = surface.axis(k).degree(), of_function = degree(p);
+        if (of_function > max_product_degree) {
+            fail(Status::degree,
+                 "degree %d of the surface on axis %d gives a function of degree %d, above the limit of %d",
+                 p, k, of_function, max_product_degree);
+        }
+    }
+}
 
 PieceField::PieceField(const Spline &surface, const pieces::PieceGrid &grid, Function function)
     : LevelField(grid), borders_(grid),

@@ -10,6 +10,9 @@
 
 namespace nrb::intersect {
 
+// Throws Status::degree for a function of such a degree on an axis of degree p, if it is too high.
+void check_function_degree(const Spline &surface, const std::function<int(int p)> &degree);
+
 // Any polynomial in those of a piece, divided by its zeros along sides of one point, where normals vanish. Its other zeros
 // are told apart as far as rounding allows.
 class PieceField final : public LevelField {

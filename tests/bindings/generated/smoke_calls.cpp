@@ -810,6 +810,27 @@ void data(const Inputs &in) {
         const auto found = n::Meet::sections(in.surface, std::array<double, 3>{0.0, 0.0, 1.0}, {1.5}, 0.0001);
         show("out", found);
     }
+    {
+        begin("surface_contours along a direction");
+        const auto found = n::Meet::contours(in.surface, 1, std::array<double, 3>{0.2, 0.1, 1.0}, {}, 0.01);
+        show("out", found);
+    }
+    {
+        begin("surface_contours");
+        const auto found = n::Meet::contours(in.surface, 3, std::array<double, 3>{0.0, 0.0, 2.0}, {0.9}, 0.01);
+        show("out", found);
+    }
+    {
+        begin("surface_level");
+        const auto found = n::Meet::level(in.surface, 1, {0.0, 0.0, 1.0, -1.5}, 0.01);
+        show("out", found);
+    }
+    {
+        begin("surface_level_curves");
+        const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
+        const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01);
+        show("out", found);
+    }
     by_hand("meet_clone");
     by_hand("meet_destroy");
     {
@@ -1053,6 +1074,27 @@ void data(const Inputs &in) {
     {
         begin("surface_sections_with");
         const auto found = n::Meet::sections(in.surface, std::array<double, 3>{0.0, 0.0, 1.0}, {1.5}, 0.0001, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_contours_with along a direction");
+        const auto found = n::Meet::contours(in.surface, 1, std::array<double, 3>{0.2, 0.1, 1.0}, {}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_contours_with");
+        const auto found = n::Meet::contours(in.surface, 3, std::array<double, 3>{0.0, 0.0, 2.0}, {0.9}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_level_with");
+        const auto found = n::Meet::level(in.surface, 1, {0.0, 0.0, 1.0, -1.5}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_level_curves_with");
+        const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
+        const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01, watched());
         show("out", found);
     }
 }

@@ -1671,6 +1671,33 @@ contains
             call found%sections(g=surface, normal=[0.0d0, 0.0d0, 1.0d0], offsets=[1.5d0], tolerance=0.0001d0)
             call show('out', found)
         end block
+        call begin('surface_contours along a direction')
+        block
+            type(nurbs_meet) :: found
+            call found%contours(g=surface, kind=1, d=[0.2d0, 0.1d0, 1.0d0], tolerance=0.01d0)
+            call show('out', found)
+        end block
+        call begin('surface_contours')
+        block
+            type(nurbs_meet) :: found
+            call found%contours(g=surface, kind=3, d=[0.0d0, 0.0d0, 2.0d0], cosines=[0.9d0], tolerance=0.01d0)
+            call show('out', found)
+        end block
+        call begin('surface_level')
+        block
+            type(nurbs_meet) :: found
+            call found%level(g=surface, degree=1, coefficients=[0.0d0, 0.0d0, 1.0d0, -1.5d0], tolerance=0.01d0)
+            call show('out', found)
+        end block
+        call begin('surface_level_curves')
+        block
+            type(nurbs_spline) :: heights
+            type(nurbs_meet) :: found
+            call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
+                3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
+            call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0)
+            call show('out', found)
+        end block
         call by_hand('meet_clone')
         call by_hand('meet_destroy')
         call begin('meet_branches')
@@ -2055,6 +2082,39 @@ contains
             type(nurbs_meet) :: found
             call found%sections(g=surface, normal=[0.0d0, 0.0d0, 1.0d0], offsets=[1.5d0], tolerance=0.0001d0, &
                 call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_contours_with along a direction')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%contours(g=surface, kind=1, d=[0.2d0, 0.1d0, 1.0d0], tolerance=0.01d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_contours_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%contours(g=surface, kind=3, d=[0.0d0, 0.0d0, 2.0d0], cosines=[0.9d0], tolerance=0.01d0, &
+                call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_level_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%level(g=surface, degree=1, coefficients=[0.0d0, 0.0d0, 1.0d0, -1.5d0], tolerance=0.01d0, &
+                call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_level_curves_with')
+        block
+            type(nurbs_spline) :: heights
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
+                3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
+            call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0, call=watching)
             call show('out', found)
         end block
     end subroutine calls_of_data

@@ -1376,6 +1376,35 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::sections(&given.surface, &[0.0, 0.0, 1.0], &[1.5], 0.0001)?;
         show("out", &found);
     }
+    begin("surface_contours along a direction");
+    {
+        let found = Meet::contours(&given.surface, 1, Some(&[0.2, 0.1, 1.0]), &[], 0.01)?;
+        show("out", &found);
+    }
+    begin("surface_contours");
+    {
+        let found = Meet::contours(&given.surface, 3, Some(&[0.0, 0.0, 2.0]), &[0.9], 0.01)?;
+        show("out", &found);
+    }
+    begin("surface_level");
+    {
+        let found = Meet::level(&given.surface, 1, &[0.0, 0.0, 1.0, -1.5], 0.01)?;
+        show("out", &found);
+    }
+    begin("surface_level_curves");
+    {
+        let heights = Spline::create(
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0],
+            1,
+            &[0.0, 1.0, 1.0, 2.0],
+            None,
+            0,
+        )?;
+        let found = Meet::level_curves(&given.surface, &heights, &[0.5], 0.01)?;
+        show("out", &found);
+    }
     by_hand("meet_clone");
     by_hand("meet_destroy");
     begin("meet_branches");
@@ -1737,6 +1766,61 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[0.0, 0.0, 1.0],
             &[1.5],
             0.0001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_contours_with along a direction");
+    {
+        let found = Meet::contours_with(
+            &given.surface,
+            1,
+            Some(&[0.2, 0.1, 1.0]),
+            &[],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_contours_with");
+    {
+        let found = Meet::contours_with(
+            &given.surface,
+            3,
+            Some(&[0.0, 0.0, 2.0]),
+            &[0.9],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_level_with");
+    {
+        let found = Meet::level_with(
+            &given.surface,
+            1,
+            &[0.0, 0.0, 1.0, -1.5],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_level_curves_with");
+    {
+        let heights = Spline::create(
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0],
+            1,
+            &[0.0, 1.0, 1.0, 2.0],
+            None,
+            0,
+        )?;
+        let found = Meet::level_curves_with(
+            &given.surface,
+            &heights,
+            &[0.5],
+            0.01,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

@@ -131,3 +131,32 @@ class Intersections(SplineBase):
         across, planes = exactly(normal, 3, "normal"), vector(offsets)
         return Meet._made(watched(lib.nurbs_surface_sections, progress, work), self._handle, across.ctypes.data,
                           planes.size, planes.ctypes.data, tolerance)
+
+    def contours(self, kind: int, d: Optional[ArrayLike] = None, cosines: ArrayLike = (), *, tolerance: float,
+                 progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """Contours of a NURBS_CONTOUR_ kind of a surface, with proof that there are no others: silhouettes along a
+        direction `d` (3,) or seen from the point `d`, isophotes of cosines (n,) of the angle to `d`, parabolic curves."""
+        from ._meets import Meet
+
+        way, all_cosines = if_given(d, 3, "d"), vector(cosines)
+        return Meet._made(watched(lib.nurbs_surface_contours, progress, work), self._handle, kind, address(way),
+                          all_cosines.size, all_cosines.ctypes.data, tolerance)
+
+    def surface_level(self, degree: int, coefficients: ArrayLike, tolerance: float, *, progress: Progress = None,
+                      work: Optional[int] = None) -> Meet:
+        """Where an implicit polynomial of space, of a degree and with the coefficients of Spline.curve_level(), vanishes on a
+        surface, with proof that it does nowhere else."""
+        from ._meets import Meet
+
+        given = exactly(coefficients, math.comb(self.dimension + max(degree, 0), max(degree, 0)), "coefficients")
+        return Meet._made(watched(lib.nurbs_surface_level, progress, work), self._handle, degree, given.ctypes.data,
+                          tolerance)
+
+    def level_curves(self, scalar: SplineBase, values: ArrayLike, tolerance: float, *, progress: Progress = None,
+                     work: Optional[int] = None) -> Meet:
+        """Where a scalar spline over the domain of a surface has values (n,), with proof that it has them nowhere else."""
+        from ._meets import Meet
+
+        levels = vector(values)
+        return Meet._made(watched(lib.nurbs_surface_level_curves, progress, work), self._handle, handle_of(scalar),
+                          levels.size, levels.ctypes.data, tolerance)

@@ -295,6 +295,12 @@ NURBS_NODE_SEAM = 2  # it closes there on an axis that is not periodic: the bran
 NURBS_NODE_TOUCH = 3  # a part near the plane in which branches are not told apart
 NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
 
+# --- Kinds of contours
+NURBS_CONTOUR_SILHOUETTE = 1  # f = N . d: what is seen as an outline along d
+NURBS_CONTOUR_PERSPECTIVE = 2  # f = N . (S - d): the outline that is seen from the point d
+NURBS_CONTOUR_ISOPHOTE = 3  # (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
+NURBS_CONTOUR_PARABOLIC = 4  # f = K, the Gaussian curvature, but for a positive factor
+
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
 NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way

@@ -2,12 +2,14 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
 
+use crate::arrays::exactly;
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::meet::Meet;
+use crate::sizes::monomials;
 use crate::spline::Spline;
 use crate::sys;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 /// How much a meet holds.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -25,7 +27,7 @@ pub struct MeetCounts {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct MeetBranches {
-    /// Which plane each lies in.
+    /// Which plane, or value, each belongs to.
     pub levels: Vec<i64>,
     /// `[n][2]`: the nodes at which it begins and ends, -1 where it closes.
     pub end_nodes: Vec<[i64; 2]>,
@@ -39,7 +41,7 @@ pub struct MeetBranches {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct MeetNodes {
-    /// Which plane each lies in.
+    /// Which plane, or value, each belongs to.
     pub levels: Vec<i64>,
     /// One of the `NURBS_NODE_` constants each.
     pub kinds: Vec<i32>,
@@ -79,6 +81,106 @@ impl Meet {
                 normal.as_ptr(),
                 offsets.len() as i64,
                 offsets.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// Silhouettes, isophotes of some angles, and parabolic curves of a surface: all of them, proven to be
+    /// all.
+    pub fn contours(
+        g: &Spline,
+        kind: i32,
+        d: Option<&[f64; 3]>,
+        cosines: &[f64],
+        tolerance: f64,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_contours(
+                g.raw(),
+                kind,
+                d.map_or(null(), |values| values.as_ptr()),
+                cosines.len() as i64,
+                cosines.as_ptr(),
+                tolerance,
+                out,
+            )
+        })
+    }
+
+    /// The same as `contours`; it can be watched and stopped.
+    pub fn contours_with(
+        g: &Spline,
+        kind: i32,
+        d: Option<&[f64; 3]>,
+        cosines: &[f64],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_contours_with(
+                g.raw(),
+                kind,
+                d.map_or(null(), |values| values.as_ptr()),
+                cosines.len() as i64,
+                cosines.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// Where an implicit polynomial of space vanishes on a surface, proven to be all.
+    pub fn level(g: &Spline, degree: i32, coefficients: &[f64], tolerance: f64) -> Result<Meet> {
+        let coefficients = exactly(coefficients, monomials(g.dimension()? as usize, degree), "coefficients")?;
+        Meet::made(|out| unsafe { sys::nurbs_surface_level(g.raw(), degree, coefficients, tolerance, out) })
+    }
+
+    /// The same as `level`; it can be watched and stopped.
+    pub fn level_with(
+        g: &Spline,
+        degree: i32,
+        coefficients: &[f64],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        let coefficients = exactly(coefficients, monomials(g.dimension()? as usize, degree), "coefficients")?;
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_level_with(g.raw(), degree, coefficients, tolerance, call.options(), out)
+        })
+    }
+
+    /// Where a scalar spline over a surface has given values, proven to be all.
+    pub fn level_curves(g: &Spline, scalar: &Spline, values: &[f64], tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_level_curves(
+                g.raw(),
+                scalar.raw(),
+                values.len() as i64,
+                values.as_ptr(),
+                tolerance,
+                out,
+            )
+        })
+    }
+
+    /// The same as `level_curves`; it can be watched and stopped.
+    pub fn level_curves_with(
+        g: &Spline,
+        scalar: &Spline,
+        values: &[f64],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_level_curves_with(
+                g.raw(),
+                scalar.raw(),
+                values.len() as i64,
+                values.as_ptr(),
                 tolerance,
                 call.options(),
                 out,

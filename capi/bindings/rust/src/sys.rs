@@ -883,6 +883,16 @@ pub const NURBS_NODE_TOUCH: i32 = 3;
 /// a part in which it is left open what there is
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
 
+// --- Kinds of contours
+/// f = N . d: what is seen as an outline along d
+pub const NURBS_CONTOUR_SILHOUETTE: i32 = 1;
+/// f = N . (S - d): the outline that is seen from the point d
+pub const NURBS_CONTOUR_PERSPECTIVE: i32 = 2;
+/// (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
+pub const NURBS_CONTOUR_ISOPHOTE: i32 = 3;
+/// f = K, the Gaussian curvature, but for a positive factor
+pub const NURBS_CONTOUR_PARABOLIC: i32 = 4;
+
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
 pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
@@ -3682,6 +3692,77 @@ extern "C" {
         normal: *const f64,
         n: i64,
         offsets: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all, as curves in
+    /// space and in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose zeros
+    /// are followed as nurbs_surface_sections() does, with f \> 0 on the left of branches.
+    ///
+    /// May be null: `d`, `cosines`.
+    pub fn nurbs_surface_contours(
+        g: *const nurbs,
+        kind: i32,
+        d: *const f64,
+        n: i64,
+        cosines: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_contours() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    ///
+    /// May be null: `d`, `cosines`, `call`.
+    pub fn nurbs_surface_contours_with(
+        g: *const nurbs,
+        kind: i32,
+        d: *const f64,
+        n: i64,
+        cosines: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere, any
+    /// quadric or algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each Bezier
+    /// piece, followed as by nurbs_surface_contours(), with f \> 0 on the left of branches.
+    pub fn nurbs_surface_level(
+        g: *const nurbs,
+        degree: i32,
+        coefficients: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_level() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_surface_level_with(
+        g: *const nurbs,
+        degree: i32,
+        coefficients: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Level curves of a scalar spline over a surface: where a temperature, a pressure or a thickness has
+    /// given values, all of them, proven to be all.
+    pub fn nurbs_surface_level_curves(
+        g: *const nurbs,
+        scalar: *const nurbs,
+        n: i64,
+        values: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_level_curves() as a call that can be watched and ended, as
+    /// nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_surface_level_curves_with(
+        g: *const nurbs,
+        scalar: *const nurbs,
+        n: i64,
+        values: *const f64,
         tolerance: f64,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,

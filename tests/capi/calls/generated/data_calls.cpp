@@ -863,6 +863,31 @@ const Call group[] = {
          static constexpr double offsets[] = {1.5};
          return nurbs_surface_sections(in.surface, normal, 1, offsets, 0.0001, &o.meet);
      }},
+    {"surface_contours along a direction",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double d[] = {0.2, 0.1, 1};
+         return nurbs_surface_contours(in.surface, 1, d, 0, nullptr, 0.01, &o.meet);
+     }},
+    {"surface_contours",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double d[] = {0, 0, 2};
+         static constexpr double cosines[] = {0.9};
+         return nurbs_surface_contours(in.surface, 3, d, 1, cosines, 0.01, &o.meet);
+     }},
+    {"surface_level",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {0, 0, 1, -1.5};
+         return nurbs_surface_level(in.surface, 1, coefficients, 0.01, &o.meet);
+     }},
+    {"surface_level_curves",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_heights(in, make_heights);
+         if (made_heights.status() != NURBS_OK) {
+             return made_heights.status();
+         }
+         static constexpr double values[] = {0.5};
+         return nurbs_surface_level_curves(in.surface, made_heights, 1, values, 0.01, &o.meet);
+     }},
     {"meet_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_clone(in.meet, &o.meet);
@@ -1252,6 +1277,39 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_sections_with(in.surface, normal, 1, offsets, 0.0001, &call, &o.meet);
+     }},
+    {"surface_contours_with along a direction",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double d[] = {0.2, 0.1, 1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_contours_with(in.surface, 1, d, 0, nullptr, 0.01, &call, &o.meet);
+     }},
+    {"surface_contours_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double d[] = {0, 0, 2};
+         static constexpr double cosines[] = {0.9};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_contours_with(in.surface, 3, d, 1, cosines, 0.01, &call, &o.meet);
+     }},
+    {"surface_level_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double coefficients[] = {0, 0, 1, -1.5};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_level_with(in.surface, 1, coefficients, 0.01, &call, &o.meet);
+     }},
+    {"surface_level_curves_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_heights(in, make_heights);
+         if (made_heights.status() != NURBS_OK) {
+             return made_heights.status();
+         }
+         static constexpr double values[] = {0.5};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_level_curves_with(in.surface, made_heights, 1, values, 0.01, &call, &o.meet);
      }},
 };
 

@@ -140,6 +140,14 @@ nurbs_status make_ramp(const Inputs &, nurbs **out) {
     return nurbs_create_bezier(1, degrees, 1, points, 0, 0, nullptr, 0, out);
 }
 
+nurbs_status make_heights(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1, 1};
+    static constexpr int64_t counts[] = {2, 2};
+    static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 3, 3};
+    static constexpr double points[] = {0, 1, 1, 2};
+    return nurbs_create(2, degrees, counts, knots, 8, 1, points, 0, 0, nullptr, 0, 0, out);
+}
+
 nurbs_status make_round(const Inputs &, nurbs **out) {
     static constexpr int32_t degrees[] = {2};
     static constexpr double points[] = {0, 2, 9};

@@ -269,6 +269,7 @@ nurbs_status make_meet(const Inputs &in, nurbs_meet **out);
 nurbs_status make_copy(const Inputs &in, nurbs **out);
 nurbs_status make_half(const Inputs &in, nurbs **out);
 nurbs_status make_ramp(const Inputs &in, nurbs **out);
+nurbs_status make_heights(const Inputs &in, nurbs **out);
 nurbs_status make_round(const Inputs &in, nurbs **out);
 nurbs_status make_diagonal(const Inputs &in, nurbs **out);
 nurbs_status make_square(const Inputs &in, nurbs **out);

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Curves on surfaces along which functions vanish.
+#include "checks.h"
+#include "guard.h"
+#include "implicit_argument.h"
+#include "watched.h"
+
+#include "base/checked.h"
+#include "base/tolerance.h"
+#include "intersect/levels/contours.h"
+#include "intersect/levels/function_levels.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+using intersect::ContourKind;
+
+const Spline &surface_in_space(const nurbs *g) {
+    const Spline &surface = surface_of(g);
+    check_dimension(surface, 3, 3);
+    return surface;
+}
+
+void give_meet(intersect::Meet meet, nurbs_meet **out) {
+    *out = new nurbs_meet{std::make_shared<const intersect::Meet>(std::move(meet))};
+}
+
+ContourKind checked_kind(int32_t kind) {
+    if (kind < NURBS_CONTOUR_SILHOUETTE || kind > NURBS_CONTOUR_PARABOLIC) {
+        fail(Status::rule, "kind = %d, expected one of the NURBS_CONTOUR_ constants", kind);
+    }
+    return static_cast<ContourKind>(kind);
+}
+
+// Directions are made unit vectors.
+std::array<double, 3> checked_vector(ContourKind kind, const double *d) {
+    if (kind == ContourKind::parabolic) {
+        return {};
+    }
+    require(d, "d");
+    double largest = 0;
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(d[c])) {
+            fail(Status::direction, "d[%d] = %s, expected a number", c, Number(d[c]).text);
+        }
+        largest = std::max(largest, std::abs(d[c]));
+    }
+    std::array<double, 3> vector{d[0], d[1], d[2]};
+    if (kind == ContourKind::perspective) {
+        return vector;
+    }
+    if (largest == 0) {
+        fail(Status::direction, "d is 0, expected a direction");
+    }
+    double length = 0;
+    for (double &x : vector) {
+        x /= largest;
+        length += x * x;
+    }
+    for (double &x : vector) {
+        x /= std::sqrt(length);
+    }
+    return vector;
+}
+
+std::span<const double> checked_cosines(ContourKind kind, int64_t n, const double *cosines) {
+    check_length(n, "n");
+    if (kind != ContourKind::isophote && n > 0) {
+        fail(Status::count, "n = %lld cosines, expected 0 for all but isophotes", static_cast<long long>(n));
+    }
+    checked_array(n, "cosines");
+    if (n > 0) {
+        require(cosines, "cosines");
+    }
+    for (int64_t i = 0; i < n; ++i) {
+        if (!(std::abs(cosines[i]) <= 1)) {
+            fail(Status::factor, "cosines[%lld] = %s, expected one in [-1, 1]", static_cast<long long>(i),
+                 Number(cosines[i]).text);
+        }
+    }
+    return {cosines, static_cast<size_t>(n)};
+}
+
+std::span<const double> checked_values(int64_t n, const double *values) {
+    check_length(n, "n");
+    checked_array(n, "values");
+    if (n > 0) {
+        require(values, "values");
+    }
+    for (int64_t i = 0; i < n; ++i) {
+        if (!std::isfinite(values[i])) {
+            fail(Status::point_not_finite, "values[%lld] = %s, expected a finite value",
+                 static_cast<long long>(i), Number(values[i]).text);
+        }
+    }
+    return {values, static_cast<size_t>(n)};
+}
+
+} // namespace
+
+nurbs_status nurbs_surface_contours(const nurbs *g, int32_t kind, const double *d, int64_t n,
+                                    const double *cosines, double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &surface = surface_in_space(g);
+        const ContourKind contour = checked_kind(kind);
+        const std::array<double, 3> vector = checked_vector(contour, d);
+        const std::span<const double> all = checked_cosines(contour, n, cosines);
+        check_positive_tolerance(tolerance);
+        give_meet(intersect::surface_contours(surface, contour, vector, all, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_contours_with(const nurbs *g, int32_t kind, const double *d, int64_t n,
+                                         const double *cosines, double tolerance,
+                                         const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_surface_contours(g, kind, d, n, cosines, tolerance, out); });
+}
+
+nurbs_status nurbs_surface_level(const nurbs *g, int32_t degree, const double *coefficients, double tolerance,
+                                 nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &surface = surface_in_space(g);
+        const intersect::ImplicitForm form = checked_form(3, degree, coefficients);
+        check_positive_tolerance(tolerance);
+        give_meet(intersect::implicit_level(surface, form, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_level_with(const nurbs *g, int32_t degree, const double *coefficients,
+                                      double tolerance, const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_surface_level(g, degree, coefficients, tolerance, out); });
+}
+
+nurbs_status nurbs_surface_level_curves(const nurbs *g, const nurbs *scalar, int64_t n, const double *values,
+                                        double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        surface_in_space(g);
+        const Spline &function = named(scalar, "scalar");
+        check_kind(function, 2, "scalar");
+        check_dimension(function, 1, 1, "scalar");
+        const std::span<const double> all = checked_values(n, values);
+        check_positive_tolerance(tolerance);
+        give_meet(intersect::scalar_levels(g->spline, scalar->spline, all, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nurbs *scalar, int64_t n,
+                                             const double *values, double tolerance,
+                                             const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out,
+                   [&] { return nurbs_surface_level_curves(g, scalar, n, values, tolerance, out); });
+}

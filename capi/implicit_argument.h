@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Implicit polynomials as arguments.
+#pragma once
+
+#include "intersect/implicit_form.h"
+
+namespace nrb::capi {
+
+// Throws NURBS_ERROR_NULL, _DEGREE, _POINT_NOT_FINITE; _DIRECTION if all but the last coefficient are 0.
+intersect::ImplicitForm checked_form(int dim, int32_t degree, const double *coefficients);
+
+} // namespace nrb::capi
