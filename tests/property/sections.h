@@ -150,30 +150,40 @@ public:
         }
         return true;
     }
-    [[nodiscard]] Place inside(Place place) const {
-        for (size_t k = 0; k < 2; ++k) {
-            const double period = domain_[k][1] - domain_[k][0];
-            if (periodic_[k]) {
-                place[k] -= period * std::floor((place[k] - domain_[k][0]) / period);
-                place[k] = std::clamp(place[k], domain_[k][0], domain_[k][1]);
-            }
-        }
-        return place;
-    }
+    // How far the surface is from a point.
     [[nodiscard]] double gap(const Place &place, const Point3 &x) const {
-        const Place at = inside(place);
         double least = HUGE_VAL;
-        for (uint32_t sides = 0; sides < 4; ++sides) {
-            const uint32_t flags =
-                (sides & 1U) * NURBS_ON_AXIS(0, NURBS_LEFT) + (sides >> 1) * NURBS_ON_AXIS(1, NURBS_LEFT);
-            Point3 y{};
-            require_ok(nurbs_eval(g_, 1, at.data(), 0, 0, y.data(), 0, 0, flags));
-            least = std::min(least, distance(x, y));
+        for (const double u : candidates(0, place[0])) {
+            for (const double v : candidates(1, place[1])) {
+                for (uint32_t sides = 0; sides < 4; ++sides) {
+                    const uint32_t flags = (sides & 1U) * NURBS_ON_AXIS(0, NURBS_LEFT) +
+                                           (sides >> 1) * NURBS_ON_AXIS(1, NURBS_LEFT);
+                    const Place at{u, v};
+                    Point3 y{};
+                    require_ok(nurbs_eval(g_, 1, at.data(), 0, 0, y.data(), 0, 0, flags));
+                    least = std::min(least, distance(x, y));
+                }
+            }
         }
         return least;
     }
 
 private:
+    // In the domain; both ends of a period are one.
+    [[nodiscard]] std::vector<double> candidates(size_t axis, double at) const {
+        const Place &domain = domain_[axis];
+        if (!periodic_[axis]) {
+            return {at};
+        }
+        const double period = domain[1] - domain[0];
+        const double first = std::clamp(at - period * std::floor((at - domain[0]) / period), domain[0], domain[1]);
+        const double near = 1e-15 * (std::abs(at) + std::abs(domain[0]) + std::abs(domain[1]));
+        if (first - domain[0] <= near) {
+            return {first, domain[1]};
+        }
+        return domain[1] - first <= near ? std::vector<double>{first, domain[0]} : std::vector<double>{first};
+    }
+
     const nurbs *g_;
     std::array<bool, 2> periodic_;
     std::array<Place, 2> domain_{};

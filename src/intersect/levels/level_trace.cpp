@@ -35,6 +35,13 @@ LevelTrace::LevelTrace(LevelField &field, const SurfaceBorders &borders, double 
         noise_.absolute += std::abs(level) * 2 * field.grid().rounding().weight;
     }
     near_ = std::max(tolerance, 4 * noise_.relative);
+    for (size_t k = 0; k < 2; ++k) {
+        const int axis = static_cast<int>(k);
+        if (borders.wraps(k)) {
+            found_.closed[k] = {field.grid().break_at(axis, 0),
+                                field.grid().break_at(axis, field.grid().count(axis))};
+        }
+    }
 }
 
 std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) const {
@@ -71,7 +78,7 @@ LevelBorder LevelTrace::border(int64_t piece, const PieceDomain &domain, const L
             const size_t side = 2 * axis + static_cast<size_t>(end);
             border.edges[side] = edge(piece, axis, end, domain, net, border);
             const int64_t i = grid.index(piece)[axis];
-            border.open[side] = !borders_.goes_on(axis, i, end == 1);
+            border.sides[side] = borders_.goes_on(axis, i, end == 1) ? LevelSide::joined : LevelSide::open;
             border.collapsed[side] = borders_.is_collapsed(axis, i, end == 1);
         }
     }
