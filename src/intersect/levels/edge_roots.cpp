@@ -37,18 +37,27 @@ private:
         }
         if (length < smallest_part || edge.is_hidden()) {
             if (start != end) {
-                roots_.push_back(std::abs(value(from)) <= std::abs(value(from + length)) ? from
-                                                                                         : from + length);
+                roots_.push_back(hidden_root(from, from + length));
             }
             return;
         }
         Edge upper = edge;
         const Edge lower = upper.take_lower_half();
-        const bool middle = upper.is_known(0) ? upper.values.front() > 0
-                            : changes > 1     ? true
-                                              : (has_any(upper, start) ? start : end);
+        const bool middle =
+            upper.is_known(0) ? upper.values.front() > 0
+            : changes > 1
+                ? true
+                : (has_any(upper, start) || (upper.is_hidden() && !lower.is_hidden()) ? start : end);
         visit(lower, from, length / 2, start, middle);
         visit(upper, from + length / 2, length / 2, middle, end);
+    }
+
+    // At an end of the whole, if that is hidden too, so that roots are in corners rather than beside them.
+    [[nodiscard]] double hidden_root(double a, double b) const {
+        if (a == 0 || b == 1) {
+            return a == 0 ? a : b;
+        }
+        return std::abs(value(a)) <= std::abs(value(b)) ? a : b;
     }
 
     static bool has_sign(const Edge &edge, size_t i, bool above) noexcept {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace nrb::intersect {
 
@@ -88,6 +89,7 @@ private:
             active.push_back(i);
         }
         join_at_seams(ranges, sets);
+        join_at_poles(ranges, sets);
         std::map<size_t, std::vector<size_t>> members;
         for (const size_t i : order) {
             members[sets.find(i)].push_back(i);
@@ -127,6 +129,25 @@ private:
                     const Interval a = ranges[i][1 - k], b = ranges[j][1 - k];
                     if (ranges[j][k].upper == domain.upper && a.lower <= b.upper && b.lower <= a.upper) {
                         sets.join(i, j);
+                    }
+                }
+            }
+        }
+    }
+
+    // Those at a side of one point.
+    void join_at_poles(const std::vector<Ranges> &ranges, Union &sets) {
+        for (size_t k = 0; k < 2; ++k) {
+            for (const bool up : {false, true}) {
+                if (!borders_.is_collapsed(k, up ? grid_.count(static_cast<int>(k)) - 1 : 0, up)) {
+                    continue;
+                }
+                std::optional<size_t> first;
+                for (size_t i = 0; i < ranges.size(); ++i) {
+                    if (up ? ranges[i][k].upper == domain_along(k).upper
+                           : ranges[i][k].lower == domain_along(k).lower) {
+                        first = first.value_or(i);
+                        sets.join(*first, i);
                     }
                 }
             }
