@@ -11,7 +11,9 @@
 #include <memory>
 #include <vector>
 
-namespace support {
+namespace surface_sections {
+
+using namespace support;
 
 struct DestroyMeet {
     void operator()(nurbs_meet *meet) const noexcept { nurbs_meet_destroy(meet); }
@@ -66,7 +68,6 @@ struct Found {
     [[nodiscard]] int64_t count(int32_t kind) const {
         return std::ranges::count(nodes, kind, &MeetPart::kind);
     }
-    [[nodiscard]] int64_t open() const { return std::ranges::count(branches, int64_t{-1}, &Branch::loop); }
 };
 
 inline std::vector<Branch> branches_of(const nurbs_meet *meet, int64_t count) {
@@ -79,7 +80,7 @@ inline std::vector<Branch> branches_of(const nurbs_meet *meet, int64_t count) {
     for (size_t i = 0; i < n; ++i) {
         nurbs *space = nullptr, *on = nullptr;
         require_ok(nurbs_meet_branch(meet, static_cast<int64_t>(i), &space, &on));
-        branches[i] = {levels[i], loops[i], {nodes[2 * i], nodes[2 * i + 1]}, deviations[i], Handle(space),
+        branches[i] = {levels[i],  loops[i], {nodes[2 * i], nodes[2 * i + 1]}, deviations[i], Handle(space),
                        Handle(on), {}};
         require_ok(nurbs_domain(space, 0, branches[i].domain.data()));
     }
@@ -97,11 +98,13 @@ inline Found found_in(const nurbs_meet *meet) {
     std::vector<int64_t> levels(n);
     std::vector<int32_t> kinds(n);
     std::vector<double> params(2 * n), ranges(4 * n);
-    require_ok(nurbs_meet_nodes(meet, nodes, levels.data(), kinds.data(), params.data(), ranges.data(),
-                                nullptr));
+    require_ok(
+        nurbs_meet_nodes(meet, nodes, levels.data(), kinds.data(), params.data(), ranges.data(), nullptr));
     for (size_t i = 0; i < n; ++i) {
         const double *range = ranges.data() + 4 * i;
-        found.nodes.push_back({levels[i], kinds[i], {params[2 * i], params[2 * i + 1]},
+        found.nodes.push_back({levels[i],
+                               kinds[i],
+                               {params[2 * i], params[2 * i + 1]},
                                {Place{range[0], range[1]}, Place{range[2], range[3]}}});
     }
     EXPECT_EQ(found.complete, found.count(NURBS_NODE_UNDECIDED) == 0);
@@ -118,15 +121,22 @@ inline Found sections_of(const nurbs *g, const Point3 &normal, const std::vector
 
 inline std::vector<Point3> points_on(const nurbs *curve, const std::vector<double> &t) {
     std::vector<Point3> points(t.size());
-    require_ok(nurbs_eval(curve, static_cast<int64_t>(t.size()), t.data(), 0, 0, points.front().data(), 0, 0,
-                          0));
+    require_ok(
+        nurbs_eval(curve, static_cast<int64_t>(t.size()), t.data(), 0, 0, points.front().data(), 0, 0, 0));
     return points;
 }
 inline std::vector<Place> places_on(const nurbs *curve, const std::vector<double> &t) {
     std::vector<Place> places(t.size());
-    require_ok(nurbs_eval(curve, static_cast<int64_t>(t.size()), t.data(), 0, 0, places.front().data(), 0, 0,
-                          0));
+    require_ok(
+        nurbs_eval(curve, static_cast<int64_t>(t.size()), t.data(), 0, 0, places.front().data(), 0, 0, 0));
     return places;
+}
+
+inline std::vector<Point3> points_of(const nurbs *g, const std::vector<Place> &at) {
+    std::vector<Point3> points(at.size());
+    require_ok(nurbs_eval(g, static_cast<int64_t>(at.size()), at.front().data(), 0, 0, points.front().data(),
+                          0, 0, 0));
+    return points;
 }
 
 // A surface of which places may be periods away; where it jumps it is both of its limits.
@@ -150,33 +160,47 @@ public:
         }
         return true;
     }
-    [[nodiscard]] Place inside(Place place) const {
-        for (size_t k = 0; k < 2; ++k) {
-            const double period = domain_[k][1] - domain_[k][0];
-            if (periodic_[k]) {
-                place[k] -= period * std::floor((place[k] - domain_[k][0]) / period);
-                place[k] = std::clamp(place[k], domain_[k][0], domain_[k][1]);
-            }
-        }
-        return place;
+    [[nodiscard]] Place inside(const Place &place) const {
+        return {candidates(0, place[0]).front(), candidates(1, place[1]).front()};
     }
+    // How far the surface is from a point.
     [[nodiscard]] double gap(const Place &place, const Point3 &x) const {
-        const Place at = inside(place);
         double least = HUGE_VAL;
-        for (uint32_t sides = 0; sides < 4; ++sides) {
-            const uint32_t flags =
-                (sides & 1U) * NURBS_ON_AXIS(0, NURBS_LEFT) + (sides >> 1) * NURBS_ON_AXIS(1, NURBS_LEFT);
-            Point3 y{};
-            require_ok(nurbs_eval(g_, 1, at.data(), 0, 0, y.data(), 0, 0, flags));
-            least = std::min(least, distance(x, y));
+        for (const double u : candidates(0, place[0])) {
+            for (const double v : candidates(1, place[1])) {
+                for (uint32_t sides = 0; sides < 4; ++sides) {
+                    const uint32_t flags = (sides & 1U) * NURBS_ON_AXIS(0, NURBS_LEFT) +
+                                           (sides >> 1) * NURBS_ON_AXIS(1, NURBS_LEFT);
+                    const Place at{u, v};
+                    Point3 y{};
+                    require_ok(nurbs_eval(g_, 1, at.data(), 0, 0, y.data(), 0, 0, flags));
+                    least = std::min(least, distance(x, y));
+                }
+            }
         }
         return least;
     }
 
 private:
+    // In the domain; both ends of a period are one.
+    [[nodiscard]] std::vector<double> candidates(size_t axis, double at) const {
+        const Place &domain = domain_[axis];
+        if (!periodic_[axis]) { // curves leave the domain by rounding
+            return {std::clamp(at, domain[0], domain[1])};
+        }
+        const double period = domain[1] - domain[0];
+        const double first =
+            std::clamp(at - period * std::floor((at - domain[0]) / period), domain[0], domain[1]);
+        const double near = 1e-15 * (std::abs(at) + std::abs(domain[0]) + std::abs(domain[1]));
+        if (first - domain[0] <= near) {
+            return {first, domain[1]};
+        }
+        return domain[1] - first <= near ? std::vector<double>{first, domain[0]} : std::vector<double>{first};
+    }
+
     const nurbs *g_;
     std::array<bool, 2> periodic_;
     std::array<Place, 2> domain_{};
 };
 
-} // namespace support
+} // namespace surface_sections

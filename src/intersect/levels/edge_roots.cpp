@@ -25,19 +25,51 @@ public:
 private:
     using Edge = LevelNet::Edge;
 
+    // Where the ends have no signs of their own, halving goes on: what is known between them says on which side the change is.
     void visit(const Edge &edge, double from, double length, bool start, bool end) {
         const int changes = changes_of(edge, start, end);
-        if (changes <= 1 || length < smallest_part) {
+        if (changes == 0) {
+            return;
+        }
+        if (changes == 1 && has_sign(edge, 0, start) && has_sign(edge, edge.values.size() - 1, end)) {
+            roots_.push_back(root(from, from + length, end));
+            return;
+        }
+        if (length < smallest_part || edge.is_hidden()) {
             if (start != end) {
-                roots_.push_back(root(from, from + length, end));
+                roots_.push_back(hidden_root(from, from + length));
             }
             return;
         }
         Edge upper = edge;
         const Edge lower = upper.take_lower_half();
-        const bool middle = upper.values.front() >= -upper.known(0);
+        const bool middle =
+            upper.is_known(0) ? upper.values.front() > 0
+            : changes > 1
+                ? true
+                : (has_any(upper, start) || (upper.is_hidden() && !lower.is_hidden()) ? start : end);
         visit(lower, from, length / 2, start, middle);
         visit(upper, from + length / 2, length / 2, middle, end);
+    }
+
+    // At an end of the whole, if that is hidden too, so that roots are in corners rather than beside them.
+    [[nodiscard]] double hidden_root(double a, double b) const {
+        if (a == 0 || b == 1) {
+            return a == 0 ? a : b;
+        }
+        return std::abs(value(a)) <= std::abs(value(b)) ? a : b;
+    }
+
+    static bool has_sign(const Edge &edge, size_t i, bool above) noexcept {
+        return edge.is_known(i) && (edge.values[i] > 0) == above;
+    }
+    static bool has_any(const Edge &edge, bool above) noexcept {
+        for (size_t i = 0; i < edge.values.size(); ++i) {
+            if (has_sign(edge, i, above)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     // Of signs that are known.
@@ -45,7 +77,7 @@ private:
         int changes = 0;
         bool last = start;
         for (size_t i = 0; i < edge.values.size(); ++i) {
-            if (std::abs(edge.values[i]) > edge.known(i)) {
+            if (edge.is_known(i)) {
                 changes += (edge.values[i] > 0) != last ? 1 : 0;
                 last = edge.values[i] > 0;
             }
@@ -59,15 +91,13 @@ private:
         return b.front();
     }
 
-    // Regula falsi with halved weights of the end that stays (Illinois). An end of another sign than it counts as is as
-    // good as 0, so the middle is taken until it has moved.
+    // Regula falsi with halved weights of the end that stays (Illinois).
     [[nodiscard]] double root(double a, double b, bool above_at_end) const {
         const double sign = above_at_end ? 1 : -1;
-        double fa = std::min(sign * value(a), 0.0), fb = std::max(sign * value(b), 0.0);
+        double fa = sign * value(a), fb = sign * value(b);
         int stayed = 0;
-        while (b - a > 2 * eps) {
-            const bool hidden = fa == 0 || fb == 0;
-            double t = hidden ? a + (b - a) / 2 : a + (b - a) * (fa / (fa - fb));
+        for (int i = 0; i < 100 && b - a > 2 * eps; ++i) {
+            double t = a + (b - a) * (fa / (fa - fb));
             t = t > a && t < b ? t : a + (b - a) / 2;
             if (!(t > a && t < b)) {
                 break;
@@ -88,7 +118,7 @@ private:
                 stayed = 1;
             }
         }
-        return std::abs(value(a)) <= std::abs(value(b)) ? a : b;
+        return std::abs(fa) <= std::abs(fb) ? a : b;
     }
 
     const Edge &whole_;

@@ -63,14 +63,6 @@ bool alternate(std::vector<PlacedRoot> &roots, size_t axis, double near, bool en
     return roots.size() % 2 == 0;
 }
 
-bool is_hidden(const LevelNet::Edge &edge) noexcept {
-    for (size_t i = 0; i < edge.values.size(); ++i) {
-        if (std::abs(edge.values[i]) > edge.known(i)) {
-            return false;
-        }
-    }
-    return true;
-}
 bool is_certain(const LevelNet::Edge &edge) noexcept {
     for (size_t i = 0; i < edge.values.size(); ++i) {
         if (!(edge.values[i] > edge.known(i))) {
@@ -92,7 +84,11 @@ int32_t LevelPieces::add_root(const std::array<double, 2> &at) {
 }
 
 int32_t LevelPieces::corner(const std::array<double, 2> &at) {
-    const auto [known, is_new] = corners.try_emplace(at, 0);
+    std::array<double, 2> key = at;
+    for (size_t k = 0; k < 2; ++k) {
+        key[k] = closed[k] && at[k] == closed[k]->upper ? closed[k]->lower : at[k];
+    }
+    const auto [known, is_new] = corners.try_emplace(key, 0);
     if (is_new) {
         known->second = add_root(at);
     }
@@ -131,7 +127,7 @@ void BoxSearch::look(Box &box) {
         const bool even =
             !roots || evenness(best) >= least_evenness || (box.depth >= depth_of_evenness && !near);
         if (slopes[best].sign != 0 && even && (!roots || take_arcs(box, 1 - best, slopes[best].sign))) {
-            take_open_edges(box, slopes);
+            take_sides(box, slopes);
             return;
         }
         if (near) {
@@ -156,7 +152,7 @@ bool BoxSearch::take_arcs(const Box &box, size_t axis, int sign) {
     for (size_t i = 0; i < roots.size(); i += 2) {
         const PlacedRoot &first = roots[rises ? i : i + 1], &last = roots[rises ? i + 1 : i];
         if (const std::optional<LevelPart> pole = pole_of(box, first.place, last.place)) {
-            found_.clusters.push_back({*pole, {first.root, last.root}, true});
+            found_.clusters.push_back({*pole, {first.root, last.root}, true, false});
         } else {
             found_.arcs.push_back({box.part, axis, first.root, last.root, first.place, last.place});
         }
@@ -182,17 +178,19 @@ std::optional<LevelPart> BoxSearch::pole_of(const Box &box, const std::array<dou
 }
 
 // Where f rises from the border inwards.
-void BoxSearch::take_open_edges(const Box &box, const std::array<LevelNet::Slope, 2> &slopes) {
+void BoxSearch::take_sides(const Box &box, const std::array<LevelNet::Slope, 2> &slopes) {
     for (size_t axis = 0; axis < 2; ++axis) {
         for (size_t end = 0; end < 2; ++end) {
             const size_t side = 2 * axis + end;
             const bool rises = slopes[axis].sign == (end == 0 ? 1 : -1);
             const bool above = axis == 0 ? box.border.above[end][0] : box.border.above[0][end];
-            if (!box.border.open[side] || !rises || !above || !box.border.edges[side].empty()) {
+            const LevelSide kind = box.border.sides[side];
+            if (kind == LevelSide::inside || !rises || !above || !box.border.edges[side].empty()) {
                 continue;
             }
             const LevelNet::Edge edge = box.net.edge(axis, static_cast<int>(end));
-            if (box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] && is_hidden(edge)) {
+            if (kind == LevelSide::open && box.net.degrees[1 - axis] > 0 && !box.border.collapsed[side] &&
+                edge.is_hidden()) {
                 take_edge(box, axis, end);
             } else {
                 take_touches(box, axis, end, edge, 0, 1);
@@ -221,13 +219,13 @@ void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const Leve
     if (is_certain(edge)) {
         return;
     }
-    if (length < smallest_part || is_hidden(edge)) {
+    if (length < smallest_part || edge.is_hidden()) {
         LevelPart part = box.part;
         part.lower[axis] += static_cast<double>(end) * part.length[axis];
         part.length[axis] = 0;
         part.lower[1 - axis] += from * part.length[1 - axis];
         part.length[1 - axis] *= length;
-        found_.clusters.push_back({part, {}, true});
+        found_.clusters.push_back({part, {}, true, box.border.sides[2 * axis + end] == LevelSide::joined});
         return;
     }
     LevelNet::Edge upper = edge;
@@ -241,7 +239,7 @@ std::array<double, 2> BoxSearch::parameters(const std::array<double, 2> &place) 
 }
 
 void BoxSearch::take_cluster(const Box &box, bool near) {
-    LevelCluster cluster{box.part, {}, near};
+    LevelCluster cluster{box.part, {}, near, false};
     for (const std::vector<EdgeRoot> &edge : box.border.edges) {
         for (const EdgeRoot &root : edge) {
             cluster.roots.push_back(root.root);
@@ -291,10 +289,10 @@ void BoxSearch::set_middle(LevelBorder &whole, Box &lower, Box &upper, size_t ax
     }
     lower.border.edges[2 * axis] = std::move(whole.edges[2 * axis]);
     upper.border.edges[2 * axis + 1] = std::move(whole.edges[2 * axis + 1]);
-    lower.border.open = upper.border.open = whole.open;
+    lower.border.sides = upper.border.sides = whole.sides;
     lower.border.collapsed = upper.border.collapsed = whole.collapsed;
     lower.border.collapsed[2 * axis + 1] = upper.border.collapsed[2 * axis] = false;
-    lower.border.open[2 * axis + 1] = upper.border.open[2 * axis] = false;
+    lower.border.sides[2 * axis + 1] = upper.border.sides[2 * axis] = LevelSide::inside;
     lower.border.edges[2 * axis + 1] = upper.border.edges[2 * axis] =
         middle_roots(upper, axis, above[0], above[1]);
 }

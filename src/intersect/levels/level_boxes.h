@@ -4,6 +4,7 @@
 
 #include "intersect/levels/level_net.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -40,6 +41,7 @@ struct LevelCluster {
     LevelPart part;
     std::vector<int32_t> roots; // on its border
     bool near = true;           // within the tolerance of 0 all over
+    bool beside = false;        // on a side of a piece: it is one only if no arc begins or ends there
 };
 
 struct LevelPieces {
@@ -47,7 +49,8 @@ struct LevelPieces {
     std::vector<LevelArc> arcs;
     std::vector<LevelCluster> clusters;
     std::map<std::array<double, 2>, int32_t>
-        corners; // roots at corners of boxes, on the border of the surface
+        corners;                                   // roots at corners of boxes, on the border of the surface
+    std::array<std::optional<Interval>, 2> closed; // domains whose ends are one line
 
     int32_t add_root(const std::array<double, 2> &at);
     int32_t corner(const std::array<double, 2> &at);
@@ -59,12 +62,19 @@ struct EdgeRoot {
     double place; // in [0, 1] of the piece
 };
 
+// What a side of a box is to the surface.
+enum class LevelSide : unsigned char {
+    inside, // of a piece
+    joined, // to the next piece
+    open    // the surface ends there
+};
+
 // The signs at the corners and the roots on the edges of a box: what its neighbours have there too. Edge 2 k + e is
 // where coordinate k has its lower or upper end.
 struct LevelBorder {
     std::array<std::array<bool, 2>, 2> above{};
     std::array<std::vector<EdgeRoot>, 4> edges;
-    std::array<bool, 4> open{};      // the surface ends there
+    std::array<LevelSide, 4> sides{};
     std::array<bool, 4> collapsed{}; // in one point
 };
 
@@ -72,7 +82,8 @@ struct LevelBorder {
 struct PieceDomain {
     std::array<double, 2> lower, upper;
     [[nodiscard]] double parameter(size_t axis, double place) const noexcept {
-        return place == 1 ? upper[axis] : lower[axis] * (1 - place) + upper[axis] * place;
+        const double between = lower[axis] * (1 - place) + upper[axis] * place;
+        return place == 1 ? upper[axis] : std::clamp(between, lower[axis], upper[axis]);
     }
 };
 
@@ -80,7 +91,8 @@ struct PieceDomain {
 // close nor end inside: sorted along that axis, the first two roots on the border are the ends of an arc, and so on.
 //
 // Where f is 0 to rounding on the border of the surface it counts as above. So arcs run along such an edge if f is below
-// inside; if it is above, the edge is an arc of its own, and a place on it, or a pole, a cluster.
+// inside; if it is above, the edge is an arc of its own, and a place on it, or a pole, a cluster. Where pieces are
+// joined and f is above on both sides, both are clusters.
 class BoxSearch {
 public:
     // near: |f| up to which zeros need not be told apart.
@@ -99,7 +111,7 @@ private:
     bool take_arcs(const Box &box, size_t axis, int sign);
     static std::optional<LevelPart> pole_of(const Box &box, const std::array<double, 2> &first,
                                             const std::array<double, 2> &last);
-    void take_open_edges(const Box &box, const std::array<LevelNet::Slope, 2> &slopes);
+    void take_sides(const Box &box, const std::array<LevelNet::Slope, 2> &slopes);
     void take_edge(const Box &box, size_t axis, size_t end);
     void take_touches(const Box &box, size_t axis, size_t end, const LevelNet::Edge &edge, double from,
                       double length);

@@ -4,7 +4,9 @@
 #include "base/numbers.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <optional>
 
 namespace nrb::intersect {
 
@@ -67,7 +69,10 @@ private:
     void add_clusters() {
         std::vector<Ranges> ranges;
         for (const LevelCluster &cluster : found_.clusters) {
-            ranges.push_back(ranges_of(cluster.part));
+            if (const Ranges own = ranges_of(cluster.part); !cluster.beside || !has_root(own)) {
+                ranges.push_back(own);
+                clusters_.push_back(&cluster);
+            }
         }
         std::vector<size_t> order(ranges.size());
         std::iota(order.begin(), order.end(), size_t{0});
@@ -84,32 +89,45 @@ private:
             active.push_back(i);
         }
         join_at_seams(ranges, sets);
-        std::vector<int32_t> node_of(ranges.size(), none);
+        join_at_poles(ranges, sets);
+        std::map<size_t, std::vector<size_t>> members;
         for (const size_t i : order) {
-            const size_t set = sets.find(i);
-            if (node_of[set] == none) {
-                node_of[set] = add_node(NodeKind::touch, {}, ranges[i]);
+            members[sets.find(i)].push_back(i);
+        }
+        for (const auto &[set, all] : members) {
+            add_part(all, ranges);
+        }
+    }
+
+    // Whether an arc begins or ends in a part, which is a place or an interval on a side of a piece.
+    [[nodiscard]] bool has_root(const Ranges &part) const {
+        return std::ranges::any_of(found_.roots, [&](const LevelRoot &root) {
+            for (size_t k = 0; k < 2; ++k) {
+                const double size = borders_.period(k), room = 0x1p-36 * size;
+                const auto is_in = [&](double at) {
+                    return at >= part[k].lower - room && at <= part[k].upper + room;
+                };
+                const bool beyond =
+                    borders_.wraps(k) && (is_in(root.at[k] - size) || is_in(root.at[k] + size));
+                if (!is_in(root.at[k]) && !beyond) {
+                    return false;
+                }
             }
-            add_to_node(node_of[set], i, ranges[i]);
-        }
-        for (MeetNode &node : result_.nodes) {
-            node.at = {node.range[0].lower / 2 + node.range[0].upper / 2,
-                       node.range[1].lower / 2 + node.range[1].upper / 2};
-        }
+            return true;
+        });
     }
 
     // Clusters on both sides of a seam.
     void join_at_seams(const std::vector<Ranges> &ranges, Union &sets) {
-        for (int axis = 0; axis < 2; ++axis) {
-            const auto k = static_cast<size_t>(axis);
+        for (size_t k = 0; k < 2; ++k) {
             if (!borders_.wraps(k)) {
                 continue;
             }
-            const double start = grid_.break_at(axis, 0), end = grid_.break_at(axis, grid_.count(axis));
+            const Interval domain = domain_along(k);
             for (size_t i = 0; i < ranges.size(); ++i) {
-                for (size_t j = 0; ranges[i][k].lower == start && j < ranges.size(); ++j) {
+                for (size_t j = 0; ranges[i][k].lower == domain.lower && j < ranges.size(); ++j) {
                     const Interval a = ranges[i][1 - k], b = ranges[j][1 - k];
-                    if (ranges[j][k].upper == end && a.lower <= b.upper && b.lower <= a.upper) {
+                    if (ranges[j][k].upper == domain.upper && a.lower <= b.upper && b.lower <= a.upper) {
                         sets.join(i, j);
                     }
                 }
@@ -117,20 +135,86 @@ private:
         }
     }
 
+    // Those at a side of one point.
+    void join_at_poles(const std::vector<Ranges> &ranges, Union &sets) {
+        for (size_t k = 0; k < 2; ++k) {
+            for (const bool up : {false, true}) {
+                if (!borders_.is_collapsed(k, up ? grid_.count(static_cast<int>(k)) - 1 : 0, up)) {
+                    continue;
+                }
+                std::optional<size_t> first;
+                for (size_t i = 0; i < ranges.size(); ++i) {
+                    if (up ? ranges[i][k].upper == domain_along(k).upper
+                           : ranges[i][k].lower == domain_along(k).lower) {
+                        first = first.value_or(i);
+                        sets.join(*first, i);
+                    }
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] Interval domain_along(size_t k) const {
+        const int axis = static_cast<int>(k);
+        return {grid_.break_at(axis, 0), grid_.break_at(axis, grid_.count(axis))};
+    }
+
+    // Clusters that hang together are one part.
+    void add_part(const std::vector<size_t> &members, const std::vector<Ranges> &ranges) {
+        Ranges whole;
+        for (size_t k = 0; k < 2; ++k) {
+            whole[k] = range_of(members, ranges, k);
+        }
+        std::array<double, 2> at = middle(whole);
+        const auto has = [&](size_t i) { return is_in(at, ranges[i]); };
+        at = std::ranges::any_of(members, has) ? at : middle(ranges[members.front()]);
+        const bool near = std::ranges::all_of(members, [&](size_t i) { return clusters_[i]->near; });
+        const int32_t node = add_node(near ? NodeKind::touch : NodeKind::undecided, at, whole);
+        for (const size_t i : members) {
+            for (const int32_t of : clusters_[i]->roots) {
+                node_[root(of)] = node;
+            }
+        }
+    }
+
+    // In the domain.
+    [[nodiscard]] std::array<double, 2> middle(const Ranges &ranges) const {
+        std::array<double, 2> at{};
+        for (size_t k = 0; k < 2; ++k) {
+            at[k] = ranges[k].lower / 2 + ranges[k].upper / 2;
+            at[k] = at[k] > domain_along(k).upper ? at[k] - borders_.period(k) : at[k];
+        }
+        return at;
+    }
+    static bool is_in(const std::array<double, 2> &at, const Ranges &ranges) noexcept {
+        return at[0] >= ranges[0].lower && at[0] <= ranges[0].upper && at[1] >= ranges[1].lower &&
+               at[1] <= ranges[1].upper;
+    }
+
+    // Where they are on both sides of a seam, the range runs beyond it, from behind the widest gap to the one before.
+    [[nodiscard]] Interval range_of(const std::vector<size_t> &members, const std::vector<Ranges> &ranges,
+                                    size_t k) const {
+        std::vector<Interval> all;
+        for (const size_t i : members) {
+            all.push_back(ranges[i][k]);
+        }
+        std::ranges::sort(all, {}, &Interval::lower);
+        Interval gap{0, 0}, range = all.front();
+        for (const Interval &next : all) {
+            if (next.lower - range.upper > gap.upper - gap.lower) {
+                gap = {range.upper, next.lower};
+            }
+            range.upper = std::max(range.upper, next.upper);
+        }
+        const Interval domain = domain_along(k);
+        const bool beyond = borders_.wraps(k) && gap.upper > gap.lower && range.lower == domain.lower &&
+                            range.upper == domain.upper;
+        return beyond ? Interval{gap.upper, gap.lower + borders_.period(k)} : range;
+    }
+
     int32_t add_node(NodeKind kind, const std::array<double, 2> &at, const Ranges &range) {
         result_.nodes.push_back({0, kind, at, range});
         return static_cast<int32_t>(result_.nodes.size()) - 1;
-    }
-    void add_to_node(int32_t node, size_t cluster, const Ranges &ranges) {
-        MeetNode &all = result_.nodes[static_cast<size_t>(node)];
-        all.kind = found_.clusters[cluster].near ? all.kind : NodeKind::undecided;
-        for (size_t k = 0; k < 2; ++k) {
-            all.range[k] = {std::min(all.range[k].lower, ranges[k].lower),
-                            std::max(all.range[k].upper, ranges[k].upper)};
-        }
-        for (const int32_t i : found_.clusters[cluster].roots) {
-            node_[root(i)] = node;
-        }
     }
 
     // What begins and ends in each root: an arc alone, where one piece closes. A root at which two arcs begin or end belongs
@@ -161,7 +245,19 @@ private:
                 std::ranges::find_if(arcs, [&](size_t arc) { return is_seam(next_of_last(arc), arc); });
             std::rotate(arcs.begin(), after_seam == arcs.end() ? arcs.begin() : after_seam, arcs.end());
         }
-        add_parts(arcs, closed ? loops_++ : none);
+        const bool point = std::ranges::all_of(arcs, [&](size_t arc) { return found_.arcs[arc].is_point(); });
+        if (point) {
+            add_touch(found_.arcs[arcs.front()], found_.arcs[arcs.back()]);
+        } else {
+            add_parts(arcs, closed ? loops_++ : none);
+        }
+    }
+    // A place where f is 0 and below around it.
+    void add_touch(const LevelArc &first, const LevelArc &last) {
+        if (node_[root(first.from)] == none && node_[root(last.to)] == none) {
+            const std::array<double, 2> &at = found_.roots[root(first.from)].at;
+            add_node(NodeKind::touch, at, {Interval{at[0], at[0]}, Interval{at[1], at[1]}});
+        }
     }
     [[nodiscard]] size_t next_of_last(size_t arc) const { return root(last_[root(found_.arcs[arc].from)]); }
 
@@ -225,8 +321,9 @@ private:
     const pieces::PieceGrid &grid_;
     const SurfaceBorders &borders_;
     const LevelPieces &found_;
-    std::vector<int32_t> next_, last_; // arcs that begin, and that end, in a root
-    std::vector<int32_t> node_;        // of roots
+    std::vector<const LevelCluster *> clusters_; // that count
+    std::vector<int32_t> next_, last_;           // arcs that begin, and that end, in a root
+    std::vector<int32_t> node_;                  // of roots
     std::vector<bool> taken_;
     LevelChains result_;
 };

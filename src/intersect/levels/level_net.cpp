@@ -95,6 +95,15 @@ LevelNet::Edge LevelNet::edge(size_t axis, int end) const {
     return edge;
 }
 
+bool LevelNet::Edge::is_hidden() const noexcept {
+    for (size_t i = 0; i < values.size(); ++i) {
+        if (is_known(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 LevelNet::Edge LevelNet::Edge::take_lower_half() {
     Edge lower = *this;
     const int degree = static_cast<int>(values.size()) - 1;

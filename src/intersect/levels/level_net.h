@@ -52,6 +52,8 @@ struct LevelNet {
         [[nodiscard]] double known(size_t i) const noexcept {
             return noise.of(weights.empty() ? 1 : weights[i]);
         }
+        [[nodiscard]] bool is_known(size_t i) const noexcept { return std::abs(values[i]) > known(i); }
+        [[nodiscard]] bool is_hidden() const noexcept; // no sign is known
         // This becomes the upper half.
         Edge take_lower_half();
     };

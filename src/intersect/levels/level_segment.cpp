@@ -16,6 +16,8 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_depth = 24, most_depth_without_proof = 6;
+// Of an arc: more than errors of the fourth order take to come from 1 to rounding.
+constexpr int most_segments = 4096;
 // How far around its box an arc may be approximated, in parts of the box.
 constexpr double around = 1.0 / 16;
 
@@ -170,12 +172,13 @@ void ArcFitter::fit(const LevelArc &arc, std::vector<LevelSegment> &segments) {
     }
     set_piece(arc.part.piece);
     axis_ = arc.axis;
+    left_ = most_segments;
     fit_between(node(arc.first), node(arc.last), room_of(arc), segments);
 }
 
 // Rounding is what more segments do not mend.
 bool ArcFitter::is_good(const Room &room, const LevelSegment &segment) const noexcept {
-    if (segment.deviation <= tolerance_ || room.depth >= most_depth || work_ended()) {
+    if (segment.deviation <= tolerance_ || room.depth >= most_depth || left_ <= 0 || work_ended()) {
         return true;
     }
     return std::isfinite(segment.deviation) ? room.own && segment.deviation <= 2 * rounding(room.bounds)
@@ -186,12 +189,13 @@ void ArcFitter::fit_between(const Node &a, const Node &b, const Room &room,
                             std::vector<LevelSegment> &segments) {
     LevelSegment segment = hermite(a, b, room);
     const double away = set_deviation(room, segment);
-    count_work(std::ssize(samples_) * 8 * std::ssize(net_.values));
+    count_work(std::ssize(samples_) * 16 * std::ssize(net_.values));
     if (is_good(room, segment)) {
         for (std::array<double, 2> &place : segment.on) {
             place = {domain_.parameter(0, place[0]), domain_.parameter(1, place[1])};
         }
         segments.push_back(segment);
+        --left_;
         return;
     }
     if (room.own || room.depth == 0) {

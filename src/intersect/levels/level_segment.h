@@ -69,6 +69,7 @@ private:
     PieceBounds bounds_;
     std::vector<double> patch_, work_, record_;
     size_t axis_ = 0; // that of the present arc
+    int left_ = 0;    // segments that it may still have
 };
 
 } // namespace nrb::intersect

@@ -14,6 +14,17 @@ PieceDomain domain_of(const pieces::PieceGrid &grid, int64_t piece) {
     return {{part[0].lower, part[1].lower}, {part[0].upper, part[1].upper}};
 }
 
+LevelTrace::LevelTrace(LevelField &field, const SurfaceBorders &borders, double tolerance)
+    : field_(field), borders_(borders), near_(field.resolution(tolerance)) {
+    for (size_t k = 0; k < 2; ++k) {
+        const int axis = static_cast<int>(k);
+        if (borders.wraps(k)) {
+            found_.closed[k] = {field.grid().break_at(axis, 0),
+                                field.grid().break_at(axis, field.grid().count(axis))};
+        }
+    }
+}
+
 std::array<LevelTrace::Line, 2> LevelTrace::lines(int64_t piece, size_t axis) const {
     const pieces::PieceGrid &grid = field_.grid();
     const int k = static_cast<int>(axis);
@@ -50,7 +61,7 @@ LevelBorder LevelTrace::border(int64_t piece, const PieceDomain &domain, const L
             const size_t side = 2 * axis + static_cast<size_t>(end);
             border.edges[side] = edge(piece, axis, end, domain, net, border);
             const int64_t i = grid.index(piece)[axis];
-            border.open[side] = !borders_.goes_on(axis, i, end == 1);
+            border.sides[side] = borders_.goes_on(axis, i, end == 1) ? LevelSide::joined : LevelSide::open;
             border.collapsed[side] = borders_.is_collapsed(axis, i, end == 1);
         }
     }

@@ -16,8 +16,7 @@ namespace nrb::intersect {
 class LevelTrace {
 public:
     // tolerance: in space, in the frame.
-    LevelTrace(LevelField &field, const SurfaceBorders &borders, double tolerance)
-        : field_(field), borders_(borders), near_(field.resolution(tolerance)) {}
+    LevelTrace(LevelField &field, const SurfaceBorders &borders, double tolerance);
 
     void add(int64_t piece);
     [[nodiscard]] LevelPieces take() noexcept { return std::move(found_); }
