@@ -16,6 +16,7 @@ namespace nrb::intersect {
 // A place where a level passes from one box into another, or ends.
 struct LevelRoot {
     std::array<double, 2> at; // parameters of the surface
+    bool is_end = false;      // f jumps there
 };
 
 // Part of a piece: from lower to lower + length, in [0, 1]^2.

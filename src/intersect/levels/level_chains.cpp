@@ -309,9 +309,9 @@ private:
             const PieceDomain domain = domain_of(grid_, arc.part.piece);
             const std::array<double, 2> &place = begins ? arc.first : arc.last;
             const std::array<double, 2> at{domain.parameter(0, place[0]), domain.parameter(1, place[1])};
-            const auto kind = goes_on               ? NodeKind::seam
-                              : borders_.is_end(at) ? NodeKind::border
-                                                    : NodeKind::undecided;
+            const auto kind = goes_on                                               ? NodeKind::seam
+                              : found_.roots[root(i)].is_end || borders_.is_end(at) ? NodeKind::border
+                                                                                    : NodeKind::undecided;
             node = add_node(kind, at, {Interval{at[0], at[0]}, Interval{at[1], at[1]}});
         }
         return node;

@@ -22,6 +22,8 @@ public:
     // Whether there may be zeros on a piece: a quick look.
     [[nodiscard]] virtual bool may_vanish(int64_t piece) const = 0;
     virtual LevelNet net(int64_t piece) = 0;
+    // Whether the zeros of a piece may end at a side behind which the surface goes on.
+    [[nodiscard]] virtual bool may_jump() const noexcept = 0;
     // Weights of the surface above this are known to be positive.
     [[nodiscard]] double least_weight() const noexcept {
         return grid_.positive() ? 0 : 64 * grid_.rounding().weight;

@@ -46,45 +46,113 @@ void LevelTrace::add(int64_t piece) {
     BoxSearch(found_, near).run(piece, domain, std::move(net), std::move(border));
 }
 
+// A sign that is certain and another one is that of a function that jumps.
+bool LevelTrace::corner(const Corner &at, const LevelNet &net, size_t row, size_t column) {
+    const bool above = net.is_above(row, column), first = corners_.try_emplace(at, above).first->second;
+    const size_t i = row * net.columns() + column;
+    const bool certain = std::abs(net.values[i]) > 4 * net.noise.of(net.weight(i));
+    return field_.may_jump() && certain ? above : first;
+}
+
 LevelBorder LevelTrace::border(int64_t piece, const PieceDomain &domain, const LevelNet &net) {
     LevelBorder border;
     const pieces::PieceGrid &grid = field_.grid();
     const std::array<std::array<Line, 2>, 2> on{lines(piece, 0), lines(piece, 1)};
     for (size_t i = 0; i < 2; ++i) {
         for (size_t j = 0; j < 2; ++j) {
-            const bool above = net.is_above(i * (net.rows() - 1), j * (net.columns() - 1));
-            border.above[i][j] = corners_.try_emplace({on[0][i], on[1][j]}, above).first->second;
+            border.above[i][j] =
+                corner({on[0][i], on[1][j]}, net, i * (net.rows() - 1), j * (net.columns() - 1));
         }
     }
     for (size_t axis = 0; axis < 2; ++axis) {
         for (int end = 0; end < 2; ++end) {
             const size_t side = 2 * axis + static_cast<size_t>(end);
-            border.edges[side] = edge(piece, axis, end, domain, net, border);
             const int64_t i = grid.index(piece)[axis];
             border.sides[side] = borders_.goes_on(axis, i, end == 1) ? LevelSide::joined : LevelSide::open;
             border.collapsed[side] = borders_.is_collapsed(axis, i, end == 1);
+            border.edges[side] = edge({piece, axis, end}, domain, net, border);
         }
     }
     return border;
 }
 
-const std::vector<EdgeRoot> &LevelTrace::edge(int64_t piece, size_t axis, int end, const PieceDomain &domain,
-                                              const LevelNet &net, const LevelBorder &border) {
-    const auto at_end = static_cast<size_t>(end);
-    const size_t other = 1 - axis;
-    const EdgeKey key{axis, lines(piece, axis)[at_end], field_.grid().index(piece)[other]};
-    const auto [known, is_new] = edges_.try_emplace(key);
+namespace {
+
+// Roots of one function that both sides see differ by rounding.
+bool are_one(const std::vector<EdgeRoot> &a, const std::vector<double> &b) {
+    constexpr double near = 1e-6;
+    return std::ranges::equal(a, b,
+                              [](const EdgeRoot &x, double y) { return std::abs(x.place - y) <= near; });
+}
+
+} // namespace
+
+std::vector<EdgeRoot> LevelTrace::edge(const Side &side, const PieceDomain &domain, const LevelNet &net,
+                                       LevelBorder &border) {
+    const auto at_end = static_cast<size_t>(side.end);
+    const EdgeKey key{side.axis, lines(side.piece, side.axis)[at_end],
+                      field_.grid().index(side.piece)[1 - side.axis]};
+    const auto [known, is_new] = edges_.try_emplace(key, SharedEdge{side, {}});
+    SharedEdge &shared = known->second;
+    shared.again = !is_new;
+    if (!is_new && !field_.may_jump()) {
+        return shared.roots;
+    }
+    const bool from = side.axis == 0 ? border.above[at_end][0] : border.above[0][at_end],
+               to = side.axis == 0 ? border.above[at_end][1] : border.above[1][at_end];
+    const std::vector<double> places = edge_roots(net.edge(side.axis, side.end), from, to);
     if (is_new) {
-        const bool from = axis == 0 ? border.above[at_end][0] : border.above[0][at_end],
-                   to = axis == 0 ? border.above[at_end][1] : border.above[1][at_end];
-        for (const double place : edge_roots(net.edge(axis, end), from, to)) {
-            std::array<double, 2> at{};
-            at[axis] = domain.parameter(axis, end);
-            at[other] = domain.parameter(other, place);
-            known->second.push_back({found_.add_root(at), place});
+        shared.roots = add_roots(side, domain, places);
+        return shared.roots;
+    }
+    if (are_one(shared.roots, places)) {
+        return shared.roots;
+    }
+    border.sides[2 * side.axis + at_end] = LevelSide::open;
+    end_at(shared.roots);
+    std::vector<EdgeRoot> own = add_roots(side, domain, places);
+    end_at(own);
+    return own;
+}
+
+std::vector<EdgeRoot> LevelTrace::add_roots(const Side &side, const PieceDomain &domain,
+                                            const std::vector<double> &places) {
+    std::vector<EdgeRoot> roots;
+    for (const double place : places) {
+        std::array<double, 2> at{};
+        at[side.axis] = domain.parameter(side.axis, side.end);
+        at[1 - side.axis] = domain.parameter(1 - side.axis, place);
+        roots.push_back({found_.add_root(at), place});
+    }
+    return roots;
+}
+
+void LevelTrace::end_at(const std::vector<EdgeRoot> &roots) {
+    for (const EdgeRoot &root : roots) {
+        found_.roots[static_cast<size_t>(root.root)].is_end = true;
+    }
+}
+
+// The piece beyond has no zeros of its own: f has a sign there, for certain, if it jumps.
+void LevelTrace::end_at_jump(const SharedEdge &edge) {
+    const auto &[piece, axis, end] = edge.side;
+    const pieces::PieceGrid &grid = field_.grid();
+    pieces::PieceGrid::Index index = grid.index(piece);
+    const int64_t count = grid.count(static_cast<int>(axis));
+    index[axis] = (index[axis] + (end == 1 ? 1 : count - 1)) % count;
+    if (borders_.goes_on(axis, grid.index(piece)[axis], end == 1) &&
+        field_.net(grid.piece(index)).side(4) != 0) {
+        end_at(edge.roots);
+    }
+}
+
+LevelPieces LevelTrace::take() {
+    for (const auto &[key, edge] : edges_) {
+        if (field_.may_jump() && !edge.again && !edge.roots.empty()) {
+            end_at_jump(edge);
         }
     }
-    return known->second;
+    return std::move(found_);
 }
 
 } // namespace nrb::intersect

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] std::array<int, 2> degrees() const override { return degrees_; }
     [[nodiscard]] bool may_vanish(int64_t) const override { return true; }
     LevelNet net(int64_t piece) override;
+    [[nodiscard]] bool may_jump() const noexcept override { return true; }
     [[nodiscard]] double resolution(double) const noexcept override { return 0; }
 
 private:

@@ -19,6 +19,7 @@ public:
     [[nodiscard]] std::array<int, 2> degrees() const override { return degrees_; }
     [[nodiscard]] bool may_vanish(int64_t piece) const override;
     LevelNet net(int64_t piece) override;
+    [[nodiscard]] bool may_jump() const noexcept override { return false; }
     [[nodiscard]] double resolution(double tolerance) const noexcept override { return tolerance; }
 
 private:

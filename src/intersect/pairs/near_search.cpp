@@ -15,6 +15,8 @@ namespace {
 
 // Of pieces with weights of no certain sign, about which nothing else is known.
 constexpr int most_halvings = 16;
+// Of the halves of a piece: their memory counts as well, since they are kept.
+constexpr int64_t work_of_halves = 4000;
 
 bool is_certain(const closest::PairCell &cell) noexcept {
     return cell.piece && cell.piece->positive();
@@ -219,10 +221,12 @@ void NearSearch::divide(const Pair &pair) {
 // Later parts below, so that those that come first are looked at first.
 bool NearSearch::divide(const Pair &pair, bool first) {
     PairCell &cell = first ? *pair.a : *pair.b;
+    const bool is_new = cell.children.empty();
     const bool small = is_certain(cell) ? cell.size <= near() / 4 : cell.halvings >= most_halvings;
     if (small || !(first ? a_ : b_).split(cell)) {
         return false;
     }
+    count_work(is_new ? work_of_halves : 0);
     for (auto child = cell.children.rbegin(); child != cell.children.rend(); ++child) {
         stack_.push_back({first ? child->get() : pair.a, first ? pair.b : child->get()});
     }
