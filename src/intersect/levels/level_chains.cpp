@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -65,6 +66,16 @@ private:
         return ranges;
     }
 
+    // With as much on either side: between parts of what is near there may be some that are not quite.
+    static Ranges widened(const Ranges &ranges) noexcept {
+        Ranges wide = ranges;
+        for (Interval &range : wide) {
+            const double size = range.upper - range.lower;
+            range = {range.lower - size, range.upper + size};
+        }
+        return wide;
+    }
+
     // By rising ranges of the first axis: those that end before a cluster begins touch none of those after it.
     void add_clusters() {
         std::vector<Ranges> ranges;
@@ -74,15 +85,17 @@ private:
                 clusters_.push_back(&cluster);
             }
         }
+        std::vector<Ranges> wide;
+        std::ranges::transform(ranges, std::back_inserter(wide), widened);
         std::vector<size_t> order(ranges.size());
         std::iota(order.begin(), order.end(), size_t{0});
-        std::ranges::sort(order, {}, [&](size_t i) { return ranges[i][0].lower; });
+        std::ranges::sort(order, {}, [&](size_t i) { return wide[i][0].lower; });
         Union sets(ranges.size());
         std::vector<size_t> active;
         for (const size_t i : order) {
-            std::erase_if(active, [&](size_t j) { return ranges[j][0].upper < ranges[i][0].lower; });
+            std::erase_if(active, [&](size_t j) { return wide[j][0].upper < wide[i][0].lower; });
             for (const size_t j : active) {
-                if (ranges[j][1].lower <= ranges[i][1].upper && ranges[i][1].lower <= ranges[j][1].upper) {
+                if (wide[j][1].lower <= wide[i][1].upper && wide[i][1].lower <= wide[j][1].upper) {
                     sets.join(j, i);
                 }
             }
@@ -293,11 +306,25 @@ private:
                     chain.nodes = {node_at(found_.arcs[chain.arcs.front()], true),
                                    node_at(found_.arcs[chain.arcs.back()], false)};
                 }
-                result_.chains.push_back(chain);
+                if (!is_in_node(chain)) {
+                    result_.chains.push_back(chain);
+                }
                 chain.arcs.clear();
                 chain.nodes = {none, none};
             }
         }
+    }
+
+    // Between clusters of one part.
+    [[nodiscard]] bool is_in_node(const LevelChain &chain) const {
+        if (chain.nodes[0] == none || chain.nodes[0] != chain.nodes[1]) {
+            return false;
+        }
+        const MeetNode &node = result_.nodes[root(chain.nodes[0])];
+        return std::ranges::all_of(chain.arcs, [&](size_t arc) {
+            return is_in(found_.roots[root(found_.arcs[arc].from)].at, node.range) &&
+                   is_in(found_.roots[root(found_.arcs[arc].to)].at, node.range);
+        });
     }
 
     // Where an arc begins or ends.

@@ -42,7 +42,7 @@ void LevelTrace::add(int64_t piece) {
     const PieceDomain domain = domain_of(field_.grid(), piece);
     LevelBorder border = this->border(piece, domain, net);
     // More than what tells signs, so that boxes end at one of both.
-    const double near = std::max(near_, 16 * net.noise.of(net.largest_weight()));
+    const double near = std::max(near_, 6 * net.noise.of(net.largest_weight()));
     BoxSearch(found_, near).run(piece, domain, std::move(net), std::move(border));
 }
 
