@@ -118,6 +118,17 @@ static void boxes() {
     EXPECT(first.status == (std::vector{ray_hit | ray_certified, ray_certified}));
     const RayHits through = ray_hits(sphere({}, 2), {0.5, 0.25, 5}, {0, 0, -1});
     EXPECT(near({through.distances[0] + through.distances[1]}, {10}) && through.complete);
+    const Meet meet = Meet::sections(sphere({}, 2), {0, 0, 2}, {2, 0, 5}, 1e-6), same = meet;
+    const MeetCounts counts = same.counts();
+    EXPECT(counts.branches == 2 && counts.nodes == 4 && counts.complete);
+    const MeetBranches circles = meet.branches();
+    EXPECT(circles.levels == (std::vector<std::int64_t>{0, 1}) && circles.loops == circles.levels);
+    EXPECT(circles.end_nodes.size() == 4 && circles.deviations[0] <= 1e-6);
+    const MeetNodes seams = meet.nodes();
+    EXPECT(seams.kinds == std::vector(4, node_seam) && seams.ranges.size() == 16);
+    const std::pair<Spline, Spline> equator = meet.branch(1);
+    EXPECT(near({length(equator.first).value}, {4 * pi}, 1e-4) && equator.second.dimension() == 2);
+    EXPECT(status_of([&] { (void)meet.branch(2); }) == Status::index);
     const ExtremePoint top = extreme_point(circle({}, 2), {0, 1}, 1e-9);
     EXPECT(near(top.params, {0.25}, 1e-4) && near({top.value, top.bound}, {2, 2}, 1e-8) && top.bound >= 2);
     EXPECT(status_of([] { (void)extreme_point(base(), {0, 0}, 0); }) == Status::direction);

@@ -249,9 +249,36 @@ contains
         call expect(near(first, [3d0]) .and. all(states == NURBS_RAY_HIT + NURBS_RAY_CERTIFIED), 'a ray')
         call ray_hits(floor_plane, [0.5d0, 1d0, 3d0], [0d0, 0d0, -1d0], params, gaps, kinds, complete)
         call expect(near(gaps, [3d0]) .and. near(params(1, :), [0.25d0, 0.25d0]) .and. complete, 'its hits')
+        call sections_of_the_ball()
         call singular_points(base, 1d-3, params, boxes)
         call expect(size(params, 1) == 0 .and. size(boxes, 3) == 0, 'none')
     end subroutine surface_shapes
+
+    subroutine sections_of_the_ball()
+        type(nurbs_meet) :: meet, copy
+        type(nurbs_spline) :: space, on_surface
+        integer(c_int64_t), allocatable :: levels(:), ends(:, :), loops(:), at(:)
+        integer(c_int32_t), allocatable :: kinds(:)
+        real(c_double), allocatable :: deviations(:), params(:, :), ranges(:, :)
+        integer(c_int64_t) :: branches, nodes
+        integer(c_int32_t) :: status
+        real(c_double) :: turn
+        logical :: complete
+        call meet%sections(ball, [0d0, 0d0, 1d0], [0d0, 9d0], 1d-6)
+        copy = meet
+        call meet%destroy()
+        call copy%counts(branches, nodes, complete)
+        call expect(branches == 1 .and. nodes == 2 .and. complete, 'an equator')
+        call copy%branches(levels, ends, loops, deviations)
+        call expect(all(levels == 1) .and. all(loops == 0) .and. all(deviations <= 1d-6), 'its plane')
+        call copy%nodes(at, kinds, params, ranges)
+        call expect(all(kinds == NURBS_NODE_SEAM) .and. all(at == 1) .and. all(shape(ranges) == [2, 4]), 'its seam')
+        call copy%branch(1, space, on_surface)
+        call curve_length(space, turn)
+        call expect(on_surface%dimension() == 2 .and. turn > 6d0, 'its curves')
+        call copy%branch(2, space, on_surface, status)
+        call expect(status == NURBS_ERROR_INDEX, 'no second branch')
+    end subroutine sections_of_the_ball
 
     subroutine folds()
         type(nurbs_spline) :: g

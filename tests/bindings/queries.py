@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Distances, measures, boxes and features in Python: one known value of each."""
 
+import copy
+import pickle
 import unittest
 from math import inf, nan, pi, sqrt
 
@@ -240,6 +242,45 @@ class Intersections(unittest.TestCase):
         near(hits.distances.sum(), 10)
         with self.assertRaises(nurbs.ArgumentError):
             floor.rays([0, 0, 1], [0, 0, 0])
+
+
+class Sections(unittest.TestCase):
+    def test_of_a_sphere(self):
+        meet = nurbs.sphere(2).sections([0, 0, 2], [0, 2, 5], 1e-6)
+        self.assertEqual(meet.counts, (2, 4, True))
+        self.assertEqual(repr(meet), "<Meet of 2 branches and 4 nodes>")
+        self.assertEqual((meet.branches.levels.tolist(), meet.branches.loops.tolist()), ([0, 1], [0, 1]))
+        self.assertEqual((meet.nodes.kinds.tolist(), meet.nodes.ranges.shape), ([nurbs.NURBS_NODE_SEAM] * 4, (4, 2, 2)))
+        space, on_surface = meet.copy().branch(1)
+        near(space.length().value, 2 * pi * sqrt(3), by=1e-4)
+        self.assertEqual((on_surface.dimension, on_surface.knots[0].tolist()), (2, space.knots[0].tolist()))
+        self.assertLess(meet.branches.deviations.max(), 1e-6)
+
+    def test_of_a_plane(self):
+        meet = nurbs.plane([2, 0, 0], [0, 4, 0]).sections([1, 0, 0], 0.5, 1e-9)
+        ends = meet.nodes.params[meet.branches.end_nodes[0]]
+        near(ends, [[0.25, 1], [0.25, 0]])
+        near(meet.branch(0).space.length().value, 4)
+
+    def test_are_constant(self):
+        meet = copy.deepcopy(nurbs.sphere().sections([0, 0, 1], [2], 1e-3))
+        self.assertEqual(meet.counts, (0, 0, True))
+        for wrong in (lambda: setattr(meet, "levels", 1), lambda: delattr(meet, "_handle")):
+            self.assertRaises(AttributeError, wrong)
+        self.assertRaises(TypeError, nurbs.Meet)
+        self.assertRaises(TypeError, pickle.dumps, meet)
+
+    def test_are_refused(self):
+        ball = nurbs.sphere()
+        self.assertRaises(ValueError, ball.sections, [0, 1], [0], 1e-3)
+        for arguments in (([0, 0, 0], [0], 1e-3), ([0, 0, 1], [0], 0), ([0, 0, 1], [inf], 1e-3)):
+            self.assertRaises(nurbs.ArgumentError, ball.sections, *arguments)
+        self.assertRaises(IndexError, ball.sections([0, 0, 1], [0], 1e-3).branch, 1)
+
+    def test_can_be_ended(self):
+        meet = nurbs.sphere().sections([0, 0, 1], [0.5], 1e-9, work=10)
+        self.assertFalse(meet.counts.complete)
+        self.assertIn("not complete", repr(meet))
 
 
 class Features(unittest.TestCase):

@@ -5,7 +5,7 @@ mod common;
 
 use common::{close, near, status_of, QUARTERS};
 use nurbs::{enclosed_area, enclosed_volume, sys};
-use nurbs::{ClosestPointsMut, Placement, Records, Result, Search, Spline, Turn};
+use nurbs::{ClosestPointsMut, Meet, Placement, Records, Result, Search, Spline, Turn};
 use std::f64::consts::PI;
 
 const CERTIFIED: i32 = sys::NURBS_CLOSEST_CERTIFIED;
@@ -138,6 +138,18 @@ fn boxes() -> Result<()> {
     assert_eq!(first.status, [sys::NURBS_RAY_HIT | sys::NURBS_RAY_CERTIFIED, sys::NURBS_RAY_CERTIFIED]);
     let through = floor_plane()?.ray_hits(&[0.5, 1., 3.], &[0., 0., -1.], &[])?;
     assert!(near(&through.distances, &[3.]) && through.complete);
+    let meet = Meet::sections(&floor_plane()?, &[1., 0., 0.], &[0.5, 1.], 1e-9)?.clone();
+    let counts = meet.counts()?;
+    assert!(counts.branches == 2 && counts.nodes == 4 && counts.complete);
+    let lines = meet.branches()?;
+    assert!(lines.levels == [0, 1] && lines.loops == [-1, -1] && lines.deviations[0] <= 1e-9);
+    let borders = meet.nodes()?;
+    assert_eq!(borders.kinds, [sys::NURBS_NODE_BORDER; 4]);
+    let [from, to] = lines.end_nodes[1];
+    assert!(near(&borders.params[from as usize], &[0.5, 1.]) && near(&borders.params[to as usize], &[0.5, 0.]));
+    let (space, on_surface) = meet.branch(1)?;
+    assert!(near(&[space.length(0., &[])?.value], &[4.]) && on_surface.dimension()? == 2);
+    assert_eq!(status_of(meet.branch(2)), sys::NURBS_ERROR_INDEX);
     let top = circle(2.)?.extreme_point(&[0., 1.], 1e-9, &[])?;
     assert!(close(&top.params, &[0.25], 1e-4) && close(&[top.value, top.bound], &[2.; 2], 1e-8));
     assert_eq!(status_of(base()?.extreme_point(&[0.; 2], 0., &[])), sys::NURBS_ERROR_DIRECTION);

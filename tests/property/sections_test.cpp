@@ -299,7 +299,7 @@ TEST(Sections, of_homogeneous_forms) {
     const int64_t counts[] = {3, 2};
     const double knots[] = {0, 0, 0, 1, 1, 1, 0, 0, 1, 1};
     for (const double angle : {1.0, pi / 2, 1.8, 2.2}) {
-        const double c = std::cos(angle), s = std::sin(angle);
+        const double c = angle == pi / 2 ? 0 : std::cos(angle), s = std::sin(angle);
         std::vector<double> points;
         for (const std::array<double, 3> &p : {std::array<double, 3>{c, -s, 1}, {1, 0, c}, {c, s, 1}}) {
             for (const double z : {0.0, 2.0}) {

@@ -12,7 +12,8 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_halvings = 96; // halvings
+constexpr int most_halvings = 96;
+constexpr size_t most_clusters = 4096; // of a piece; then what is left of it is not halved
 // Of the slopes of arcs: what is less even is halved, since errors of curves are told by the least slope.
 constexpr double least_evenness = 1.0 / 16;
 constexpr int depth_of_evenness = 24;
@@ -97,11 +98,12 @@ int32_t LevelPieces::corner(const std::array<double, 2> &at) {
 
 void BoxSearch::run(int64_t piece, const PieceDomain &domain, LevelNet net, LevelBorder border) {
     domain_ = domain;
+    const size_t before = found_.clusters.size();
     stack_.push_back({{piece, {0, 0}, {1, 1}}, std::move(net), std::move(border), 0});
     while (!stack_.empty()) {
         Box box = std::move(stack_.back());
         stack_.pop_back();
-        if (work_ended()) {
+        if (work_ended() || found_.clusters.size() - before > most_clusters) {
             take_cluster(box, false);
         } else {
             look(box);
@@ -112,7 +114,7 @@ void BoxSearch::run(int64_t piece, const PieceDomain &domain, LevelNet net, Leve
 // Signs at the borders of neighbours are off by the noise of both, hence four times of it.
 void BoxSearch::look(Box &box) {
     const LevelNet &net = box.net;
-    count_work(12 * std::ssize(net.values));
+    count_work(1000 + 80 * std::ssize(net.values)); // with what halving it takes
     if (net.side(4) != 0) {
         return;
     }

@@ -2,6 +2,7 @@
 #include "intersect/levels/level_chains.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <iterator>
@@ -91,16 +92,7 @@ private:
         std::iota(order.begin(), order.end(), size_t{0});
         std::ranges::sort(order, {}, [&](size_t i) { return wide[i][0].lower; });
         Union sets(ranges.size());
-        std::vector<size_t> active;
-        for (const size_t i : order) {
-            std::erase_if(active, [&](size_t j) { return wide[j][0].upper < wide[i][0].lower; });
-            for (const size_t j : active) {
-                if (wide[j][1].lower <= wide[i][1].upper && wide[i][1].lower <= wide[j][1].upper) {
-                    sets.join(j, i);
-                }
-            }
-            active.push_back(i);
-        }
+        join_neighbours(wide, order, sets);
         join_at_seams(ranges, sets);
         join_at_poles(ranges, sets);
         std::map<size_t, std::vector<size_t>> members;
@@ -130,6 +122,49 @@ private:
         });
     }
 
+    // Intervals by their lower ends, none longer than the longest: those that touch another one are near its ends.
+    struct Line {
+        std::multimap<double, size_t> by_lower;
+        double longest = 0;
+
+        void add(const Interval &range, size_t i) {
+            by_lower.emplace(range.lower, i);
+            longest = std::max(longest, range.upper - range.lower);
+        }
+        template <class Visit>
+        void visit(const Interval &range, Visit &&visit) const {
+            const auto last = by_lower.upper_bound(range.upper);
+            for (auto i = by_lower.lower_bound(range.lower - 1.001 * longest); i != last; ++i) {
+                count_work(20);
+                visit(i->second);
+            }
+        }
+    };
+
+    static bool touch(const Interval &a, const Interval &b) noexcept {
+        return a.lower <= b.upper && b.lower <= a.upper;
+    }
+
+    // From one end of the first axis to the other.
+    static void join_neighbours(const std::vector<Ranges> &ranges, const std::vector<size_t> &order,
+                                Union &sets) {
+        Line active;
+        std::multimap<double, std::multimap<double, size_t>::iterator> ends;
+        for (const size_t i : order) {
+            while (!ends.empty() && ends.begin()->first < ranges[i][0].lower) {
+                active.by_lower.erase(ends.begin()->second);
+                ends.erase(ends.begin());
+            }
+            active.visit(ranges[i][1], [&](size_t j) {
+                if (touch(ranges[j][1], ranges[i][1])) {
+                    sets.join(j, i);
+                }
+            });
+            active.longest = std::max(active.longest, ranges[i][1].upper - ranges[i][1].lower);
+            ends.emplace(ranges[i][0].upper, active.by_lower.emplace(ranges[i][1].lower, i));
+        }
+    }
+
     // Clusters on both sides of a seam.
     void join_at_seams(const std::vector<Ranges> &ranges, Union &sets) {
         for (size_t k = 0; k < 2; ++k) {
@@ -137,12 +172,19 @@ private:
                 continue;
             }
             const Interval domain = domain_along(k);
+            Line at_end;
+            for (size_t j = 0; j < ranges.size(); ++j) {
+                if (ranges[j][k].upper == domain.upper) {
+                    at_end.add(ranges[j][1 - k], j);
+                }
+            }
             for (size_t i = 0; i < ranges.size(); ++i) {
-                for (size_t j = 0; ranges[i][k].lower == domain.lower && j < ranges.size(); ++j) {
-                    const Interval a = ranges[i][1 - k], b = ranges[j][1 - k];
-                    if (ranges[j][k].upper == domain.upper && a.lower <= b.upper && b.lower <= a.upper) {
-                        sets.join(i, j);
-                    }
+                if (ranges[i][k].lower == domain.lower) {
+                    at_end.visit(ranges[i][1 - k], [&](size_t j) {
+                        if (touch(ranges[i][1 - k], ranges[j][1 - k])) {
+                            sets.join(i, j);
+                        }
+                    });
                 }
             }
         }
