@@ -2,33 +2,9 @@
 /* Pulls one side of a ship's hull through three given points, with the smallest change of its control points
  * that leaves the edges where they are, and draws it before and after: hull.svg, or the file that is named.
  * Compile: cc -std=c99 hull.c $(pkg-config --cflags --libs nurbs) -lm -o hull */
-#include "gallery/draw.h"
+#include "gallery/hull.h"
 
-enum { STATIONS = 8, WATERLINES = 5, POINTS = 3 };
-
-/* Control points: stations from bow to stern, on each the waterlines from the keel to the deck. */
-static nurbs *make_hull(void) {
-    static const double beam[STATIONS] = {0, 0.35, 0.9, 1.25, 1.3, 1.2, 0.9, 0.6};
-    static const double height[WATERLINES] = {-1.2, -1.1, -0.5, 0.3, 0.9};
-    static const double fullness[WATERLINES] = {0, 0.6, 0.9, 1, 1.05};
-    static const int32_t degrees[2] = {3, 3};
-    static const int64_t counts[2] = {STATIONS, WATERLINES};
-    double knots[STATIONS + WATERLINES + 8], points[3 * STATIONS * WATERLINES], *p = points;
-    nurbs *hull;
-    int i, j;
-    for (i = 0; i < STATIONS; ++i) {
-        for (j = 0; j < WATERLINES; ++j) {
-            *p++ = beam[i] * fullness[j];
-            *p++ = 4 - 8.0 * i / (STATIONS - 1) + (i == 0 ? 0.4 * height[j] : 0); /* the stem is raked */
-            *p++ = height[j];
-        }
-    }
-    check(nurbs_knots_open_uniform(3, STATIONS, 0, 1, STATIONS + 4, knots));
-    check(nurbs_knots_open_uniform(3, WATERLINES, 0, 1, WATERLINES + 4, knots + STATIONS + 4));
-    check(nurbs_create(2, degrees, counts, knots, STATIONS + WATERLINES + 8, 3, points, 0, 0, NULL, 0, 0,
-                       &hull));
-    return hull;
-}
+enum { POINTS = 3 };
 
 /* Where on the hull, and what shall be there: room for a sonar in the bow, for a hold amidships, and a
  * narrower stern. */

@@ -249,6 +249,7 @@ static const char picture_styles[] =
     "path { fill: none; stroke-linejoin: round; stroke-linecap: round }\n"
     ".curve { stroke: #0b4f8a; stroke-width: 14 } .other { stroke: #e07a1f; stroke-width: 9 }\n"
     ".edge { stroke: #102a43; stroke-width: 9 }\n"
+    ".water { stroke: #0b4f8a; stroke-width: 6 } .frame { stroke: #d9480f; stroke-width: 6 }\n"
     ".net { stroke: #9aa5b1; stroke-width: 4; stroke-dasharray: 15 12 }\n"
     ".point { stroke: #7b8794; stroke-width: 21 } .given { stroke: #c2255c; stroke-width: 30 }\n"
     ".data { stroke: #c2255c; stroke-width: 15 }\n"
