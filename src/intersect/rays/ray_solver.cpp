@@ -243,7 +243,13 @@ void RaySolver::set_meet(const Place<2> &z, const Box<2> &exact) {
     const Vector3 x = (1 / f[3]) * vector_of(f);
     const Vector3 normal = cross(vector_of(by_u) - by_u[3] * x, vector_of(by_v) - by_v[3] * x);
     const Part &part = stack_.back();
+    Box<2> around{};
+    for (size_t k = 0; k < 2; ++k) {
+        around[k] = {part.lower[k] + part.length[k] * exact[k].lower,
+                     part.lower[k] + part.length[k] * exact[k].upper};
+    }
     meet_ = {{part.lower[0] + part.length[0] * z[0], part.lower[1] + part.length[1] * z[1]},
+             around,
              t,
              {t, t},
              piece_,
@@ -256,6 +262,8 @@ void RaySolver::set_touch(const Ranges &ranges) {
     const Part &part = stack_.back();
     const double middle = ranges.nearest / 2 + ranges.farthest / 2;
     meet_ = {{part.lower[0] + part.length[0] / 2, part.lower[1] + part.length[1] / 2},
+             {Interval{part.lower[0], part.lower[0] + part.length[0]},
+              Interval{part.lower[1], part.lower[1] + part.length[1]}},
              std::isfinite(middle) ? middle : ranges.nearest,
              {ranges.nearest, ranges.farthest},
              piece_,

@@ -10,6 +10,7 @@ namespace nrb::intersect {
 // Places on the piece, and t on the ray.
 struct RayMeet {
     Place<2> place{};
+    Box<2> around{}; // in which all of the meet is
     double t = 0;
     Interval ts{}; // of a touch: where it is
     int64_t piece = 0;

@@ -2,19 +2,13 @@
 // Boxes around the Bezier pieces of a surface and around blocks of them, for rays. They are kept with the surface.
 #pragma once
 
-#include "numeric/vector3.h"
+#include "intersect/rays/ray.h"
 #include "pieces/tree/piece_grid.h"
 
 #include <array>
 #include <vector>
 
 namespace nrb::intersect {
-
-// A line x = origin + t direction in the frame of the pieces, direction a unit vector.
-struct Ray {
-    Vector3 origin, direction;
-    std::array<double, 3> start{}, inverse{}; // the origin, and 1 / direction
-};
 
 // The grid of pieces is halved along its longer side down to single pieces. Children of node i are i + 1 and
 // right(i). What rounding does to pieces is in the boxes.
