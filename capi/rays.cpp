@@ -3,6 +3,7 @@
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
+#include "ray_arguments.h"
 #include "watched.h"
 
 #include "base/numbers.h"
@@ -11,10 +12,6 @@
 #include "intersect/rays/rays.h"
 #include "spline/kind.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -24,50 +21,10 @@ using namespace nrb::capi;
 
 namespace {
 
-constexpr int64_t work_of_a_ray = 200;
-
-// `index` < 0: there is one only.
-void check_ray(const char *name, Status status, const double *x, int64_t index) {
-    char row[32] = "";
-    if (index >= 0) {
-        std::snprintf(row, sizeof row, "[%lld]", static_cast<long long>(index));
-    }
-    for (int c = 0; c < 3; ++c) {
-        if (!std::isfinite(x[c])) {
-            fail(status, "%s%s[%d] = %s, expected a number", name, row, c, Number(x[c]).text);
-        }
-    }
-    if (status == Status::direction && x[0] == 0 && x[1] == 0 && x[2] == 0) {
-        fail(status, "%s%s is 0, expected a direction", name, row);
-    }
-}
-
-void check_rays(const char *name, Status status, const ConstRecords &rows) {
-    for (int64_t i = 0; i < rows.count; ++i) {
-        const std::array<double, 3> x{rows(i, 0), rows(i, 1), rows(i, 2)};
-        check_ray(name, status, x.data(), i);
-    }
-}
-
-Interval checked_range(const double *range) {
-    if (range == nullptr) {
-        return {0, infinity};
-    }
-    if (!(range[0] <= range[1])) {
-        fail(Status::empty_domain, "range = {%s, %s}, expected two numbers that do not fall",
-             Number(range[0]).text, Number(range[1]).text);
-    }
-    return {range[0], range[1]};
-}
-
 const Spline &surface_in_space(const nurbs *g) {
     const Spline &surface = surface_of(g);
     check_dimension(surface, 3, 3);
     return surface;
-}
-
-Vector3 row(const ConstRecords &rows, int64_t i) {
-    return {rows(i, 0), rows(i, 1), rows(i, 2)};
 }
 
 void put_rays(intersect::RayCaster &caster, const ConstRecords &origins, const ConstRecords &directions,
@@ -158,15 +115,10 @@ nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *origin, const 
                                     int32_t *kinds, int64_t *count, int32_t *complete) {
     return guard([&] {
         const Spline &surface = surface_in_space(g);
-        require(origin, "origin");
-        require(direction, "direction");
+        const intersect::RayQuery ray = checked_ray(origin, direction, range);
         check_length(cap, "cap");
-        const Interval limits = checked_range(range);
-        check_ray("origin", Status::point_not_finite, origin, -1);
-        check_ray("direction", Status::direction, direction, -1);
         std::vector<intersect::RayAnswer> found;
-        const bool sure = intersect::RayCaster(surface).all(
-            {row({origin, 1, 3, 3, 1}, 0), row({direction, 1, 3, 3, 1}, 0), limits}, found);
+        const bool sure = intersect::RayCaster(surface).all(ray, found);
         const int64_t filled = checked_cap(cap, std::ssize(found));
         check_apart(
             {memory("params", params, 2 * filled), memory("distances", distances, filled),

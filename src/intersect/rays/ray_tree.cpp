@@ -29,7 +29,7 @@ RayTree::RayTree(const pieces::PieceGrid &grid) : grid_(grid) {
     work_.resize(values);
     values_.resize(values);
     nodes_.reserve(static_cast<size_t>(2 * grid.count()));
-    build({0, 0}, {grid.count(0), grid.count(1)});
+    build({0, 0}, {grid.count(0), grid.spline_axes() > 1 ? grid.count(1) : 1});
     work_ = values_ = {};
 }
 
@@ -84,9 +84,9 @@ Interval RayTree::meets(int32_t node, const Ray &ray, double room) const noexcep
     return slab(box.lower.data(), box.upper.data(), ray, room);
 }
 
-const RayTree &ray_tree_of(const Spline &surface) {
-    return surface.kept<RayTree>(
-        Spline::Cache::rays, [&] { return std::make_shared<const RayTree>(pieces::piece_grid_of(surface)); });
+const RayTree &ray_tree_of(const Spline &spline) {
+    return spline.kept<RayTree>(
+        Spline::Cache::rays, [&] { return std::make_shared<const RayTree>(pieces::piece_grid_of(spline)); });
 }
 
 } // namespace nrb::intersect

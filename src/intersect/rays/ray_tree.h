@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes around the Bezier pieces of a surface and around blocks of them, for rays. They are kept with the surface.
+// Boxes around the Bezier pieces of a surface or curve and around blocks of them, for rays. They are kept with the spline.
 #pragma once
 
 #include "intersect/rays/ray.h"
@@ -37,7 +37,7 @@ private:
     std::vector<double> work_, values_;
 };
 
-// Built at the first use. Precondition: a surface in space.
-const RayTree &ray_tree_of(const Spline &surface);
+// Built at the first use. Precondition: a surface or curve in space.
+const RayTree &ray_tree_of(const Spline &spline);
 
 } // namespace nrb::intersect

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/rays/ray_solver.h"
+#include "intersect/rays/ray_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,7 @@ private:
     void set(const RayQuery &query) {
         placed_ = PlacedRay(grid_, query);
         range_ = {placed_.in_frame(query.range.lower), placed_.in_frame(query.range.upper)};
-        solver_.set_ray(placed_.ray, placed_.moved);
+        solver_.set_ray(placed_);
     }
     // Whether the filter lets it pass; perhaps as a touch.
     bool counts(RayMeet &meet) const {
