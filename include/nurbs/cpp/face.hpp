@@ -6,6 +6,7 @@
 #define NURBS_CPP_FACE_HPP
 
 #include <nurbs/cpp/bounds.hpp>
+#include <nurbs/cpp/intersections.hpp>
 #include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/spline.hpp>
 
@@ -121,6 +122,28 @@ public:
         detail::call(nurbs_face_classify_with, get(), n, params.data(), params.stride(),
                      params.component_stride(), tolerance, values.data(), watch.get());
         return values;
+    }
+    /// Where rays meet it first, with proof.
+    [[nodiscard]] Returned<Rays> rays(Input origins, Input directions) const {
+        const std::int64_t n = detail::records(origins, 3, "origins");
+        directions.require(n, 3, "directions");
+        Rays found{detail::room(n, 2), detail::room(n), detail::room<std::int32_t>(n)};
+        detail::call(nurbs_face_rays, get(), n, origins.data(), origins.stride(), origins.component_stride(),
+                     directions.data(), directions.stride(), directions.component_stride(),
+                     found.params.data(), found.distances.data(), found.status.data());
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<Rays> rays(Input origins, Input directions, const CallOptions &call) const {
+        const std::int64_t n = detail::records(origins, 3, "origins");
+        directions.require(n, 3, "directions");
+        Rays found{detail::room(n, 2), detail::room(n), detail::room<std::int32_t>(n)};
+        const detail::Watch watch(call);
+        detail::call(nurbs_face_rays_with, get(), n, origins.data(), origins.stride(),
+                     origins.component_stride(), directions.data(), directions.stride(),
+                     directions.component_stride(), found.params.data(), found.distances.data(),
+                     found.status.data(), watch.get());
+        return found;
     }
     /// Its area.
     [[nodiscard]] Returned<Measured> area(double relative_tolerance = 0) const {

@@ -28,6 +28,14 @@ double Box3::magnitude() const noexcept {
     return std::isfinite(most) ? most : 0;
 }
 
+double Box3::size() const noexcept {
+    double most = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        most = std::max(most, upper[c] - lower[c]);
+    }
+    return most;
+}
+
 double Box3::distance(const Vector3 &x) const noexcept {
     const double at[] = {x.x, x.y, x.z};
     double away[3];

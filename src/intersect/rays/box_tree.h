@@ -18,6 +18,8 @@ struct Box3 {
     void grow(double by) noexcept;
     // Of the largest coordinate.
     [[nodiscard]] double magnitude() const noexcept;
+    // The largest side.
+    [[nodiscard]] double size() const noexcept;
     // No point of the box is nearer.
     [[nodiscard]] double distance(const Vector3 &x) const noexcept;
 };
@@ -29,7 +31,7 @@ public:
     explicit BoxTree(const std::vector<Box3> &boxes);
 
     [[nodiscard]] Box3 box() const noexcept { return nodes_.empty() ? Box3{} : nodes_.front().box; }
-    // Calls visit(number) for the boxes that a ray meets in its range, the nearer child of a node first; limit() is the largest
+    // Calls visit(number, where) for the boxes that a ray meets in its range, the nearer child of a node first; limit() is the largest
     // t that still counts, and may fall. Returns how many nodes were looked at.
     template <class Limit, class Visit>
     int64_t walk(const RayQuery &query, Limit &&limit, Visit &&visit) const;
@@ -49,40 +51,41 @@ private:
 
 template <class Limit, class Visit>
 int64_t BoxTree::walk(const RayQuery &query, Limit &&limit, Visit &&visit) const {
-    using Found = std::pair<int32_t, double>;
+    struct Found {
+        int32_t node;
+        Interval where;
+    };
     const Ray ray(query.origin, query.direction);
     const double far = 2 * (largest(query.origin) + box().magnitude());
     const double room = query.off + (query.turned + 8 * eps) * far;
-    const auto enters = [&](int32_t node) -> double {
-        const Box3 &box = nodes_[static_cast<size_t>(node)].box;
-        const Interval inside = slab(box.lower.data(), box.upper.data(), ray, room);
-        const bool meets = inside.lower <= inside.upper && inside.upper >= query.range.lower &&
-                           inside.lower <= query.range.upper;
-        return meets ? inside.lower : infinity;
-    };
     std::vector<Found> stack;
-    const auto push = [&](Found found) {
-        if (found.second < infinity) {
+    const auto look = [&](int32_t node) -> Found {
+        const Box3 &box = nodes_[static_cast<size_t>(node)].box;
+        return {node, slab(box.lower.data(), box.upper.data(), ray, room)};
+    };
+    const auto push = [&](const Found &found) {
+        const auto [lower, upper] = found.where;
+        if (lower <= upper && upper >= query.range.lower && lower <= query.range.upper) {
             stack.push_back(found);
         }
     };
     if (!nodes_.empty()) {
-        push({0, enters(0)});
+        push(look(0));
     }
     int64_t visits = 0;
     for (; !stack.empty(); ++visits) {
-        const auto [node, from] = stack.back();
+        const Found found = stack.back();
         stack.pop_back();
-        if (from > limit()) {
+        if (found.where.lower > limit()) {
             continue;
         }
-        const int32_t right = nodes_[static_cast<size_t>(node)].right;
+        const int32_t right = nodes_[static_cast<size_t>(found.node)].right;
         if (right < 0) {
-            visit(-1 - right);
+            visit(-1 - right, found.where);
             continue;
         }
-        Found near{node + 1, enters(node + 1)}, other{right, enters(right)};
-        if (other.second < near.second) {
+        Found near = look(found.node + 1), other = look(right);
+        if (other.where.lower < near.where.lower) {
             std::swap(near, other);
         }
         push(other);

@@ -6,41 +6,41 @@
 #include "intersect/rays/ray_tree.h"
 #include "intersect/rays/turned_patches.h"
 
+#include <array>
+#include <optional>
+#include <vector>
+
 namespace nrb::intersect {
 
 namespace {
 
 constexpr int most_halvings = 2000; // of a ray
 constexpr int most_curve_depth = 50;
+constexpr size_t most_waiting = 64; // the tree halves at most 2^63 pieces
 constexpr int64_t curve_lanes = TurnedPatches::lanes;
 
 // In the frame of the pieces.
 class CurveSearch {
 public:
     CurveSearch(const Spline &curve, const RayQuery &query, double distance)
-        : tree_(ray_tree_of(curve)), grid_(tree_.grid()),
-          degree_(grid_.shape().axes > 0 ? grid_.shape().degree(0) : 0), placed_(grid_, query),
-          patches_(grid_), range_{placed_.in_frame(query.range.lower), placed_.in_frame(query.range.upper)} {
-        patches_.set_ray(placed_);
-        distance_ = 1.001 * grid_.scaled(distance);
-    }
+        : tree_(ray_tree_of(curve)), grid_(tree_.grid()), placed_(grid_, query), noise_(placed_.room(grid_)),
+          degree_(grid_.shape().axes > 0 ? grid_.shape().degree(0) : 0),
+          range_{placed_.in_frame(query.range.lower), placed_.in_frame(query.range.upper)},
+          distance_(1.001 * grid_.scaled(distance)) {}
 
     CurvePassage run() {
-        const double room = distance_ + patches_.room();
-        std::vector<int32_t> nodes{0};
-        while (!nodes.empty()) {
-            const int32_t node = nodes.back();
-            nodes.pop_back();
-            const Interval inside = tree_.meets(node, placed_.ray, room);
-            if (!meets_range(inside)) {
+        std::array<int32_t, most_waiting> nodes{0};
+        for (size_t waiting = 1; waiting > 0;) {
+            const int32_t node = nodes[--waiting];
+            if (!meets_range(tree_.meets(node, placed_.ray, distance_ + noise_))) {
                 continue;
             }
             if (tree_.is_piece(node)) {
                 look_at(tree_.piece(node));
                 continue;
             }
-            nodes.push_back(tree_.right(node));
-            nodes.push_back(node + 1);
+            nodes[waiting++] = tree_.right(node);
+            nodes[waiting++] = node + 1;
         }
         found_.ts = {placed_.of_query(found_.ts.lower), placed_.of_query(found_.ts.upper)};
         return found_;
@@ -69,7 +69,7 @@ private:
         Ranges r;
         for (int i = 0; i <= degree_; ++i) {
             const double *v = part.values.data() + i * curve_lanes;
-            if (!patches_.has_point(v)) {
+            if (!patches_->has_point(v)) {
                 continue;
             }
             r.certain = r.certain && grid_.positive() && v[3] > 0;
@@ -82,10 +82,14 @@ private:
     static double from_zero(Interval x) noexcept { return std::max({x.lower, -x.upper, 0.0}); }
 
     void look_at(int64_t piece) {
+        if (!patches_) {
+            patches_.emplace(grid_);
+            patches_->set_ray(placed_);
+        }
         const Interval all = grid_.part(piece)[0];
         std::vector<Part> parts(1, Part{std::vector<double>(static_cast<size_t>((degree_ + 1) * curve_lanes)),
-                                        all.lower, all.upper - all.lower, patches_.room(), 0});
-        patches_.fill(piece, parts.front().values.data());
+                                        all.lower, all.upper - all.lower, noise_, 0});
+        patches_->fill(piece, parts.front().values.data());
         while (!parts.empty()) {
             Part part = std::move(parts.back());
             parts.pop_back();
@@ -106,7 +110,8 @@ private:
     }
     [[nodiscard]] bool is_small(const Part &part, const Ranges &r) {
         const double size = std::max({r.x.upper - r.x.lower, r.y.upper - r.y.lower, r.t.upper - r.t.lower});
-        return size <= std::max(distance_ / 8, 4 * part.moved) || part.depth >= most_curve_depth || --halvings_ < 0;
+        return size <= std::max(distance_ / 8, 4 * part.moved) || part.depth >= most_curve_depth ||
+               --halvings_ < 0;
     }
     void put(const Part &part, Interval ts) noexcept {
         if (ts.lower < found_.ts.lower) {
@@ -128,11 +133,12 @@ private:
 
     const RayTree &tree_;
     const pieces::PieceGrid &grid_;
-    int degree_;
     PlacedRay placed_;
-    TurnedPatches patches_;
+    double noise_; // of pieces and the ray
+    int degree_;
     Interval range_;
-    double distance_ = 0;
+    double distance_;
+    std::optional<TurnedPatches> patches_; // made for the first piece
     int halvings_ = most_halvings;
     CurvePassage found_;
 };

@@ -20,4 +20,11 @@ PlacedRay::PlacedRay(const pieces::PieceGrid &grid, const RayQuery &query) {
             (query.off > 0 || query.turned > 0 ? grid.scaled(query.off) + query.turned * far : 0);
 }
 
+// Turning takes three products and two sums for each coordinate, evaluation some for each degree: of the distance from the
+// origin.
+double PlacedRay::room(const pieces::PieceGrid &grid) const noexcept {
+    const double far = length(ray.origin) + grid.radius();
+    return 1.01 * grid.moved() + (16 * eps + 4 * grid.value_error()) * far + moved;
+}
+
 } // namespace nrb::intersect

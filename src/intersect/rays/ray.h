@@ -44,6 +44,8 @@ struct PlacedRay {
     PlacedRay(const pieces::PieceGrid &grid, const RayQuery &query);
     [[nodiscard]] double in_frame(double t) const noexcept { return std::isinf(t) ? t : t * factor - start; }
     [[nodiscard]] double of_query(double t) const noexcept { return (t + start) / factor; }
+    // How far rounding moves the pieces, once they are turned, and the ray in all.
+    [[nodiscard]] double room(const pieces::PieceGrid &grid) const noexcept;
 };
 
 // Where a ray is in a box, at most `room` larger; lower > upper: nowhere. Where the direction has no component along an

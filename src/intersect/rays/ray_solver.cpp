@@ -32,7 +32,7 @@ RaySolver::RaySolver(const pieces::PieceGrid &grid)
 
 void RaySolver::set_ray(const PlacedRay &ray) {
     patches_.set_ray(ray);
-    noise_ = patches_.room();
+    noise_ = ray.room(grid_);
     reach_ = grid_.radius() + length(ray.ray.origin);
     boxes_ = most_boxes;
 }

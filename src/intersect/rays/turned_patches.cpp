@@ -9,15 +9,11 @@ TurnedPatches::TurnedPatches(const pieces::PieceGrid &grid)
     : grid_(grid), origin_(static_cast<size_t>(grid.shape().lanes)),
       work_(2 * static_cast<size_t>(grid.shape().values())) {}
 
-// Turning takes three products and two sums for each coordinate, evaluation some for each degree: of the distance from the
-// origin.
 void TurnedPatches::set_ray(const PlacedRay &ray) {
     along_ = ray.ray.direction;
     first_ = any_normal(along_);
     second_ = cross(along_, first_);
     std::copy_n(ray.ray.start.data(), 3, origin_.data());
-    const double far = length(ray.ray.origin) + grid_.radius();
-    room_ = 1.01 * grid_.moved() + (16 * eps + 4 * grid_.value_error()) * far + ray.moved;
 }
 
 void TurnedPatches::fill(int64_t piece, double *out) noexcept {

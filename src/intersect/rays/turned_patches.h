@@ -18,8 +18,6 @@ public:
 
     // For what follows.
     void set_ray(const PlacedRay &ray);
-    // How far rounding moves pieces and the ray in all.
-    [[nodiscard]] double room() const noexcept { return room_; }
     void fill(int64_t piece, double *out) noexcept;
     // Coefficients of weight 0 are 0 altogether where no weight is negative: they say nothing.
     [[nodiscard]] bool has_point(const double *record) const noexcept {
@@ -30,7 +28,6 @@ private:
     const pieces::PieceGrid &grid_;
     std::vector<double> origin_, work_;
     Vector3 first_, second_, along_;
-    double room_ = 0;
 };
 
 } // namespace nrb::intersect

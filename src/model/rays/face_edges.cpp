@@ -14,11 +14,13 @@ namespace nrb::model {
 
 namespace {
 
-constexpr int parts_of_a_piece = 8;
+constexpr double largest_part = 1.0 / 64; // of the face
+constexpr int most_halvings = 8;
 
 } // namespace
 
 FaceEdges::FaceEdges(const face::Face &face, const std::vector<double> &rooms) {
+    size_ = face_box(face).size();
     std::vector<face::BoundaryCurve> curves = face::boundary_curves(face);
     std::ranges::move(face::seam_curves(face), std::back_inserter(curves));
     for (face::BoundaryCurve &curve : curves) {
@@ -38,17 +40,29 @@ void FaceEdges::add(const face::Face &face, SplinePtr plane, SplinePtr space, do
     add_item({std::move(plane), std::move(space), room}, box);
 }
 
-// Precondition: both parameters of the curve run one way.
+// Parts that are small beside the face, between places of the curve. Precondition: both of its parameters run one way.
 void FaceEdges::add_boxes(const face::Face &face, const Spline &plane, double room) {
-    const Interval domain = plane.axis(0).domain();
-    face::Point2 from{}, to{};
-    eval::curve_point(plane, domain.lower, false, from.data());
-    for (int i = 1; i <= parts_of_a_piece; ++i, from = to) {
-        eval::curve_point(plane, parameter_in(domain, static_cast<double>(i) / parts_of_a_piece), true,
-                          to.data());
-        Item item{nullptr, nullptr, room, {from[0] / 2 + to[0] / 2, from[1] / 2 + to[1] / 2}};
-        item.middle = face.covering().in_domain(item.middle);
-        add_item(std::move(item), box_between(face, from, to));
+    struct Part {
+        Interval params;
+        int halvings;
+    };
+    const auto at = [&](double t) {
+        face::Point2 x{};
+        eval::curve_point(plane, t, false, x.data());
+        return x;
+    };
+    std::vector<Part> parts{{plane.axis(0).domain(), 0}};
+    while (!parts.empty()) {
+        const Part part = parts.back();
+        parts.pop_back();
+        const double middle = parameter_in(part.params, 0.5);
+        const intersect::Box3 box = box_between(face, at(part.params.lower), at(part.params.upper));
+        if (part.halvings < most_halvings && box.size() > std::max(4 * room, largest_part * size_)) {
+            parts.push_back({{part.params.lower, middle}, part.halvings + 1});
+            parts.push_back({{middle, part.params.upper}, part.halvings + 1});
+            continue;
+        }
+        add_item({nullptr, nullptr, room, at(middle)}, box);
     }
 }
 
@@ -61,17 +75,17 @@ void FaceEdges::add_item(Item item, intersect::Box3 box) {
 void FaceEdges::passages(const intersect::RayQuery &query, std::vector<EdgePassage> &out) const {
     tree_.walk(
         query, [&] { return query.range.upper; },
-        [&](int32_t i) {
+        [&](int32_t i, Interval where) {
             const Item &item = items_[static_cast<size_t>(i)];
             if (item.space == nullptr) {
-                out.push_back({query.range, item.middle});
+                out.push_back({where, item.middle, item.room});
                 return;
             }
             const intersect::CurvePassage passage = intersect::passage_near(*item.space, query, item.room);
             if (passage.there()) {
                 face::Point2 at{};
                 eval::curve_point(*item.plane, passage.param, false, at.data());
-                out.push_back({passage.ts, at});
+                out.push_back({passage.ts, at, item.room});
             }
         });
 }

@@ -12,6 +12,7 @@ namespace nrb::model {
 struct EdgePassage {
     Interval ts;         // outside of which the ray is not near
     face::Point2 params; // about where, in the domain
+    double room;         // how near is near
 };
 
 // All curves at which a face may end, its seams among them.
@@ -33,6 +34,7 @@ private:
     void add_boxes(const face::Face &face, const Spline &plane, double room);
     void add_item(Item item, intersect::Box3 box);
 
+    double size_ = 0; // of the face
     std::vector<Item> items_;
     std::vector<intersect::Box3> boxes_;
     intersect::BoxTree tree_;

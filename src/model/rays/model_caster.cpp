@@ -28,7 +28,7 @@ ModelCaster::ModelCaster(const Model &model, const Scene &scene)
 intersect::RayCaster &ModelCaster::caster(int64_t face) {
     auto &own = casters_[static_cast<size_t>(face)];
     if (own == nullptr) {
-        const face::Face &made = *model_.faces[static_cast<size_t>(face)].face;
+        const face::Face &made = this->face(face);
         own = std::make_unique<intersect::RayCaster>(*made.surface(), face::trim_filter(made));
     }
     return *own;
@@ -40,46 +40,85 @@ const std::vector<EdgePassage> &ModelCaster::passages(const intersect::RayQuery 
     return passages_;
 }
 
-ModelAnswer ModelCaster::first(const intersect::RayQuery &query) {
-    intersect::FirstMeets meets;
-    int32_t hit = -1, touch = -1;
-    const auto add_touch = [&](intersect::RayAnswer answer, int32_t placed) {
-        const double from = std::min(answer.ts.lower, meets.touch_from());
-        if (!meets.touch || answer.t < meets.touch->t) {
-            meets.touch = answer;
-            touch = placed;
-        }
-        meets.touch->ts.lower = from;
-    };
-    const auto limit = [&] { return meets.hit ? meets.hit->t : query.range.upper; };
-    const int64_t visits = scene_.tree().walk(query, limit, [&](int32_t i) {
+// What a ray passes on its way to a first hit.
+class ModelCaster::First {
+public:
+    First(const intersect::RayQuery &query, ModelCaster &caster)
+        : query_(query), speed_(length(query.direction)), caster_(caster) {}
+
+    [[nodiscard]] double limit() const noexcept { return meets_.hit ? meets_.hit->t : query_.range.upper; }
+
+    void look_at(int32_t i) {
         if (work_ended()) {
-            meets.complete = false;
+            meets_.complete = false;
             return;
         }
-        const PlacedFace &placed = scene_.face(i);
-        intersect::RayQuery local = scene_.placement(placed).moved(query);
+        const PlacedFace &placed = caster_.scene_.face(i);
+        const Placement &placement = caster_.scene_.placement(placed);
+        intersect::RayQuery local = placement.moved(query_);
         local.range.upper = limit();
-        for (const EdgePassage &passage : passages(local, placed.face)) {
-            add_touch(touch_of(passage, *model_.faces[static_cast<size_t>(placed.face)].face, local.range),
-                      i);
+        for (const EdgePassage &passage : caster_.passages(local, placed.face)) {
+            const auto answer = touch_of(passage, caster_.face(placed.face), local.range);
+            edges_.push_back({{answer, i, 0}, placement.growth_to_whole() * passage.room / speed_});
         }
-        const intersect::FirstMeets own = caster(placed.face).first(local);
-        if (own.hit && !(meets.hit && meets.hit->t <= own.hit->t)) {
-            meets.hit = own.hit;
-            hit = i;
+        add(caster_.caster(placed.face).first(local), i);
+    }
+    // A hit that follows an edge at once is that of the face or of its neighbour.
+    [[nodiscard]] ModelAnswer answer() {
+        for (const Edge &edge : edges_) {
+            const double from = edge.meet.answer.ts.lower;
+            if (!meets_.hit || from + most_rooms * edge.room < meets_.hit->t) {
+                add_touch(edge.meet.answer, edge.meet.placed);
+            }
+        }
+        const intersect::RayAnswer answer = meets_.answer();
+        const bool hits = (answer.status & intersect::ray_hit) != 0,
+                   touches = (answer.status & intersect::ray_touch) != 0;
+        return hits || touches ? caster_.answer({answer, hits ? hit_ : touch_, meets_.room})
+                               : ModelAnswer{answer};
+    }
+
+private:
+    static constexpr double most_rooms = 4;
+    struct Edge {
+        PlacedMeet meet;
+        double room; // in t
+    };
+
+    void add(const intersect::FirstMeets &own, int32_t placed) {
+        if (own.hit && !(meets_.hit && meets_.hit->t <= own.hit->t)) {
+            meets_.hit = own.hit;
+            hit_ = placed;
         }
         if (own.touch) {
-            add_touch(*own.touch, i);
+            add_touch(*own.touch, placed);
         }
-        meets.room = std::max(meets.room, own.room);
-        meets.complete = meets.complete && own.complete;
-    });
+        meets_.room = std::max(meets_.room, own.room);
+        meets_.complete = meets_.complete && own.complete;
+    }
+    void add_touch(const intersect::RayAnswer &answer, int32_t placed) {
+        const double from = std::min(answer.ts.lower, meets_.touch_from());
+        if (!meets_.touch || answer.t < meets_.touch->t) {
+            meets_.touch = answer;
+            touch_ = placed;
+        }
+        meets_.touch->ts.lower = from;
+    }
+
+    const intersect::RayQuery &query_;
+    double speed_;
+    ModelCaster &caster_;
+    intersect::FirstMeets meets_;
+    int32_t hit_ = -1, touch_ = -1;
+    std::vector<Edge> edges_;
+};
+
+ModelAnswer ModelCaster::first(const intersect::RayQuery &query) {
+    First meets(query, *this);
+    const int64_t visits = scene_.tree().walk(
+        query, [&] { return meets.limit(); }, [&](int32_t i, Interval) { meets.look_at(i); });
     count_work(30 * visits);
-    const intersect::RayAnswer answer = meets.answer();
-    const bool hits = (answer.status & intersect::ray_hit) != 0,
-               touches = (answer.status & intersect::ray_touch) != 0;
-    return hits || touches ? this->answer({answer, hits ? hit : touch, meets.room}) : ModelAnswer{answer};
+    return meets.answer();
 }
 
 bool ModelCaster::all(const intersect::RayQuery &query, std::vector<PlacedMeet> &out) {
@@ -87,7 +126,7 @@ bool ModelCaster::all(const intersect::RayQuery &query, std::vector<PlacedMeet> 
     bool sure = true;
     const int64_t visits = scene_.tree().walk(
         query, [&] { return query.range.upper; },
-        [&](int32_t i) { sure = !work_ended() && all_of(i, query, out) && sure; });
+        [&](int32_t i, Interval) { sure = !work_ended() && all_of(i, query, out) && sure; });
     count_work(30 * visits);
     std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(),
               [](const PlacedMeet &a, const PlacedMeet &b) {
@@ -105,8 +144,7 @@ bool ModelCaster::all_of(int32_t placed, const intersect::RayQuery &given, std::
     bool sure = caster(face).all(query, answers_, &room);
     const std::vector<EdgePassage> &near = passages(query, face);
     for (const EdgePassage &passage : near) {
-        out.push_back(
-            {touch_of(passage, *model_.faces[static_cast<size_t>(face)].face, query.range), placed, room});
+        out.push_back({touch_of(passage, this->face(face), query.range), placed, room});
     }
     for (const intersect::RayAnswer &answer : answers_) {
         const bool known = std::ranges::any_of(near, [&](const EdgePassage &passage) {

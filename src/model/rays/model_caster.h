@@ -36,6 +36,10 @@ public:
     [[nodiscard]] ModelAnswer answer(const PlacedMeet &meet) const;
 
 private:
+    class First;
+    [[nodiscard]] const face::Face &face(int64_t i) const noexcept {
+        return *model_.faces[static_cast<size_t>(i)].face;
+    }
     intersect::RayCaster &caster(int64_t face);
     const std::vector<EdgePassage> &passages(const intersect::RayQuery &query, int64_t face);
 

@@ -7,6 +7,7 @@ use crate::bounds::BoundingBox;
 use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::Face;
+use crate::intersections::Rays;
 use crate::measure::{Measured, Moments};
 use crate::moments::moments_of;
 use crate::sizes::sum;
@@ -189,6 +190,70 @@ impl Face {
             )
         })?;
         Ok(sides)
+    }
+
+    /// Where rays meet it first, with proof.
+    pub fn rays<'a, 'b>(
+        &self,
+        origins: impl Into<Records<'a>>,
+        directions: impl Into<Records<'b>>,
+    ) -> Result<Rays> {
+        let origins = origins.into();
+        let directions = directions.into();
+        let n = origins.count(3, "origins")?;
+        directions.require(n, 3, "directions")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_rays(
+                self.raw(),
+                n as i64,
+                origins.pointer(),
+                origins.stride(),
+                origins.component_stride(),
+                directions.pointer(),
+                directions.stride(),
+                directions.component_stride(),
+                params.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+            )
+        })?;
+        Ok(Rays { params, distances, status })
+    }
+
+    /// The same as `rays`; it can be watched and stopped.
+    pub fn rays_with<'a, 'b>(
+        &self,
+        origins: impl Into<Records<'a>>,
+        directions: impl Into<Records<'b>>,
+        call: &mut Call,
+    ) -> Result<Rays> {
+        let origins = origins.into();
+        let directions = directions.into();
+        let n = origins.count(3, "origins")?;
+        directions.require(n, 3, "directions")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_rays_with(
+                self.raw(),
+                n as i64,
+                origins.pointer(),
+                origins.stride(),
+                origins.component_stride(),
+                directions.pointer(),
+                directions.stride(),
+                directions.component_stride(),
+                params.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(Rays { params, distances, status })
     }
 
     /// Its area.
