@@ -42,21 +42,22 @@ std::vector<model::ModelAnswer> first_answers(const model::Model &model, const C
 
 } // namespace
 
-nurbs_status nurbs_model_instances(const nurbs_model *model, int64_t cap, int64_t *parents, int64_t *uses,
-                                   int64_t *parts, double *placements, int64_t *count) {
+nurbs_status nurbs_model_instances(const nurbs_model *model, int64_t cap, int64_t *parents,
+                                   int64_t *last_uses, int64_t *own_parts, double *placements,
+                                   int64_t *count) {
     return guard([&] {
         const model::Model &own = model_of(model);
         check_length(cap, "cap");
         const std::vector<model::Instance> found = model::instances_of(own);
         const int64_t filled = checked_cap(cap, std::ssize(found));
-        check_apart({memory("parents", parents, filled), memory("uses", uses, filled),
-                     memory("parts", parts, filled), memory("placements", placements, 12 * filled),
+        check_apart({memory("parents", parents, filled), memory("last_uses", last_uses, filled),
+                     memory("own_parts", own_parts, filled), memory("placements", placements, 12 * filled),
                      memory("count", count, 1)},
                     {});
         for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(parents, i, found[i].parent);
-            put(uses, i, found[i].use);
-            put(parts, i, found[i].part);
+            put(last_uses, i, found[i].use);
+            put(own_parts, i, found[i].part);
             put_all(placements == nullptr ? nullptr : placements + 12 * i, found[i].placement);
         }
         put(count, int64_t{std::ssize(found)});
@@ -131,10 +132,9 @@ nurbs_status nurbs_model_classify(const nurbs_model *model, int64_t n, const dou
         check_tolerance(tolerance);
         check_apart({memory("sides", sides, n)}, {memory("points", places.data, places.extent())});
         check_rays("points", Status::point_not_finite, places);
-        model::check_closed(own);
         StagedStatus staged(sides, n);
-        model::Classifier classifier(own, tolerance);
         const LimitedSearch search;
+        model::Classifier classifier(own, tolerance);
         Steps steps(n);
         for (int64_t i = 0; i < n; ++i, steps.next(work_of_a_ray)) {
             staged.data()[i] = work_ended() ? model::side_undecided : classifier.side(row(places, i));

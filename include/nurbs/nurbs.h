@@ -7126,23 +7126,23 @@ NURBS_API nurbs_status nurbs_model_use(const nurbs_model *model, int64_t index, 
  * \param[in] model a model.
  * \param[in] cap length of the outputs: 0, or at least the number of instances.
  * \param[out] parents [cap] or NULL: the instance in which it stands; -1: the whole.
- * \param[out] uses [cap] or NULL: the last use on the way.
- * \param[out] parts [cap] or NULL: the part of that use.
- * \param[out] placements [cap][3][4] or NULL: a point x of the part is at M x + t in the whole, rows of
+ * \param[out] last_uses [cap] or NULL: the last use on the way.
+ * \param[out] own_parts [cap] or NULL: the part of that use.
+ * \param[out] placements [cap][12] or NULL: a point x of the part is at M x + t in the whole, the three rows of
  *   (M | t).
  * \param[out] count or NULL: the number of instances.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP; _TOO_LARGE if there are more than 2^20.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_instances(const nurbs_model *model, int64_t cap, int64_t *parents,
-                                             int64_t *uses, int64_t *parts, double *placements,
+                                             int64_t *last_uses, int64_t *own_parts, double *placements,
                                              int64_t *count);
 
 /** \brief Where rays x = origin + t direction, t >= 0, meet the faces of a model first, of all parts where they
  * stand in the whole (nurbs_model_instances()). Hits are those of nurbs_face_rays(), whose rounding and that of
- * placements is in the proofs. A ray that passes within the tolerance of an edge, where the face ends or its
- * neighbour begins, touches the face there: twice the largest tolerance of the faces that share an edge of it, so
- * that no ray slips through between two neighbours and is told to be certified. The first call makes a tree of the
- * boxes of all faces, which is kept.
+ * placements is in the proofs. A ray that passes an edge at no more than twice the largest tolerance of the faces
+ * that share edges with its face touches the face there, unless a hit follows within four times that distance: so no
+ * ray slips through between two neighbours and is told to be certified. The first call makes a tree of the boxes of
+ * all faces, which is kept.
  * \param[in] model a model.
  * \param[in] n number of rays.
  * \param[in] origins [n][3].

@@ -3836,11 +3836,12 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_model_use
         !> Where the parts of a model stand in the whole: each way through uses of parts in parts.
-        function nurbs_model_instances(model, cap, parents, uses, parts, placements, count) bind(c) result(r)
+        function nurbs_model_instances(model, cap, parents, last_uses, own_parts, placements, count) bind(c) &
+                result(r)
             import
             type(c_ptr), value :: model
             integer(c_int64_t), value :: cap
-            integer(c_int64_t), intent(inout), optional :: parents(*), uses(*), parts(*), count
+            integer(c_int64_t), intent(inout), optional :: parents(*), last_uses(*), own_parts(*), count
             real(c_double), intent(inout), optional :: placements(*)
             integer(c_int32_t) :: r
         end function nurbs_model_instances

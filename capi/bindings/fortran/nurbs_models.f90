@@ -239,19 +239,24 @@ contains
     subroutine instances(this, parents, uses, parts, placements, status)
         class(nurbs_model), intent(in) :: this
         integer(c_int64_t), allocatable, intent(inout) :: parents(:), uses(:), parts(:)
-        real(c_double), allocatable, intent(inout) :: placements(:, :, :)
+        real(c_double), allocatable, intent(inout) :: placements(:, :)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         integer(c_int64_t) :: n
-        real(c_double), allocatable :: placements_c(:, :, :)
+        real(c_double), allocatable :: placements_c(:, :)
         n = 0
         code = nurbs_model_instances(this%handle, 0_c_int64_t, count=n)
         if (allocated(parents)) deallocate (parents)
         if (allocated(uses)) deallocate (uses)
         if (allocated(parts)) deallocate (parts)
-        allocate (parents(n), uses(n), parts(n), placements_c(4, 3, n))
+        allocate (parents(n), uses(n), parts(n), placements_c(12, n))
         if (code == NURBS_OK) code = nurbs_model_instances(this%handle, n, parents, uses, parts, placements_c)
         placements = transpose(placements_c)
+        if (code == NURBS_OK) then
+            parents = parents + 1
+            uses = uses + 1
+            parts = parts + 1
+        end if
         call settle(code, status)
     end subroutine instances
 

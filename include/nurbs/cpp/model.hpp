@@ -63,7 +63,8 @@ struct ModelInstances {
     std::vector<std::int64_t> parents; ///< The instance in which each stands, -1 for the whole.
     std::vector<std::int64_t> uses;    ///< The last use on the way to it.
     std::vector<std::int64_t> parts;   ///< The part of that use.
-    std::vector<double> placements;    ///< [n][3][4]: a point x of the part is at M x + t, rows of (M | t).
+    /// [n][12]: a point x of the part is at M x + t, the three rows of (M | t).
+    std::vector<double> placements;
 };
 
 /// Where rays meet a model first, at origin + t direction.
@@ -212,7 +213,7 @@ public:
         found.parents = detail::room<std::int64_t>(count);
         found.uses = detail::room<std::int64_t>(count);
         found.parts = detail::room<std::int64_t>(count);
-        found.placements = detail::room(count, 3, 4);
+        found.placements = detail::room(count, 12);
         ask(count);
         return found;
     }

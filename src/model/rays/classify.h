@@ -11,13 +11,10 @@ namespace nrb::model {
 
 enum Side : int32_t { side_outside = -1, side_on = 0, side_inside = 1, side_undecided = 2 };
 
-// Throws Status::gap if faces leave something open.
-void check_closed(const Model &model);
-
-// Calls with one point after the other. Precondition: a closed model.
+// Calls with one point after the other.
 class Classifier {
 public:
-    // tolerance: of what is on a face, >= 0.
+    // tolerance: of what is on a face, >= 0. Throws what closed_scene_of() does.
     Classifier(const Model &model, double tolerance);
 
     // Of a finite point. Proven by the number of faces that a ray from it passes, where all of them are proven and none is near

@@ -3,6 +3,7 @@
 
 #include "base/watch.h"
 #include "face/deviation.h"
+#include "model/rays/closed.h"
 #include "model/rays/face_place.h"
 
 #include <algorithm>
@@ -94,7 +95,10 @@ const Scene &scene_of(const Model &model) {
 }
 
 const Scene &closed_scene_of(const Model &model) {
-    return model.closed_rays.get<Scene>([&] { return std::make_shared<const Scene>(model, true); });
+    return model.closed_rays.get<Scene>([&] {
+        check_closed(model);
+        return std::make_shared<const Scene>(model, true);
+    });
 }
 
 } // namespace nrb::model

@@ -45,6 +45,7 @@ private:
     std::vector<Lazy<FaceEdges>> edges_;     // of each face
 };
 
+// Built at the first use. Of a closed one throws what check_closed() does, too.
 const Scene &scene_of(const Model &model);
 const Scene &closed_scene_of(const Model &model);
 

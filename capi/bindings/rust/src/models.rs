@@ -94,8 +94,8 @@ pub struct ModelInstances {
     pub uses: Vec<i64>,
     /// The part of that use.
     pub parts: Vec<i64>,
-    /// `[n][3][4]`: a point x of the part is at M x + t, rows of (M | t).
-    pub placements: Vec<[f64; 4]>,
+    /// `[n][12]`: a point x of the part is at M x + t, the three rows of (M | t).
+    pub placements: Vec<[f64; 12]>,
 }
 
 /// Where rays meet a model first, at origin + t direction.
@@ -303,7 +303,7 @@ impl Model {
         let mut parents = vec![0; n];
         let mut uses = vec![0; n];
         let mut parts = vec![0; n];
-        let mut placements = vec![[0.0; 4]; 3 * n];
+        let mut placements = vec![[0.0; 12]; n];
         check(fill(
             count,
             parents.as_mut_ptr(),

@@ -4569,13 +4569,13 @@ extern "C" {
     ) -> nurbs_status;
     /// Where the parts of a model stand in the whole: each way through uses of parts in parts.
     ///
-    /// May be null: `parents`, `uses`, `parts`, `placements`, `count`.
+    /// May be null: `parents`, `last_uses`, `own_parts`, `placements`, `count`.
     pub fn nurbs_model_instances(
         model: *const nurbs_model,
         cap: i64,
         parents: *mut i64,
-        uses: *mut i64,
-        parts: *mut i64,
+        last_uses: *mut i64,
+        own_parts: *mut i64,
         placements: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
