@@ -339,7 +339,7 @@ contains
         call settle(code, status)
     end subroutine ray_hits
 
-    !> Whether points are inside its solids: the constants of sides, that of an undecided one where that is not known.
+    !> Whether points are inside its solids: a NURBS_SIDE_ constant each.
     subroutine classify(this, points, sides, tolerance, status, call)
         class(nurbs_model), intent(in) :: this
         real(c_double), intent(in) :: points(:, :)

@@ -19,6 +19,12 @@
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
+/// On which side of the faces of a model a point is.
+inline constexpr std::int32_t side_inside = NURBS_SIDE_INSIDE;
+inline constexpr std::int32_t side_on = NURBS_SIDE_ON;
+inline constexpr std::int32_t side_outside = NURBS_SIDE_OUTSIDE;
+inline constexpr std::int32_t side_undecided = NURBS_SIDE_UNDECIDED;
+
 /// How much a model holds.
 struct ModelCounts {
     std::int64_t parts;    ///< Number of parts.
@@ -284,8 +290,7 @@ public:
         found.complete = complete != 0;
         return found;
     }
-    /// Whether points are inside its solids: the constants of sides, that of an undecided one where that is not
-    /// known.
+    /// Whether points are inside its solids: a side_ constant each.
     [[nodiscard]] Returned<std::vector<std::int32_t>> classify(Input points, double tolerance = 0) const {
         const std::int64_t n = detail::records(points, 3, "points");
         std::vector<std::int32_t> values = detail::room<std::int32_t>(n);

@@ -443,8 +443,7 @@ impl Model {
         Ok(ModelRayHits { params, distances, kinds, places, complete: complete != 0 })
     }
 
-    /// Whether points are inside its solids: the constants of sides, that of an undecided one where that is
-    /// not known.
+    /// Whether points are inside its solids: a `NURBS_SIDE_` constant each.
     pub fn classify<'a>(&self, points: impl Into<Records<'a>>, tolerance: f64) -> Result<Vec<i32>> {
         let points = points.into();
         let n = points.count(3, "points")?;
