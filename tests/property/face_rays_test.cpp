@@ -136,6 +136,51 @@ TEST(FaceRays, do_not_miss_places_inside) {
     EXPECT_GE(cast_at, of_whole_run(2000));
 }
 
+// Whole surfaces of all forms of knots and weights as faces and as models: places that are known to be there are not missed,
+// and what is certified of a face is so of its surface.
+TEST(FaceRays, of_whole_surfaces_are_those_of_the_surface) {
+    int64_t certified = 0, hit = 0, count = 0;
+    for_each_case(2950000, 300, [&](Random &random, uint64_t seed) {
+        Recipe recipe = random_recipe(random, 2, 4);
+        recipe.dim = 3;
+        const SplineData data = random_spline(random, recipe);
+        const Handle g = create(data);
+        nurbs_face *made = nullptr;
+        if (nurbs_face_create(g.get(), 0, nullptr, nullptr, nullptr, nullptr, 1e-9, 0, nullptr, &made) !=
+            NURBS_OK) {
+            return;
+        }
+        const Face face(made);
+        nurbs_model *of_one = nullptr;
+        require_ok(nurbs_model_create(1, &made, 1, &of_one));
+        const std::unique_ptr<nurbs_model, decltype(&nurbs_model_destroy)> model(of_one, nurbs_model_destroy);
+        const double size = size_of(g.get());
+        for (int i = 0; i < 10; ++i) {
+            const Vec x = eval(g.get(), {random.between(data.lower(0), data.upper(0)),
+                                         random.between(data.lower(1), data.upper(1))});
+            const Point from = random_point(random, 3 * size),
+                        along{x[0] - from[0], x[1] - from[1], x[2] - from[2]};
+            Answer of_surface, of_model;
+            require_ok(nurbs_surface_rays(g.get(), 1, from.data(), 0, 0, along.data(), 0, 0, of_surface.uv,
+                                          &of_surface.t, &of_surface.status));
+            require_ok(nurbs_model_rays(of_one, 1, from.data(), along.data(), of_model.uv, &of_model.t,
+                                        &of_model.status, nullptr));
+            ++count;
+            for (const Answer &answer : {cast(made, from, along), of_model}) {
+                if (!answer.certified()) {
+                    continue;
+                }
+                ++certified;
+                ASSERT_TRUE(answer.hit() && answer.t <= 1 + 1e-10) << where(seed, data);
+                ASSERT_TRUE(!of_surface.certified() || answer.t == of_surface.t) << where(seed, data);
+                hit += answer.hit() ? 1 : 0;
+            }
+        }
+    });
+    std::cout << "certified " << certified << " of " << 2 * count << '\n';
+    EXPECT_GE(certified, of_whole_run(count));
+}
+
 // At places of the loop itself, and beside it by less and less: inside or not, nothing that is false is certified.
 TEST(FaceRays, at_the_loop_are_touches) {
     const Ground ground = plane();

@@ -264,6 +264,48 @@ TEST(ModelRays, do_not_slip_through_edges) {
     }
 }
 
+// With less work less is known, and nothing else.
+TEST(ModelRays, with_small_budgets_claim_nothing_false) {
+    int64_t less = 0;
+    for_each_case(2960000, 30, [&](Random &random, uint64_t seed) {
+        for (const Solid &solid : solids(random)) {
+            Vec from, along;
+            constexpr int n = 8;
+            for (int i = 0; i < n; ++i) {
+                const Point start = random_point(random, 1.5 * solid.size),
+                            way = minus(random_point(random, solid.size), start);
+                from.insert(from.end(), start.begin(), start.end());
+                along.insert(along.end(), way.begin(), way.end());
+            }
+            std::vector<int32_t> status(n), sides(n), some_status(n), some_sides(n);
+            Vec t(n), some_t(n);
+            require_ok(nurbs_model_rays(solid.model.get(), n, from.data(), along.data(), nullptr, t.data(),
+                                        status.data(), nullptr));
+            require_ok(nurbs_model_classify(solid.model.get(), n, from.data(), 0, 0, 1e-6, sides.data()));
+            nurbs_call_options call;
+            require_ok(nurbs_call_options_init(&call, sizeof call));
+            for (const int64_t work : {1, 10, 100, 1000, 10000, 100000}) {
+                call.work = work;
+                require_ok(nurbs_model_rays_with(solid.model.get(), n, from.data(), along.data(), nullptr,
+                                                 some_t.data(), some_status.data(), nullptr, &call));
+                require_ok(nurbs_model_classify_with(solid.model.get(), n, from.data(), 0, 0, 1e-6,
+                                                     some_sides.data(), &call));
+                for (size_t i = 0; i < n; ++i) {
+                    less += some_status[i] == status[i] ? 0 : 1;
+                    if ((some_status[i] & NURBS_RAY_CERTIFIED) != 0) {
+                        ASSERT_EQ(some_status[i], status[i]) << seed << ' ' << work;
+                        ASSERT_TRUE(same_bits(some_t[i], t[i])) << seed << ' ' << work;
+                    }
+                    if (some_sides[i] != NURBS_SIDE_UNDECIDED) {
+                        ASSERT_EQ(some_sides[i], sides[i]) << seed << ' ' << work;
+                    }
+                }
+            }
+        }
+    });
+    EXPECT_GE(less, of_whole_run(100));
+}
+
 TEST(ModelSides, need_closed_models) {
     Random random(6);
     Point size{};
