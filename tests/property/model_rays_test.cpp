@@ -84,21 +84,25 @@ Solid solid_of(std::vector<Face> faces, double size, std::function<double(const 
     return {std::move(faces), std::move(model), std::move(depth), size};
 }
 
-std::vector<Solid> solids(Random &random) {
-    std::vector<Solid> found;
+Solid box_of(Random &random, double gap = 0) {
     Point size{}, origin{};
-    auto sides = box(random, size, origin);
+    auto sides = box(random, size, origin, gap);
     double largest = 0;
     for (size_t k = 0; k < 3; ++k) {
         largest = std::max({largest, std::abs(origin[k]), std::abs(origin[k] + size[k])});
     }
-    found.push_back(solid_of(std::move(sides), largest, [=](const Point &x) {
+    return solid_of(std::move(sides), largest, [=](const Point &x) {
         double depth = HUGE_VAL;
         for (size_t k = 0; k < 3; ++k) {
             depth = std::min({depth, x[k] - origin[k], origin[k] + size[k] - x[k]});
         }
         return depth;
-    }));
+    });
+}
+
+std::vector<Solid> solids(Random &random) {
+    std::vector<Solid> found;
+    found.push_back(box_of(random));
     const double radius = random.between(0.5, 2), height = random.between(0.5, 3);
     std::vector<Face> ball;
     ball.push_back(whole(made([&](nurbs **out) {
@@ -262,6 +266,44 @@ TEST(ModelRays, do_not_slip_through_edges) {
             }
         }
     }
+}
+
+// Sides of a box that leave gaps between each other, within their tolerance: nothing passes them and is told to be certified.
+TEST(ModelRays, do_not_slip_through_gaps) {
+    int64_t certified = 0, sides = 0, count = 0;
+    for_each_case(2970000, 600, [&](Random &random, uint64_t seed) {
+        const double gap = random.magnitude(1e-7, 0.015);
+        const Solid solid = box_of(random, gap);
+        ASSERT_EQ(counts_of(solid.model.get()).edges, 12);
+        for (int i = 0; i < 40; ++i) {
+            const Point in = random_point(random, solid.size), out = random_point(random, 3 * solid.size);
+            if (solid.depth(in) <= 3 * gap || solid.depth(out) >= -3 * gap) {
+                continue;
+            }
+            ++count;
+            double outside = 0, inside = 1; // where the ray enters
+            const Point along = minus(in, out);
+            while (inside - outside > 1e-15) {
+                const double t = (outside + inside) / 2;
+                const Point x{out[0] + t * along[0], out[1] + t * along[1], out[2] + t * along[2]};
+                (solid.depth(x) < 0 ? outside : inside) = t;
+            }
+            const Answer answer = cast(solid.model.get(), out, along);
+            if (answer.certified()) {
+                ++certified;
+                ASSERT_TRUE(answer.hit()) << seed;
+                ASSERT_LE((answer.t - outside) * std::hypot(along[0], along[1], along[2]), 10 * gap + 1e-12)
+                    << seed;
+            }
+            const int32_t of_in = side_of(solid.model.get(), in), of_out = side_of(solid.model.get(), out);
+            ASSERT_NE(of_in, NURBS_SIDE_OUTSIDE) << seed;
+            ASSERT_NE(of_out, NURBS_SIDE_INSIDE) << seed;
+            sides += (of_in == NURBS_SIDE_INSIDE ? 1 : 0) + (of_out == NURBS_SIDE_OUTSIDE ? 1 : 0);
+        }
+    });
+    EXPECT_GE(certified, of_whole_run(count * 3 / 4));
+    EXPECT_GE(sides, of_whole_run(2 * count - count / 20));
+    EXPECT_GE(count, of_whole_run(500));
 }
 
 // With less work less is known, and nothing else.

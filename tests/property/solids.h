@@ -14,7 +14,8 @@ inline Handle segment(std::array<double, 2> from, std::array<double, 2> to) {
 }
 
 // Around the domain: along u at the lower end of v, up, back, and down. Keys are negative against the loop.
-inline Face around_domain(const Handle &surface, const std::array<int64_t, 4> &keys) {
+inline Face around_domain(const Handle &surface, const std::array<int64_t, 4> &keys,
+                          double tolerance = 1e-9) {
     double u[2], v[2];
     require_ok(nurbs_domain(surface.get(), 0, u));
     require_ok(nurbs_domain(surface.get(), 1, v));
@@ -27,7 +28,7 @@ inline Face around_domain(const Handle &surface, const std::array<int64_t, 4> &k
     }
     const int64_t four = 4;
     nurbs_face *face = nullptr;
-    require_ok(nurbs_face_create(surface.get(), 1, &four, given.data(), nullptr, keys.data(), 1e-9, 0,
+    require_ok(nurbs_face_create(surface.get(), 1, &four, given.data(), nullptr, keys.data(), tolerance, 0,
                                  nullptr, &face));
     return Face(face);
 }
@@ -37,8 +38,10 @@ inline Handle plane(const std::array<double, 3> &origin, const std::array<double
     return made([&](nurbs **out) { return nurbs_surface_plane(3, origin.data(), u.data(), v.data(), out); });
 }
 
-// The sides of a box of random size, somewhere. Keys are the same for edges that are one.
-inline std::vector<Face> box(Random &random, std::array<double, 3> &size, std::array<double, 3> &origin) {
+// The sides of a box of random size, somewhere. Keys are the same for edges that are one. With a gap the sides end by so much
+// before their edges, which is within their tolerance.
+inline std::vector<Face> box(Random &random, std::array<double, 3> &size, std::array<double, 3> &origin,
+                             double gap = 0) {
     for (size_t k = 0; k < 3; ++k) {
         origin[k] = std::ldexp(random.whole(-8, 8), -2); // so that sums are exact
         size[k] = std::ldexp(random.whole(1, 16), -2);
@@ -49,14 +52,17 @@ inline std::vector<Face> box(Random &random, std::array<double, 3> &size, std::a
         for (const int64_t side : {0, 1}) {
             std::array<double, 3> corner = origin, u{}, v{};
             corner[axis] += side == 0 ? 0 : size[axis];
-            u[a] = size[a];
-            v[b] = size[b];
+            u[a] = size[a] - 2 * gap;
+            v[b] = size[b] - 2 * gap;
+            corner[a] += gap;
+            corner[b] += gap;
             // The edge along an axis that lies at these ends of the two that follow.
             const auto key = [](size_t along, int64_t first, int64_t second) {
                 return 1 + 4 * static_cast<int64_t>(along) + first + 2 * second;
             };
             faces.push_back(around_domain(
-                plane(corner, u, v), {key(a, 0, side), key(b, side, 1), -key(a, 1, side), -key(b, side, 0)}));
+                plane(corner, u, v), {key(a, 0, side), key(b, side, 1), -key(a, 1, side), -key(b, side, 0)},
+                std::max(1e-9, gap)));
         }
     }
     return faces;
