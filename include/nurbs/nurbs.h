@@ -6433,6 +6433,43 @@ NURBS_API nurbs_status nurbs_face_rays_with(const nurbs_face *face, int64_t n, c
                                             double *distances, int32_t *status,
                                             const nurbs_call_options *call);
 
+/** \brief The points of a face that are nearest to given points: that of its surface, if it lies inside; else the
+ * nearest one of the boundary, or of those local minima of the distance from the surface that lie inside and are
+ * nearer. Where rounding would have to say whether a point is inside, it counts.
+ * \param[in] face a face.
+ * \param[in] n number of points.
+ * \param[in] points [n][dim], finite.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] tolerance how much nearer another point may be, >= 0.
+ * \param[out] params [n][2] or NULL: parameters of the surface.
+ * \param[out] feet [n][dim] or NULL: the nearest points, as nurbs_eval() gives them.
+ * \param[out] distances [n] or NULL.
+ * \param[out] status [n] or NULL: NURBS_CLOSEST_ bits; NURBS_CLOSEST_BOUNDARY: on the boundary of the face.
+ *   Without NURBS_CLOSEST_CERTIFIED a nearer point is not excluded: after the usual budget of
+ *   nurbs_closest_points(), where minima are not isolated, and where a curve of the boundary, composed with the
+ *   surface, would have a degree above NURBS_MAX_DEGREE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE,
+ *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_closest_points(const nurbs_face *face, int64_t n, const double *points,
+                                                 int64_t point_stride, int64_t point_component_stride,
+                                                 double tolerance, double *params, double *feet,
+                                                 double *distances, int32_t *status);
+
+/** \brief nurbs_face_closest_points() as a call that can be watched and ended. At the limit of work points are not
+ * certified.
+ * \param[in] face,n,points,point_stride,point_component_stride as for nurbs_face_closest_points().
+ * \param[in] tolerance as for nurbs_face_closest_points().
+ * \param[out] params,feet,distances,status as for nurbs_face_closest_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, int64_t n, const double *points,
+                                                      int64_t point_stride, int64_t point_component_stride,
+                                                      double tolerance, double *params, double *feet,
+                                                      double *distances, int32_t *status,
+                                                      const nurbs_call_options *call);
+
 /** \brief Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
  * Weiss, Evans 2021), each within one span of the surface.
  * \param[in] face a face.
@@ -7209,7 +7246,7 @@ NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const
 /** \name Sides of a model
  * @{ */
 #define NURBS_SIDE_INSIDE 1     /**< of a solid, for certain */
-#define NURBS_SIDE_ON 0         /**< within the tolerance of a face */
+#define NURBS_SIDE_ON 0         /**< no farther from a face than the tolerance */
 #define NURBS_SIDE_OUTSIDE (-1) /**< of all solids, for certain */
 #define NURBS_SIDE_UNDECIDED 2  /**< not known */
 /** @} */
@@ -7225,8 +7262,8 @@ NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const
  * \param[in] points [n][3], finite.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] tolerance the distance from a face up to which a point is on it, >= 0. With 0 none is: points that
- *   lie on a face to rounding are undecided. Where only the surface beyond the edges of a face is as near, a
- *   point is undecided, too.
+ *   lie on a face to rounding are undecided, and so are those whose distance from a face
+ *   (nurbs_face_closest_points()) is not certified where its surface is as near.
  * \param[out] sides [n] NURBS_SIDE_ constants.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE, _MATRIX,
  *   _TOO_LARGE as for nurbs_model_rays(); _GAP if the model is not closed: an edge is used an odd number of times

@@ -72,6 +72,8 @@ static void rays(const Model &model) {
     const ModelInstances whole = model.instances();
     EXPECT(whole.uses.size() == 1 && whole.parents[0] == -1 && whole.placements[5] == 1);
     const Face outside = model.face(0).face;
+    const ClosestOnFace foot = outside.closest_points({9, 0, 2}, 1e-9);
+    EXPECT(near(foot.distances, {4}, 1e-8) && (foot.status[0] & closest_certified) != 0);
     EXPECT(near({Rays(outside.rays({9, 0.1, 2}, {-1, 0, 0})).distances[0]}, {9 - std::sqrt(24.99)}));
 }
 

@@ -62,6 +62,8 @@ contains
         call model%face(1, wall)
         call wall%rays(reshape([9d0, 0.1d0, 2d0], [1, 3]), reshape([-1d0, 0d0, 0d0], [1, 3]), distances=outside)
         call expect(near(outside, first), 'a ray on a face')
+        call wall%closest_points(reshape([9d0, 0d0, 2d0], [1, 3]), distances=outside, states=states, tolerance=1d-9)
+        call expect(abs(outside(1) - 4) < 1d-8 .and. iand(states(1), NURBS_CLOSEST_CERTIFIED) /= 0, 'a nearest point')
     end subroutine cast_rays
 
     !> The same again of what is written, to memory and to a file.

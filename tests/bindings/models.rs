@@ -62,6 +62,8 @@ fn rays(model: &Model) -> Result<()> {
     assert_eq!(model.classify(&[4., 0.1, 2., 0., 0.1, 2.], 0.)?, [sys::NURBS_SIDE_INSIDE, sys::NURBS_SIDE_OUTSIDE]);
     let whole = model.instances()?;
     assert_eq!((whole.uses, whole.parents, whole.placements[0][5]), (vec![0], vec![-1], 1.));
+    let foot = model.face(0)?.face.closest_points(&[9., 0., 2.], 1e-9)?;
+    assert!((foot.distances[0] - 4.).abs() < 1e-8 && foot.status[0] & sys::NURBS_CLOSEST_CERTIFIED != 0);
     let outside = model.face(0)?.face.rays(&[9., 0.1, 2.], &[-1., 0., 0.])?;
     assert!(near(&outside.distances, &[9. - 24.99f64.sqrt()]));
     Ok(())

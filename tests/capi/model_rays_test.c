@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays on faces and models, and sides of models. */
+/* Rays on faces and models, nearest points of faces, and sides of models. */
 #include "models.h"
 
 enum { most = 8 };
@@ -38,6 +38,59 @@ static void a_face(void) {
     CHECK(status[3] == 0 && isnan(t[3]));
     CHECK_OK(nurbs_face_rays_with(face, 1, from, 0, 0, along, 0, 0, uv, t, status, NULL));
     CHECK_INT(status[0], sure_hit | NURBS_RAY_BACK);
+    nurbs_face_destroy(face);
+}
+
+/* Over it, beside an edge, beside a corner. */
+static void nearest(void) {
+    nurbs_face *face = bottom();
+    const double from[] = {0.25, 1.5, 3, 0.5, 4, 0, 4, 6, 12};
+    double uv[6], feet[9], distances[3];
+    int32_t status[3];
+    CHECK_OK(nurbs_face_closest_points(face, 3, from, 0, 0, 1e-9, uv, feet, distances, status));
+    CHECK_NEAR(distances, VALUES(3, 2, 13), 3, 2e-9);
+    CHECK_NEAR(feet, VALUES(0.25, 1.5, 0, 0.5, 2, 0, 1, 2, 0), 9, 1e-8);
+    CHECK_INT(status[0], NURBS_CLOSEST_CERTIFIED);
+    CHECK_INT(status[1], NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_BOUNDARY);
+    CHECK_INT(status[2], NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_BOUNDARY);
+    CHECK_OK(nurbs_face_closest_points(face, 1, from, 0, 0, 0, NULL, NULL, distances, NULL));
+    CHECK_NEAR(distances, VALUES(3), 1, 1e-14);
+    CHECK_OK(nurbs_face_closest_points(face, 0, NULL, 0, 0, 0, NULL, NULL, NULL, NULL));
+    nurbs_call_options call;
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    CHECK_OK(nurbs_face_closest_points_with(face, 3, from, 0, 0, 1e-9, uv, feet, distances, status, &call));
+    CHECK_INT(status[0], NURBS_CLOSEST_CERTIFIED);
+    call.work = 1;
+    CHECK_OK(nurbs_face_closest_points_with(face, 3, from, 0, 0, 1e-9, uv, feet, distances, status, &call));
+    nurbs_face_destroy(face);
+}
+
+static void refused_nearest(void) {
+    nurbs_face *face = bottom();
+    double from[] = {0.5, 0.25, 3, 1, 1, NAN}, uv[4], feet[6], t[2];
+    int32_t status[2];
+    FILL(uv);
+    FILL(feet);
+    FILL(t);
+    FILL(status);
+    CHECK_FAILS(nurbs_face_closest_points(NULL, 1, from, 0, 0, 0, uv, feet, t, status), NURBS_ERROR_NULL,
+                "face is NULL");
+    CHECK_FAILS(nurbs_face_closest_points(face, -1, from, 0, 0, 0, uv, feet, t, status), NURBS_ERROR_COUNT,
+                "n = -1");
+    CHECK_FAILS(nurbs_face_closest_points(face, 1, NULL, 0, 0, 0, uv, feet, t, status), NURBS_ERROR_NULL,
+                "points");
+    CHECK_FAILS(nurbs_face_closest_points(face, 1, from, -1, 0, 0, uv, feet, t, status), NURBS_ERROR_STRIDE,
+                "point");
+    CHECK_FAILS(nurbs_face_closest_points(face, 1, from, 0, 0, -1, uv, feet, t, status),
+                NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_face_closest_points(face, 2, from, 0, 0, 0, uv, feet, t, status),
+                NURBS_ERROR_POINT_NOT_FINITE, "points[1][2]");
+    CHECK_FAILS(nurbs_face_closest_points(face, 1, from, 0, 0, 0, uv, feet, feet + 1, status),
+                NURBS_ERROR_OVERLAP, "distances|feet");
+    CHECK_UNTOUCHED(uv);
+    CHECK_UNTOUCHED(feet);
+    CHECK_UNTOUCHED(t);
+    CHECK_UNTOUCHED(status);
     nurbs_face_destroy(face);
 }
 
@@ -206,11 +259,13 @@ static void refused_sides(void) {
 
 int main(void) {
     a_face();
+    nearest();
     instances();
     a_box();
     sides();
     watched();
     refused_rays();
+    refused_nearest();
     refused_sides();
     return check_summary("model_rays");
 }

@@ -3436,6 +3436,33 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_rays_with
+        !> The points of a face that are nearest to given points: that of its surface, if it lies inside; else
+        !> the nearest one of the boundary, or of those local minima of the distance from the surface that lie
+        !> inside and are nearer.
+        function nurbs_face_closest_points(face, n, points, point_stride, point_component_stride, tolerance, &
+                params, feet, distances, status) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_face_closest_points
+        !> nurbs_face_closest_points() as a call that can be watched and ended.
+        function nurbs_face_closest_points_with(face, n, points, point_stride, point_component_stride, &
+                tolerance, params, feet, distances, status, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_closest_points_with
         !> Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain
         !> (Gunderman, Weiss, Evans 2021), each within one span of the surface.
         function nurbs_face_area(face, relative_tolerance, area, error) bind(c) result(r)

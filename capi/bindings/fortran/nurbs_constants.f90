@@ -452,7 +452,7 @@ module nurbs_constants
 
     ! --- Sides of a model
     integer(c_int32_t), parameter :: NURBS_SIDE_INSIDE = 1  ! of a solid, for certain
-    integer(c_int32_t), parameter :: NURBS_SIDE_ON = 0  ! within the tolerance of a face
+    integer(c_int32_t), parameter :: NURBS_SIDE_ON = 0  ! no farther from a face than the tolerance
     integer(c_int32_t), parameter :: NURBS_SIDE_OUTSIDE = -1  ! of all solids, for certain
     integer(c_int32_t), parameter :: NURBS_SIDE_UNDECIDED = 2  ! not known
 

@@ -25,7 +25,7 @@ Vector3 direction_of(int i) noexcept {
 
 Classifier::Classifier(const Model &model, double tolerance)
     : model_(model), scene_(closed_scene_of(model)), caster_(model, scene_), tolerance_(tolerance),
-      groups_(static_cast<size_t>(scene_.groups())) {}
+      locators_(model.faces.size()), groups_(static_cast<size_t>(scene_.groups())) {}
 
 Side Classifier::side(const Vector3 &x) {
     if (const Side near = nearness(x); near != side_outside) {
@@ -41,7 +41,7 @@ Side Classifier::side(const Vector3 &x) {
 }
 
 // On a face, or for certain on none: outside.
-Side Classifier::nearness(const Vector3 &x) const {
+Side Classifier::nearness(const Vector3 &x) {
     Side found = side_outside;
     if (tolerance_ > 0) {
         scene_.tree().walk_near(x, tolerance_, [&](int32_t i) {
@@ -52,23 +52,33 @@ Side Classifier::nearness(const Vector3 &x) const {
     return found;
 }
 
-Side Classifier::nearness(const Vector3 &x, const PlacedFace &placed) const {
-    const face::Face &face = *model_.faces[static_cast<size_t>(placed.face)].face;
+Side Classifier::nearness(const Vector3 &x, const PlacedFace &placed) {
     const Placement &placement = scene_.placement(placed);
     const Vector3 local = placement.moved(x);
     const double error = placement.error(x), at[] = {local.x, local.y, local.z};
     const double far = placement.growth_to_part() * tolerance_ + error,
                  near = tolerance_ / placement.growth_to_whole() - error;
+    const closest::Foot foot = nearest(placed.face, at, far);
+    const bool certified = (foot.status & closest::closest_certified) != 0;
+    return certified && foot.distance - precision() - foot.noise > far ? side_outside
+           : foot.distance + foot.noise <= near                        ? side_on
+                                                                       : side_undecided;
+}
+
+// Of the surface, if that is far enough.
+closest::Foot Classifier::nearest(int64_t face, const double *x, double far) {
+    const face::Face &own = *model_.faces[static_cast<size_t>(face)].face;
     const closest::Foot foot =
-        closest::locator_of(*face.surface())
-            .nearest({at, nullptr, tolerance_ / 1024, closest::usual_budget(*face.surface()), false, true});
-    if ((foot.status & closest::closest_certified) != 0 &&
-        foot.distance - tolerance_ / 1024 - foot.noise > far) {
-        return side_outside;
+        closest::locator_of(*own.surface())
+            .nearest({x, nullptr, precision(), closest::usual_budget(*own.surface()), false, true});
+    if ((foot.status & closest::closest_certified) != 0 && foot.distance - precision() - foot.noise > far) {
+        return foot;
     }
-    const bool on =
-        foot.distance + foot.noise <= near && face.trims().side({foot.params[0], foot.params[1]}) >= 0;
-    return on ? side_on : side_undecided;
+    auto &locator = locators_[static_cast<size_t>(face)];
+    if (locator == nullptr) {
+        locator = std::make_unique<face::FaceLocator>(own);
+    }
+    return locator->nearest(x, precision());
 }
 
 // Of the groups that the ray meets, those that it has left as often as it has entered them are settled.

@@ -2,9 +2,11 @@
 // Whether points are inside the solids of a model.
 #pragma once
 
+#include "face/face_locator.h"
 #include "model/rays/model_caster.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace nrb::model {
@@ -27,8 +29,11 @@ private:
         bool sure = true;
         bool settled = false; // outside of it, for certain
     };
-    [[nodiscard]] Side nearness(const Vector3 &x) const;
-    [[nodiscard]] Side nearness(const Vector3 &x, const PlacedFace &placed) const;
+    // Of distances.
+    [[nodiscard]] double precision() const noexcept { return tolerance_ / 1024; }
+    [[nodiscard]] Side nearness(const Vector3 &x);
+    [[nodiscard]] Side nearness(const Vector3 &x, const PlacedFace &placed);
+    [[nodiscard]] closest::Foot nearest(int64_t face, const double *x, double far);
     [[nodiscard]] Side side_along(const Vector3 &x, const Vector3 &direction);
     void pass(int32_t placed, const intersect::RayQuery &query);
 
@@ -36,6 +41,7 @@ private:
     const Scene &scene_;
     ModelCaster caster_;
     double tolerance_;
+    std::vector<std::unique_ptr<face::FaceLocator>> locators_; // of each face
     std::vector<Group> groups_;
     std::vector<int64_t> met_; // groups
     std::vector<PlacedMeet> meets_;

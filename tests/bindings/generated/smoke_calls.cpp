@@ -2234,6 +2234,22 @@ void query(const Inputs &in) {
         show("status", found.status);
     }
     {
+        begin("face_closest_points");
+        const auto found = in.face.closest_points({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, 1e-06);
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points alone");
+        const auto found = in.face.closest_points({0.1, 0.2, 0.3}, 0.0);
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
         begin("model_instances");
         const auto found = in.model.instances();
         show("parents", found.parents);
@@ -2732,6 +2748,22 @@ void query(const Inputs &in) {
         begin("face_rays_with distances");
         const auto found = in.face.rays({0.5, 1.2, 9.0}, {0.0, 0.0, -1.0}, watched());
         show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points_with");
+        const auto found = in.face.closest_points({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, 1e-06, watched());
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points_with alone");
+        const auto found = in.face.closest_points({0.1, 0.2, 0.3}, 0.0, watched());
+        show("params", found.params);
+        show("feet", found.points);
         show("distances", found.distances);
         show("status", found.status);
     }

@@ -3854,6 +3854,32 @@ contains
                 directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found)
             call show('distances', distances_found)
         end block
+        call begin('face_closest_points')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: feet_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            allocate (params_found(2, 2))
+            allocate (feet_found(2, 3))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call face%closest_points(points=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, feet=feet_found, distances=distances_found, states=states_found, tolerance=1d-06)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('feet', flat(reshape(feet_found, [size(feet_found, 2), size(feet_found, 1)], order=[2, 1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('face_closest_points alone')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            allocate (distances_found(1))
+            call face%closest_points(points=reshape([0.1d0, 0.2d0, 0.3d0], [1, 3], order=[2, 1]), &
+                distances=distances_found, tolerance=0.0d0)
+            call show('distances', distances_found)
+        end block
         call begin('model_instances')
         block
             integer(c_int64_t), allocatable :: parents_found(:)
@@ -4678,6 +4704,35 @@ contains
             call face%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0], [1, 3], order=[2, 1]), &
                 directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
                 call=watching)
+            call show('distances', distances_found)
+        end block
+        call begin('face_closest_points_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: feet_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            type(nurbs_call) :: watching
+            allocate (params_found(2, 2))
+            allocate (feet_found(2, 3))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call face%closest_points(points=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, feet=feet_found, distances=distances_found, states=states_found, tolerance=1d-06, &
+                call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('feet', flat(reshape(feet_found, [size(feet_found, 2), size(feet_found, 1)], order=[2, 1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('face_closest_points_with alone')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            type(nurbs_call) :: watching
+            allocate (distances_found(1))
+            call face%closest_points(points=reshape([0.1d0, 0.2d0, 0.3d0], [1, 3], order=[2, 1]), &
+                distances=distances_found, tolerance=0.0d0, call=watching)
             call show('distances', distances_found)
         end block
         call begin('model_rays_with')

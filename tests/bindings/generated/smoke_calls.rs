@@ -3161,6 +3161,24 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("distances", &found.distances);
         show("status", &found.status);
     }
+    begin("face_closest_points");
+    {
+        let found = given
+            .face
+            .closest_points(&[0.5, 1.2, 9.0, 0.3, 0.4, 6.0], 1e-06)?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points alone");
+    {
+        let found = given.face.closest_points(&[0.1, 0.2, 0.3], 0.0)?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
     begin("model_instances");
     {
         let found = given.model.instances()?;
@@ -3808,6 +3826,30 @@ fn query(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points_with");
+    {
+        let found = given.face.closest_points_with(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            1e-06,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points_with alone");
+    {
+        let found = given.face.closest_points_with(
+            &[0.1, 0.2, 0.3],
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("feet", &found.points);
         show("distances", &found.distances);
         show("status", &found.status);
     }

@@ -230,6 +230,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_curve_self_intersections, lib.nurbs_curve_self_intersections_with),
         (lib.nurbs_surface_rays, lib.nurbs_surface_rays_with),
         (lib.nurbs_face_rays, lib.nurbs_face_rays_with),
+        (lib.nurbs_face_closest_points, lib.nurbs_face_closest_points_with),
         (lib.nurbs_model_rays, lib.nurbs_model_rays_with),
         (lib.nurbs_model_ray_hits, lib.nurbs_model_ray_hits_with),
         (lib.nurbs_model_classify, lib.nurbs_model_classify_with),

@@ -14,6 +14,7 @@ from ._base import handle_of
 from ._bounds import Box
 from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
+from ._closest import ClosestPoints
 from ._errors import NurbsError
 from ._intersections import cast
 from ._library import call, get, lib
@@ -244,6 +245,18 @@ class Face:
         """Where rays origin + t direction, t >= 0, arrays (..., 3), meet it first, with proof. One origin or direction
         serves all."""
         return cast(watched(lib.nurbs_face_rays, progress, work), self._handle, origins, directions)
+
+    def closest_points(self, points: ArrayLike, tolerance: float = 0.0, *, progress: Progress = None,
+                       work: Optional[int] = None) -> ClosestPoints:
+        """Its points that are nearest to points (..., dimension), with proof that none is nearer by more than
+        `tolerance`."""
+        dim = self.surface.dimension
+        given, batch = parameters(points, dim)
+        params, feet, distances = numpy.empty((*batch, 2)), numpy.empty((*batch, dim)), numpy.empty(batch)
+        status = numpy.empty(batch, numpy.int32)
+        call(watched(lib.nurbs_face_closest_points, progress, work), self._handle, given.n, *given.layout, tolerance,
+             params.ctypes.data, feet.ctypes.data, distances.ctypes.data, status.ctypes.data)
+        return ClosestPoints(params, feet, distances, status)
 
     def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
              work: Optional[int] = None) -> Measured:

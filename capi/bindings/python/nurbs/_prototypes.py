@@ -299,6 +299,8 @@ PROTOTYPES = {
     "nurbs_face_classify_with": "i plplldpp",
     "nurbs_face_rays": "i plpllpllppp",
     "nurbs_face_rays_with": "i plpllpllpppp",
+    "nurbs_face_closest_points": "i plplldpppp",
+    "nurbs_face_closest_points_with": "i plplldppppp",
     "nurbs_face_area": "i pdpp",
     "nurbs_face_area_with": "i pdppp",
     "nurbs_face_moments": "i pdpppp",

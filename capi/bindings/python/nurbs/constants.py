@@ -310,7 +310,7 @@ NURBS_BYTES_MODEL = 5  # a model: nurbs_model_from_bytes()
 
 # --- Sides of a model
 NURBS_SIDE_INSIDE = 1  # of a solid, for certain
-NURBS_SIDE_ON = 0  # within the tolerance of a face
+NURBS_SIDE_ON = 0  # no farther from a face than the tolerance
 NURBS_SIDE_OUTSIDE = -1  # of all solids, for certain
 NURBS_SIDE_UNDECIDED = 2  # not known
 

@@ -899,7 +899,7 @@ pub const NURBS_BYTES_MODEL: i32 = 5;
 // --- Sides of a model
 /// of a solid, for certain
 pub const NURBS_SIDE_INSIDE: i32 = 1;
-/// within the tolerance of a face
+/// no farther from a face than the tolerance
 pub const NURBS_SIDE_ON: i32 = 0;
 /// of all solids, for certain
 pub const NURBS_SIDE_OUTSIDE: i32 = -1;
@@ -4204,6 +4204,39 @@ extern "C" {
         direction_stride: i64,
         direction_component_stride: i64,
         params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// The points of a face that are nearest to given points: that of its surface, if it lies inside; else
+    /// the nearest one of the boundary, or of those local minima of the distance from the surface that lie
+    /// inside and are nearer.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`.
+    pub fn nurbs_face_closest_points(
+        face: *const nurbs_face,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        params: *mut f64,
+        feet: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_face_closest_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`, `call`.
+    pub fn nurbs_face_closest_points_with(
+        face: *const nurbs_face,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        params: *mut f64,
+        feet: *mut f64,
         distances: *mut f64,
         status: *mut i32,
         call: *const nurbs_call_options,

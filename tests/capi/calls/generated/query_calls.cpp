@@ -255,6 +255,17 @@ const Call group[] = {
          static constexpr double directions[] = {0, 0, -1};
          return nurbs_face_rays(in.face, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values, nullptr);
      }},
+    {"face_closest_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         return nurbs_face_closest_points(in.face, 2, points, 0, 0, 1e-06, o.values, o.values + 4, o.values +
+             10, o.states);
+     }},
+    {"face_closest_points alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.2, 0.3};
+         return nurbs_face_closest_points(in.face, 1, points, 0, 0, 0, nullptr, nullptr, o.values, nullptr);
+     }},
     {"model_instances",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_instances(in.model, 2, o.spans, o.spans + 2, o.spans + 4, o.values, o.spans + 6);
@@ -732,6 +743,22 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_rays_with(in.face, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values, nullptr,
              &call);
+     }},
+    {"face_closest_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_closest_points_with(in.face, 2, points, 0, 0, 1e-06, o.values, o.values + 4,
+             o.values + 10, o.states, &call);
+     }},
+    {"face_closest_points_with alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.2, 0.3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_closest_points_with(in.face, 1, points, 0, 0, 0, nullptr, nullptr, o.values,
+             nullptr, &call);
      }},
     {"model_rays_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
