@@ -306,6 +306,41 @@ TEST(ModelRays, do_not_slip_through_gaps) {
     EXPECT_GE(count, of_whole_run(500));
 }
 
+// Whatever the unit of length, and the length of the direction.
+TEST(ModelRays, do_not_depend_on_units) {
+    for (const double scale : {1e-150, 1e-6, 1.0, 1e6, 1e150}) {
+        const Handle ball = made([&](nurbs **out) {
+            return nurbs_surface_sphere(nullptr, nullptr, nullptr, scale, NURBS_ARC_QUARTERS, out);
+        });
+        nurbs_face *given = nullptr;
+        require_ok(nurbs_face_create(ball.get(), 0, nullptr, nullptr, nullptr, nullptr, 1e-9 * scale, 0,
+                                     nullptr, &given));
+        const Face face(given);
+        const Model model = model_of({given});
+        const Point from{0.25 * scale, 0.5 * scale, 4 * scale};
+        const double expected = 4 - std::sqrt(1 - 0.25 * 0.25 - 0.5 * 0.5);
+        for (const double length : {1e-100, 1.0, 1e100}) {
+            const Point along{0.001 * length, 0.002 * length, -length};
+            const Answer answer = cast(model.get(), from, along);
+            ASSERT_EQ(answer.status, NURBS_RAY_HIT | NURBS_RAY_CERTIFIED) << scale << ' ' << length;
+            ASSERT_NEAR(answer.t * length / scale, expected, 1e-2);
+            const Hits hits = all(model.get(), from, along);
+            ASSERT_EQ(hits.t.size(), 2U) << scale << ' ' << length;
+            ASSERT_EQ(hits.complete, 1) << scale << ' ' << length;
+            ASSERT_NEAR(hits.t[0] / answer.t, 1, 1e-12);
+        }
+        EXPECT_EQ(side_of(model.get(), {0.3 * scale, 0.2 * scale, 0.1 * scale}), NURBS_SIDE_INSIDE) << scale;
+        EXPECT_EQ(side_of(model.get(), {0.9 * scale, 0.9 * scale, 0.1 * scale}), NURBS_SIDE_OUTSIDE) << scale;
+        EXPECT_EQ(side_of(model.get(), {0.6 * scale, 0.8 * scale, 0}, 1e-6 * scale), NURBS_SIDE_ON) << scale;
+    }
+    const Handle ball = made([&](nurbs **out) {
+        return nurbs_surface_sphere(nullptr, nullptr, nullptr, 2, NURBS_ARC_QUARTERS, out);
+    });
+    const Face face = whole(ball);
+    const Hits tiny = all(model_of({face.get()}).get(), {0.3, 0.2, 5}, {0, 0, -5e-324}); // no t is a number
+    EXPECT_EQ(tiny.complete, 0);
+}
+
 // With less work less is known, and nothing else.
 TEST(ModelRays, with_small_budgets_claim_nothing_false) {
     int64_t less = 0;

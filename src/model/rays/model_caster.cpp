@@ -20,6 +20,28 @@ intersect::RayAnswer touch_of(const EdgePassage &passage, const face::Face &face
     return {face.covering().in_domain(passage.params), t, intersect::ray_touch, ts, false};
 }
 
+// With a direction whose largest coordinate is about 1, so that products with it neither overflow nor underflow: t of the
+// result is t of the query times a power of two.
+class ScaledRay {
+public:
+    explicit ScaledRay(const intersect::RayQuery &query) noexcept
+        : exponent_(size_exponent(query.direction)), query_(query) {
+        query_.direction = times_power(query.direction, -exponent_);
+        query_.range = {std::ldexp(query.range.lower, exponent_), std::ldexp(query.range.upper, exponent_)};
+    }
+    [[nodiscard]] const intersect::RayQuery &query() const noexcept { return query_; }
+    // Nothing is certified of a t that overflows.
+    void unscale(intersect::RayAnswer &answer) const noexcept {
+        answer.t = std::ldexp(answer.t, -exponent_);
+        answer.ts = {std::ldexp(answer.ts.lower, -exponent_), std::ldexp(answer.ts.upper, -exponent_)};
+        answer.status &= std::isinf(answer.t) ? ~intersect::ray_certified : ~0;
+    }
+
+private:
+    int exponent_;
+    intersect::RayQuery query_;
+};
+
 } // namespace
 
 ModelCaster::ModelCaster(const Model &model, const Scene &scene)
@@ -114,6 +136,13 @@ private:
 };
 
 ModelAnswer ModelCaster::first(const intersect::RayQuery &query) {
+    const ScaledRay ray(query);
+    ModelAnswer found = first_of(ray.query());
+    ray.unscale(found.answer);
+    return found;
+}
+
+ModelAnswer ModelCaster::first_of(const intersect::RayQuery &query) {
     First meets(query, *this);
     const int64_t visits = scene_.tree().walk(
         query, [&] { return meets.limit(); }, [&](int32_t i, Interval) { meets.look_at(i); });
@@ -122,16 +151,20 @@ ModelAnswer ModelCaster::first(const intersect::RayQuery &query) {
 }
 
 bool ModelCaster::all(const intersect::RayQuery &query, std::vector<PlacedMeet> &out) {
-    const size_t before = out.size();
+    const ScaledRay ray(query);
+    const auto limit = [&] { return ray.query().range.upper; };
     bool sure = true;
-    const int64_t visits = scene_.tree().walk(
-        query, [&] { return query.range.upper; },
-        [&](int32_t i, Interval) { sure = !work_ended() && all_of(i, query, out) && sure; });
+    const int64_t visits = scene_.tree().walk(ray.query(), limit, [&](int32_t i, Interval) {
+        sure = !work_ended() && all_of(i, ray.query(), out) && sure;
+    });
     count_work(30 * visits);
-    std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(),
-              [](const PlacedMeet &a, const PlacedMeet &b) {
-                  return std::tie(a.answer.t, a.placed) < std::tie(b.answer.t, b.placed);
-              });
+    for (PlacedMeet &meet : out) {
+        ray.unscale(meet.answer);
+        sure = sure && std::isfinite(meet.answer.t);
+    }
+    std::ranges::sort(out, [](const PlacedMeet &a, const PlacedMeet &b) {
+        return std::tie(a.answer.t, a.placed) < std::tie(b.answer.t, b.placed);
+    });
     return sure;
 }
 

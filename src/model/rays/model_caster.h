@@ -29,14 +29,15 @@ public:
     ModelCaster(const Model &model, const Scene &scene);
 
     [[nodiscard]] ModelAnswer first(const intersect::RayQuery &query);
-    // All of them, rising. Returns whether there are no others, and none is a touch.
+    // All of them, rising, in a vector that was empty. Returns whether there are no others, and none is a touch.
     bool all(const intersect::RayQuery &query, std::vector<PlacedMeet> &out);
-    // The same with one placed face, in any order.
+    // The same with one placed face, in any order. Precondition: a direction of about 1.
     bool all_of(int32_t placed, const intersect::RayQuery &query, std::vector<PlacedMeet> &out);
     [[nodiscard]] ModelAnswer answer(const PlacedMeet &meet) const;
 
 private:
     class First;
+    [[nodiscard]] ModelAnswer first_of(const intersect::RayQuery &query);
     [[nodiscard]] const face::Face &face(int64_t i) const noexcept {
         return *model_.faces[static_cast<size_t>(i)].face;
     }
