@@ -7191,7 +7191,8 @@ NURBS_API nurbs_status nurbs_model_instances(const nurbs_model *model, int64_t c
  * \param[out] places [n][2] or NULL: the face, and the instance of its part; -1 where params are NaN.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _POINT_NOT_FINITE if an origin is not finite,
  *   _DIRECTION if a direction is not finite or 0, _MATRIX if a part is placed so that rounding hides one of its
- *   dimensions, _TOO_LARGE as for nurbs_model_instances().
+ *   dimensions, _NOT_REPRESENTABLE if a curve in space that bounds a face overflows, _TOO_LARGE as for
+ *   nurbs_model_instances().
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_rays(const nurbs_model *model, int64_t n, const double *origins,
                                         const double *directions, double *params, double *distances,
@@ -7223,8 +7224,8 @@ NURBS_API nurbs_status nurbs_model_rays_with(const nurbs_model *model, int64_t n
  * \param[out] count or NULL: number of places.
  * \param[out] complete or NULL: 1 if there are no others and none of them is a touch, else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _POINT_NOT_FINITE, _DIRECTION, _MATRIX,
- *   _TOO_LARGE as for nurbs_model_rays(); _EMPTY_DOMAIN if range[0] > range[1] or one is NaN, _SIZE if cap is
- *   neither 0 nor enough.
+ *   _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays(); _EMPTY_DOMAIN if range[0] > range[1] or one is
+ *   NaN, _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_ray_hits(const nurbs_model *model, const double *origin,
                                             const double *direction, const double *range, int64_t cap,
@@ -7263,12 +7264,12 @@ NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] tolerance the distance from a face up to which a point is on it, >= 0. With 0 none is: points that
  *   lie on a face to rounding are undecided, and so are those whose distance from a face
- *   (nurbs_face_closest_points()) is not certified where its surface is as near.
+ *   (nurbs_face_closest_points()) is not certified though the surface is as near.
  * \param[out] sides [n] NURBS_SIDE_ constants.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE, _MATRIX,
- *   _TOO_LARGE as for nurbs_model_rays(); _GAP if the model is not closed: an edge is used an odd number of times
- *   by the faces of a solid, a face ends without an edge or has a gap in a loop, or its surface has a knot of more
- *   than its degree inside.
+ *   _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays(), _NOT_CONVERGED as for nurbs_face_deviation();
+ *   _GAP if the model is not closed: an edge is used an odd number of times by the faces of a solid, a face ends
+ *   without an edge or has a gap in a loop, or its surface has a knot of more than its degree inside.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_classify(const nurbs_model *model, int64_t n, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
