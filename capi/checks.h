@@ -30,6 +30,10 @@ inline const Spline &spline_of(const ::nurbs *g) {
     require(g, "g");
     return *g->spline;
 }
+inline const model::Model &model_of(const ::nurbs_model *model) {
+    require(model, "model");
+    return *model->model;
+}
 
 // One of several, called by its name.
 inline const Spline &named(const ::nurbs *g, const char *name) {

@@ -10,6 +10,8 @@
 #include "build/coons/coons.h"
 #include "closest/foot.h"
 #include "eval/frames/frame_outputs.h"
+#include "intersect/rays/rays.h"
+#include "model/rays/classify.h"
 #include "modify/constrain/condition.h"
 #include "recognize/conic_type.h"
 #include "recognize/shape_model.h"
@@ -113,6 +115,14 @@ static_assert(static_cast<int>(closest::critical_minimum) == NURBS_CRITICAL_MINI
 static_assert(static_cast<int>(closest::critical_maximum) == NURBS_CRITICAL_MAXIMUM);
 static_assert(static_cast<int>(closest::critical_saddle) == NURBS_CRITICAL_SADDLE);
 static_assert(static_cast<int>(closest::critical_undecided) == NURBS_CRITICAL_UNDECIDED);
+static_assert(static_cast<int>(intersect::ray_hit) == NURBS_RAY_HIT);
+static_assert(static_cast<int>(intersect::ray_certified) == NURBS_RAY_CERTIFIED);
+static_assert(static_cast<int>(intersect::ray_touch) == NURBS_RAY_TOUCH);
+static_assert(static_cast<int>(intersect::ray_back) == NURBS_RAY_BACK);
+static_assert(static_cast<int>(model::side_inside) == NURBS_SIDE_INSIDE);
+static_assert(static_cast<int>(model::side_on) == NURBS_SIDE_ON);
+static_assert(static_cast<int>(model::side_outside) == NURBS_SIDE_OUTSIDE);
+static_assert(static_cast<int>(model::side_undecided) == NURBS_SIDE_UNDECIDED);
 
 static_assert(static_cast<int>(recognize::shape_none) == NURBS_SHAPE_NONE);
 static_assert(static_cast<int>(recognize::shape_point) == NURBS_SHAPE_POINT);

@@ -22,11 +22,6 @@ using namespace nrb::capi;
 
 namespace {
 
-const model::Model &model_of(const nurbs_model *model) {
-    require(model, "model");
-    return *model->model;
-}
-
 template <class Item>
 const Item &item_of(const std::vector<Item> &items, int64_t index, const char *what) {
     if (index < 0 || index >= std::ssize(items)) {

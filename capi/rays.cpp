@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Where rays meet surfaces.
+// Where rays meet surfaces and faces.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
+#include "ray_arguments.h"
 #include "watched.h"
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "face/face_rays.h"
 #include "intersect/rays/rays.h"
 #include "spline/kind.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <limits>
+#include <memory>
 #include <utility>
 
 using namespace nrb;
@@ -22,63 +21,66 @@ using namespace nrb::capi;
 
 namespace {
 
-constexpr int64_t work_of_a_ray = 200;
-
-// `index` < 0: there is one only.
-void check_ray(const char *name, Status status, const double *x, int64_t index) {
-    char row[32] = "";
-    if (index >= 0) {
-        std::snprintf(row, sizeof row, "[%lld]", static_cast<long long>(index));
-    }
-    for (int c = 0; c < 3; ++c) {
-        if (!std::isfinite(x[c])) {
-            fail(status, "%s%s[%d] = %s, expected a number", name, row, c, Number(x[c]).text);
-        }
-    }
-    if (status == Status::direction && x[0] == 0 && x[1] == 0 && x[2] == 0) {
-        fail(status, "%s%s is 0, expected a direction", name, row);
-    }
-}
-
-void check_rays(const char *name, Status status, const ConstRecords &rows) {
-    for (int64_t i = 0; i < rows.count; ++i) {
-        const std::array<double, 3> x{rows(i, 0), rows(i, 1), rows(i, 2)};
-        check_ray(name, status, x.data(), i);
-    }
-}
-
-Interval checked_range(const double *range) {
-    if (range == nullptr) {
-        return {0, infinity};
-    }
-    if (!(range[0] <= range[1])) {
-        fail(Status::empty_domain, "range = {%s, %s}, expected two numbers that do not fall",
-             Number(range[0]).text, Number(range[1]).text);
-    }
-    return {range[0], range[1]};
-}
-
 const Spline &surface_in_space(const nurbs *g) {
     const Spline &surface = surface_of(g);
     check_dimension(surface, 3, 3);
     return surface;
 }
 
-void put_rays(const Spline &surface, const intersect::RayBatch &rays, double *params, double *distances,
-              int32_t *status) {
+void put_rays(intersect::RayCaster &caster, const ConstRecords &origins, const ConstRecords &directions,
+              double *params, double *distances, int32_t *status) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    intersect::RayCaster caster(surface, rays);
     const LimitedSearch search;
-    Steps steps(rays.origins.count);
-    for (int64_t i = 0; i < rays.origins.count; ++i, steps.next(work_of_a_ray)) {
+    Steps steps(origins.count);
+    for (int64_t i = 0; i < origins.count; ++i, steps.next(work_of_a_ray)) {
         const intersect::RayAnswer answer =
-            work_ended() ? intersect::RayAnswer{{none, none}, none, 0} : caster.nearest(i);
+            work_ended() ? intersect::RayAnswer{{none, none}, none, 0}
+                         : caster.first({row(origins, i), row(directions, i)}).answer();
         const auto at = static_cast<size_t>(i);
         put(params, 2 * at, answer.params[0]);
         put(params, 2 * at + 1, answer.params[1]);
         put(distances, at, answer.t);
         put(status, at, answer.status);
     }
+}
+
+// The arrays of a call with many rays.
+struct RayArrays {
+    int64_t n;
+    const double *origins;
+    int64_t origin_stride, origin_component_stride;
+    const double *directions;
+    int64_t direction_stride, direction_component_stride;
+    double *params, *distances;
+    int32_t *status;
+};
+
+template <class Make>
+void cast_rays(const RayArrays &a, const Make &make_caster) {
+    check_length(a.n, "n");
+    const ConstRecords from = input("origins", a.origins, a.n, 3, a.origin_stride, a.origin_component_stride);
+    const ConstRecords along =
+        input("directions", a.directions, a.n, 3, a.direction_stride, a.direction_component_stride);
+    Outputs outputs(a.n, a.status);
+    const Records on = outputs.add({"params", a.params, 2, 0, 0}),
+                  at = outputs.add({"distances", a.distances, 1, 0, 0});
+    outputs.check("origins", from);
+    outputs.check("directions", along);
+    check_rays("origins", Status::point_not_finite, from);
+    check_rays("directions", Status::direction, along);
+    const StagedRecords staged_params(on), staged_distances(at);
+    StagedStatus staged_status(a.status, a.n);
+    put_rays(*make_caster(), from, along, staged_params.view().data, staged_distances.view().data,
+             staged_status.data());
+    staged_params.commit();
+    staged_distances.commit();
+    staged_status.commit();
+}
+
+const face::Face &face_in_space(const nurbs_face *face) {
+    require(face, "face");
+    check_dimension(*face->face->surface(), 3, 3);
+    return *face->face;
 }
 
 } // namespace
@@ -89,24 +91,22 @@ nurbs_status nurbs_surface_rays(const nurbs *g, int64_t n, const double *origins
                                 double *distances, int32_t *status) {
     return guard([&] {
         const Spline &surface = surface_in_space(g);
-        check_length(n, "n");
-        const ConstRecords from = input("origins", origins, n, 3, origin_stride, origin_component_stride);
-        const ConstRecords along =
-            input("directions", directions, n, 3, direction_stride, direction_component_stride);
-        Outputs outputs(n, status);
-        const Records on = outputs.add({"params", params, 2, 0, 0}),
-                      at = outputs.add({"distances", distances, 1, 0, 0});
-        outputs.check("origins", from);
-        outputs.check("directions", along);
-        check_rays("origins", Status::point_not_finite, from);
-        check_rays("directions", Status::direction, along);
-        const StagedRecords staged_params(on), staged_distances(at);
-        StagedStatus staged_status(status, n);
-        put_rays(surface, {from, along, {0, infinity}}, staged_params.view().data,
-                 staged_distances.view().data, staged_status.data());
-        staged_params.commit();
-        staged_distances.commit();
-        staged_status.commit();
+        cast_rays({n, origins, origin_stride, origin_component_stride, directions, direction_stride,
+                   direction_component_stride, params, distances, status},
+                  [&] { return std::make_unique<intersect::RayCaster>(surface); });
+    });
+}
+
+nurbs_status nurbs_face_rays(const nurbs_face *face, int64_t n, const double *origins, int64_t origin_stride,
+                             int64_t origin_component_stride, const double *directions,
+                             int64_t direction_stride, int64_t direction_component_stride, double *params,
+                             double *distances, int32_t *status) {
+    return guard([&] {
+        const face::Face &own = face_in_space(face);
+        cast_rays(
+            {n, origins, origin_stride, origin_component_stride, directions, direction_stride,
+             direction_component_stride, params, distances, status},
+            [&] { return std::make_unique<intersect::RayCaster>(*own.surface(), face::trim_filter(own)); });
     });
 }
 
@@ -115,15 +115,10 @@ nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *origin, const 
                                     int32_t *kinds, int64_t *count, int32_t *complete) {
     return guard([&] {
         const Spline &surface = surface_in_space(g);
-        require(origin, "origin");
-        require(direction, "direction");
+        const intersect::RayQuery ray = checked_ray(origin, direction, range);
         check_length(cap, "cap");
-        const Interval limits = checked_range(range);
-        check_ray("origin", Status::point_not_finite, origin, -1);
-        check_ray("direction", Status::direction, direction, -1);
-        intersect::RayCaster caster(surface, {{origin, 1, 3, 3, 1}, {direction, 1, 3, 3, 1}, limits});
         std::vector<intersect::RayAnswer> found;
-        const bool sure = caster.all(0, found);
+        const bool sure = intersect::RayCaster(surface).all(ray, found);
         const int64_t filled = checked_cap(cap, std::ssize(found));
         check_apart(
             {memory("params", params, 2 * filled), memory("distances", distances, filled),

@@ -229,6 +229,43 @@ nurbs_status nurbs_surface_rays_with(const nurbs *g, int64_t n, const double *or
     });
 }
 
+nurbs_status nurbs_face_rays_with(const nurbs_face *face, int64_t n, const double *origins,
+                                  int64_t origin_stride, int64_t origin_component_stride,
+                                  const double *directions, int64_t direction_stride,
+                                  int64_t direction_component_stride, double *params, double *distances,
+                                  int32_t *status, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_face_rays(face, n, origins, origin_stride, origin_component_stride, directions,
+                               direction_stride, direction_component_stride, params, distances, status);
+    });
+}
+
+nurbs_status nurbs_model_rays_with(const nurbs_model *model, int64_t n, const double *origins,
+                                   const double *directions, double *params, double *distances,
+                                   int32_t *status, int64_t *places, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_model_rays(model, n, origins, directions, params, distances, status, places);
+    });
+}
+
+nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const double *origin,
+                                       const double *direction, const double *range, int64_t cap,
+                                       double *params, double *distances, int32_t *kinds, int64_t *places,
+                                       int64_t *count, int32_t *complete, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_model_ray_hits(model, origin, direction, range, cap, params, distances, kinds, places,
+                                    count, complete);
+    });
+}
+
+nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64_t n, const double *points,
+                                       int64_t point_stride, int64_t point_component_stride, double tolerance,
+                                       int32_t *sides, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_model_classify(model, n, points, point_stride, point_component_stride, tolerance, sides);
+    });
+}
+
 nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result, double *positive,
                                   double *negative, const nurbs_call_options *call) {
     return watched(call, [&] { return nurbs_fold_test(g, reference, result, positive, negative); });

@@ -6608,6 +6608,81 @@ NURBS_API nurbs_status nurbs_face_classify_with(const nurbs_face *face, int64_t 
                                                 double tolerance, int32_t *sides,
                                                 const nurbs_call_options *call);
 
+/** \brief Where rays x = origin + t direction, t >= 0, meet a face first: hits of its surface, as
+ * nurbs_surface_rays() finds them, that lie inside of its loops for certain. A hit so near to a curve of a loop
+ * that rounding would have to decide is a touch; what lies outside for certain is passed over, so that without
+ * a hit or a touch NURBS_RAY_CERTIFIED proves that the ray meets no point of the face. The face ends where its
+ * curves are, not where they are within its tolerance: nurbs_model_rays() allows for that.
+ * \param[in] face a face of a surface of dimension 3.
+ * \param[in] n number of rays.
+ * \param[in] origins [n][3].
+ * \param[in] origin_stride,origin_component_stride layout of origins, 0 = packed.
+ * \param[in] directions [n][3] of any length but 0.
+ * \param[in] direction_stride,direction_component_stride layout of directions, 0 = packed.
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither hit nor touch.
+ * \param[out] distances [n] or NULL: t, which is in lengths of the direction; NaN as above.
+ * \param[out] status [n] or NULL: NURBS_RAY_ bits as of nurbs_surface_rays().
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP; _POINT_NOT_FINITE if
+ *   an origin is not finite, _DIRECTION if a direction is not finite or 0.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_rays(const nurbs_face *face, int64_t n, const double *origins,
+                                       int64_t origin_stride, int64_t origin_component_stride,
+                                       const double *directions, int64_t direction_stride,
+                                       int64_t direction_component_stride, double *params, double *distances,
+                                       int32_t *status);
+
+/** \brief nurbs_face_rays() as a call that can be watched and ended. At the limit of work rays that were not
+ * looked at have no bits.
+ * \param[in] face,n,origins,origin_stride,origin_component_stride,directions as for nurbs_face_rays().
+ * \param[in] direction_stride,direction_component_stride as for nurbs_face_rays().
+ * \param[out] params,distances,status as for nurbs_face_rays().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_rays(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_rays_with(const nurbs_face *face, int64_t n, const double *origins,
+                                            int64_t origin_stride, int64_t origin_component_stride,
+                                            const double *directions, int64_t direction_stride,
+                                            int64_t direction_component_stride, double *params,
+                                            double *distances, int32_t *status,
+                                            const nurbs_call_options *call);
+
+/** \brief The points of a face that are nearest to given points: that of its surface, if it lies inside; else the
+ * nearest one of the boundary, or of those local minima of the distance from the surface that lie inside and are
+ * nearer. Where rounding would have to say whether a point is inside, it counts.
+ * \param[in] face a face.
+ * \param[in] n number of points.
+ * \param[in] points [n][dim], finite.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] tolerance how much nearer another point may be, >= 0.
+ * \param[out] params [n][2] or NULL: parameters of the surface.
+ * \param[out] feet [n][dim] or NULL: the nearest points, as nurbs_eval() gives them.
+ * \param[out] distances [n] or NULL.
+ * \param[out] status [n] or NULL: NURBS_CLOSEST_ bits; NURBS_CLOSEST_BOUNDARY: on the boundary of the face.
+ *   Without NURBS_CLOSEST_CERTIFIED a nearer point is not excluded: after the usual budget of
+ *   nurbs_closest_points(), where minima are not isolated, and where a curve of the boundary, composed with the
+ *   surface, would have a degree above NURBS_MAX_DEGREE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE,
+ *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_closest_points(const nurbs_face *face, int64_t n, const double *points,
+                                                 int64_t point_stride, int64_t point_component_stride,
+                                                 double tolerance, double *params, double *feet,
+                                                 double *distances, int32_t *status);
+
+/** \brief nurbs_face_closest_points() as a call that can be watched and ended. At the limit of work points are not
+ * certified.
+ * \param[in] face,n,points,point_stride,point_component_stride as for nurbs_face_closest_points().
+ * \param[in] tolerance as for nurbs_face_closest_points().
+ * \param[out] params,feet,distances,status as for nurbs_face_closest_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, int64_t n, const double *points,
+                                                      int64_t point_stride, int64_t point_component_stride,
+                                                      double tolerance, double *params, double *feet,
+                                                      double *distances, int32_t *status,
+                                                      const nurbs_call_options *call);
+
 /** \brief Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
  * Weiss, Evans 2021), each within one span of the surface.
  * \param[in] face a face.
@@ -7295,6 +7370,135 @@ NURBS_API nurbs_status nurbs_model_part(const nurbs_model *model, int64_t index,
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_use(const nurbs_model *model, int64_t index, int64_t *parent,
                                        int64_t *part, double *placement);
+
+/** \brief Where the parts of a model stand in the whole: each way through uses of parts in parts. Those of one
+ * part follow one another as its uses do, each before what is in it.
+ * \param[in] model a model.
+ * \param[in] cap length of the outputs: 0, or at least the number of instances.
+ * \param[out] parents [cap] or NULL: the instance in which it stands; -1: the whole.
+ * \param[out] last_uses [cap] or NULL: the last use on the way.
+ * \param[out] own_parts [cap] or NULL: the part of that use.
+ * \param[out] placements [cap][12] or NULL: a point x of the part is at M x + t in the whole, the three rows of
+ *   (M | t).
+ * \param[out] count or NULL: the number of instances.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP; _TOO_LARGE if there are more than 2^20.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_instances(const nurbs_model *model, int64_t cap, int64_t *parents,
+                                             int64_t *last_uses, int64_t *own_parts, double *placements,
+                                             int64_t *count);
+
+/** \brief Where rays x = origin + t direction, t >= 0, meet the faces of a model first, of all parts where they
+ * stand in the whole (nurbs_model_instances()). Hits are those of nurbs_face_rays(), whose rounding and that of
+ * placements is in the proofs. A ray that passes an edge at no more than twice the largest tolerance of the faces
+ * that share edges with its face touches the face there, unless a hit follows within four times that distance: so no
+ * ray slips through between two neighbours and is told to be certified. The first call makes a tree of the boxes of
+ * all faces, which is kept.
+ * \param[in] model a model.
+ * \param[in] n number of rays.
+ * \param[in] origins [n][3].
+ * \param[in] directions [n][3] of any length but 0.
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither hit nor touch.
+ * \param[out] distances [n] or NULL: t, which is in lengths of the direction; NaN as above.
+ * \param[out] status [n] or NULL: NURBS_RAY_ bits; NURBS_RAY_BACK: from the side to which the outer normal of the
+ *   face (nurbs_model_face()) does not point.
+ * \param[out] places [n][2] or NULL: the face, and the instance of its part; -1 where params are NaN.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _POINT_NOT_FINITE if an origin is not finite,
+ *   _DIRECTION if a direction is not finite or 0, _MATRIX if a part is placed so that rounding hides one of its
+ *   dimensions, _NOT_REPRESENTABLE if a curve in space that bounds a face overflows, _TOO_LARGE as for
+ *   nurbs_model_instances().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_rays(const nurbs_model *model, int64_t n, const double *origins,
+                                        const double *directions, double *params, double *distances,
+                                        int32_t *status, int64_t *places);
+
+/** \brief nurbs_model_rays() as a call that can be watched and ended. At the limit of work rays that were not
+ * looked at have no bits.
+ * \param[in] model,n,origins,directions as for nurbs_model_rays().
+ * \param[out] params,distances,status,places as for nurbs_model_rays().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_rays(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_rays_with(const nurbs_model *model, int64_t n, const double *origins,
+                                             const double *directions, double *params, double *distances,
+                                             int32_t *status, int64_t *places,
+                                             const nurbs_call_options *call);
+
+/** \brief All places where a ray meets the faces of a model, by rising t, as nurbs_model_rays() finds the first. A
+ * place on an edge is one of each of its faces.
+ * \param[in] model a model.
+ * \param[in] origin [3].
+ * \param[in] direction [3] of any length but 0.
+ * \param[in] range [2] or NULL: the t that count, infinite ones allowed; else {0, INFINITY}.
+ * \param[in] cap length of the outputs: 0, or at least the number of places.
+ * \param[out] params [cap][2] or NULL: parameters of the surface.
+ * \param[out] distances [cap] or NULL: t, which is in lengths of the direction.
+ * \param[out] kinds [cap] or NULL: NURBS_RAY_HIT or NURBS_RAY_TOUCH each, and NURBS_RAY_BACK.
+ * \param[out] places [cap][2] or NULL: the face, and the instance of its part.
+ * \param[out] count or NULL: number of places.
+ * \param[out] complete or NULL: 1 if there are no others and none of them is a touch, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _POINT_NOT_FINITE, _DIRECTION, _MATRIX,
+ *   _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays(); _EMPTY_DOMAIN if range[0] > range[1] or one is
+ *   NaN, _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_ray_hits(const nurbs_model *model, const double *origin,
+                                            const double *direction, const double *range, int64_t cap,
+                                            double *params, double *distances, int32_t *kinds,
+                                            int64_t *places, int64_t *count, int32_t *complete);
+
+/** \brief nurbs_model_ray_hits() as a call that can be watched and ended; at the limit of work it is not complete.
+ * \param[in] model,origin,direction,range,cap as for nurbs_model_ray_hits().
+ * \param[out] params,distances,kinds,places,count,complete as for nurbs_model_ray_hits().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_ray_hits(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const double *origin,
+                                                 const double *direction, const double *range, int64_t cap,
+                                                 double *params, double *distances, int32_t *kinds,
+                                                 int64_t *places, int64_t *count, int32_t *complete,
+                                                 const nurbs_call_options *call);
+
+/** \name Sides of a model
+ * @{ */
+#define NURBS_SIDE_INSIDE 1     /**< of a solid, for certain */
+#define NURBS_SIDE_ON 0         /**< no farther from a face than the tolerance */
+#define NURBS_SIDE_OUTSIDE (-1) /**< of all solids, for certain */
+#define NURBS_SIDE_UNDECIDED 2  /**< not known */
+/** @} */
+
+/** \brief Whether points are inside the solids of a closed model: a ray from the point leaves a solid once more
+ * than it enters it. Up to 16 directions are tried, one after the other, until the hits of all faces are proven, none
+ * of them is near an edge, where faces may leave open what their tolerances and nurbs_face_deviation() say, and
+ * none is at the point itself. Solids are those that the file states, in each instance of their part, with their
+ * voids; the faces of an instance that bound none of them are taken to bound one together. A point in several of
+ * them is inside.
+ * \param[in] model a model.
+ * \param[in] n number of points.
+ * \param[in] points [n][3], finite.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] tolerance the distance from a face up to which a point is on it, >= 0. With 0 none is: points that
+ *   lie on a face to rounding are undecided, and so are those whose distance from a face
+ *   (nurbs_face_closest_points()) is not certified though the surface is as near.
+ * \param[out] sides [n] NURBS_SIDE_ constants.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE, _MATRIX,
+ *   _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays(), _NOT_CONVERGED as for nurbs_face_deviation();
+ *   _GAP if the model is not closed: an edge is used an odd number of times by the faces of a solid, a face ends
+ *   without an edge or has a gap in a loop, or its surface has a knot of more than its degree inside.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_classify(const nurbs_model *model, int64_t n, const double *points,
+                                            int64_t point_stride, int64_t point_component_stride,
+                                            double tolerance, int32_t *sides);
+
+/** \brief nurbs_model_classify() as a call that can be watched and ended. At the limit of work points that were not
+ * looked at are undecided.
+ * \param[in] model,n,points,point_stride,point_component_stride,tolerance as for nurbs_model_classify().
+ * \param[out] sides as for nurbs_model_classify().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_classify(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64_t n, const double *points,
+                                                 int64_t point_stride, int64_t point_component_stride,
+                                                 double tolerance, int32_t *sides,
+                                                 const nurbs_call_options *call);
 
 /** \brief The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
  * notes on all that was not read.

@@ -43,6 +43,30 @@ private:
     mutable std::atomic<const T *> slot_{nullptr};
 };
 
+// A slot for one table, of any kind, of a value that can be copied and changed: its copies begin without the table.
+class OwnTable {
+public:
+    OwnTable() noexcept = default;
+    OwnTable(const OwnTable &) noexcept {}
+    OwnTable &operator=(const OwnTable &) noexcept {
+        std::destroy_at(&slot_);
+        std::construct_at(&slot_);
+        return *this;
+    }
+    ~OwnTable() = default;
+
+    // What make() returns a std::shared_ptr of.
+    template <class T, class Make>
+    [[nodiscard]] const T &get(Make &&make) const {
+        const auto &kept =
+            slot_.get([&] { return std::shared_ptr<const void>(std::shared_ptr<const T>(make())); });
+        return *static_cast<const T *>(kept.get());
+    }
+
+private:
+    Lazy<std::shared_ptr<const void>> slot_;
+};
+
 // Decides when a table is built: as soon as the uses of an object so far have paid for it. Until then every
 // use works without the table, which costs as much as a share of the table. So neither one use nor many uses
 // cost more than twice the necessary time.

@@ -3,16 +3,13 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "build/polylines.h"
-#include "face/deviation.h"
-#include "face/open_ends.h"
+#include "face/boundary.h"
 #include "pieces/derivative_pieces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <queue>
-#include <span>
 
 namespace nrb::face {
 
@@ -79,26 +76,6 @@ struct CellAxis {
     }
 };
 
-// A piece of the boundary as a curve of its own, with the ends that it shares with others.
-SplinePtr curve_of(const TrimPieces &pieces, const TrimPiece &piece) {
-    const std::span<const double> coefficients = pieces.coefficients(piece);
-    const size_t count = static_cast<size_t>(piece.degree) + 1, width = piece.weighted ? 3 : 2;
-    std::vector<double> points, weights, knots(2 * count, 1.0);
-    std::fill_n(knots.begin(), count, 0.0);
-    for (size_t i = 0; i < count; ++i) {
-        const double w = piece.weighted ? coefficients[i * width + 2] : 1;
-        points.insert(points.end(), {coefficients[i * width] / w, coefficients[i * width + 1] / w});
-        if (piece.weighted) {
-            weights.push_back(w);
-        }
-    }
-    std::ranges::copy(piece.start, points.begin());
-    std::ranges::copy(piece.end, points.end() - 2);
-    return make_spline({make_knot_vector(piece.degree, std::move(knots))}, 2,
-                       piece.weighted ? Form::rational : Form::polynomial, std::move(points),
-                       std::move(weights));
-}
-
 using SideQueue = std::priority_queue<std::pair<double, size_t>>;
 
 class BoxSearch {
@@ -125,43 +102,13 @@ public:
 private:
     void reach(size_t side, double value) { reached_[side] = std::max(reached_[side], value); }
 
-    // What the edges, the segments that close gaps and ends of the domain without a curve reach.
     void add_boundary() {
-        for (size_t i = 0; i < face_.loops().size(); ++i) {
-            add_loop(static_cast<int32_t>(i));
-        }
-        for (const Joint &joint : face_.joints()) {
-            add_segment(joint.from, joint.to);
-        }
-        for (const EndPart &part : open_ends(face_)) {
-            add_segment(part.from, part.to);
+        for (const BoundaryCurve &curve : boundary_curves(face_)) {
+            add_edge(curve.space);
         }
         if (!boundary_proven_) {
             reach_boundary();
         }
-    }
-    // Pieces of a loop that runs over seams lie in one copy of the domain each.
-    void add_loop(int32_t number) {
-        const Loop &loop = face_.loops()[static_cast<size_t>(number)];
-        std::vector<SplinePtr> edges;
-        for (const Coedge &coedge : loop) {
-            edges.push_back(composed_edge(face_.surface(), face_.covering(), coedge.curve));
-        }
-        if (std::ranges::find(edges, nullptr) != edges.end()) {
-            edges.clear();
-            const TrimPieces &pieces = face_.trims().pieces();
-            for (const TrimPiece &piece : pieces.all()) {
-                if (piece.loop == number) {
-                    edges.push_back(
-                        composed_edge(face_.surface(), face_.covering(), curve_of(pieces, piece)));
-                }
-            }
-        }
-        std::ranges::for_each(edges, [&](const SplinePtr &edge) { add_edge(edge); });
-    }
-    void add_segment(const Point2 &from, const Point2 &to) {
-        const SplinePtr curve = build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1});
-        add_edge(composed_edge(face_.surface(), face_.covering(), curve));
     }
     // Null: curves that cannot be composed are bounded by the cells that they cut.
     void add_edge(const SplinePtr &edge) {

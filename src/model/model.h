@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/lazy.h"
 #include "face/face.h"
 #include "model/shapes/surface_shape.h"
 #include "spline/spline.h"
@@ -82,6 +83,7 @@ struct Model {
     std::vector<Edge> edges{};
     std::vector<Vector3> vertices{};
     std::vector<std::string> layers{}; // names of layers, each of which has a face or a spline
+    OwnTable rays{}, closed_rays{};    // of rays/scene.h
 };
 using ModelPtr = std::shared_ptr<const Model>;
 

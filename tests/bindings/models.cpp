@@ -2,6 +2,7 @@
 // Models through the C++ wrapper: bushing.step, the path of which is the argument.
 #include "expect.hpp"
 
+#include <cmath>
 #include <string>
 
 using namespace libnurbs;
@@ -60,6 +61,22 @@ static void bytes(const Model &model) {
     EXPECT(status_of([&] { (void)Face::from_bytes(whole); }) == Status::format);
 }
 
+static void rays(const Model &model) {
+    const ModelRays first = model.rays({9, 0.1, 2, 0, 0.1, 9}, {-1, 0, 0, 0, 0, -1});
+    EXPECT(near({first.distances[0]}, {9 - std::sqrt(24.99)}) && std::isnan(first.distances[1]));
+    EXPECT(first.status == (std::vector{ray_hit | ray_certified, ray_certified}));
+    EXPECT((first.places == std::vector<std::int64_t>{0, 0, -1, -1}));
+    const ModelRayHits through = model.ray_hits({9, 0.1, 2}, {-1, 0, 0});
+    EXPECT(through.complete && through.distances.size() == 4 && through.places[2] == 1);
+    EXPECT((model.classify({4, 0.1, 2, 0, 0.1, 2}) == std::vector<std::int32_t>{side_inside, side_outside}));
+    const ModelInstances whole = model.instances();
+    EXPECT(whole.uses.size() == 1 && whole.parents[0] == -1 && whole.placements[5] == 1);
+    const Face outside = model.face(0).face;
+    const ClosestOnFace foot = outside.closest_points({9, 0, 2}, 1e-9);
+    EXPECT(near(foot.distances, {4}, 1e-8) && (foot.status[0] & closest_certified) != 0);
+    EXPECT(near({Rays(outside.rays({9, 0.1, 2}, {-1, 0, 0})).distances[0]}, {9 - std::sqrt(24.99)}));
+}
+
 int main(int count, char **arguments) {
     EXPECT(count == 2);
     if (count == 2) {
@@ -68,6 +85,7 @@ int main(int count, char **arguments) {
         copies(model);
         written(model);
         bytes(model);
+        rays(model);
     }
     EXPECT(status_of([] { (void)Model::read_file("/no/such/file"); }) == Status::file);
     return failures == 0 ? 0 : 1;

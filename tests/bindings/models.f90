@@ -31,11 +31,40 @@ program models
     call two%get_use(1, parent, part)
     call expect(parent == 0 .and. part == 1, 'the part in the whole')
     call written()
+    call cast_rays()
     call two%read_file('/no/such/file', status=code)
     call expect(code == NURBS_ERROR_FILE, 'a file that is not there')
     call finish()
 
 contains
+
+    !> From the side through both walls: faces and instances count from 1.
+    subroutine cast_rays()
+        real(c_double) :: first(1), outside(1)
+        real(c_double), allocatable :: params(:, :), distances(:), placements(:, :)
+        integer(c_int32_t) :: states(1), sides(2)
+        integer(c_int32_t), allocatable :: kinds(:)
+        integer(c_int64_t) :: at(1, 2)
+        integer(c_int64_t), allocatable :: places(:, :), parents(:), uses(:), parts(:)
+        logical :: complete
+        type(nurbs_face) :: wall
+        call model%rays(reshape([9d0, 0.1d0, 2d0], [1, 3]), reshape([-1d0, 0d0, 0d0], [1, 3]), distances=first, &
+            states=states, places=at)
+        call expect(near(first, [9 - sqrt(24.99d0)]) .and. all(states == NURBS_RAY_HIT + NURBS_RAY_CERTIFIED) .and. &
+            all(at == 1), 'a ray')
+        call model%ray_hits([9d0, 0.1d0, 2d0], [-1d0, 0d0, 0d0], params, distances, kinds, places, complete)
+        call expect(complete .and. size(distances) == 4 .and. places(2, 1) == 2, 'all hits of a ray')
+        call model%classify(reshape([4d0, 0d0, 0.1d0, 0.1d0, 2d0, 2d0], [2, 3]), sides)
+        call expect(all(sides == [NURBS_SIDE_INSIDE, NURBS_SIDE_OUTSIDE]), 'sides')
+        call model%instances(parents, uses, parts, placements)
+        call expect(all(parents == [0]) .and. all(uses == [1]) .and. all(parts == [1]) .and. &
+            all(shape(placements) == [1, 12]), 'the whole')
+        call model%face(1, wall)
+        call wall%rays(reshape([9d0, 0.1d0, 2d0], [1, 3]), reshape([-1d0, 0d0, 0d0], [1, 3]), distances=outside)
+        call expect(near(outside, first), 'a ray on a face')
+        call wall%closest_points(reshape([9d0, 0d0, 2d0], [1, 3]), distances=outside, states=states, tolerance=1d-9)
+        call expect(abs(outside(1) - 4) < 1d-8 .and. iand(states(1), NURBS_CLOSEST_CERTIFIED) /= 0, 'a nearest point')
+    end subroutine cast_rays
 
     !> The same again of what is written, to memory and to a file.
     subroutine written()

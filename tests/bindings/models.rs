@@ -52,6 +52,23 @@ fn bytes(model: &Model) -> Result<()> {
     Ok(())
 }
 
+fn rays(model: &Model) -> Result<()> {
+    let first = model.rays(&[9., 0.1, 2., 0., 0.1, 9.], &[-1., 0., 0., 0., 0., -1.])?;
+    assert!(near(&first.distances[..1], &[9. - 24.99f64.sqrt()]) && first.distances[1].is_nan());
+    assert_eq!(first.status, [sys::NURBS_RAY_HIT | sys::NURBS_RAY_CERTIFIED, sys::NURBS_RAY_CERTIFIED]);
+    assert_eq!(first.places, [[0, 0], [-1, -1]]);
+    let through = model.ray_hits(&[9., 0.1, 2.], &[-1., 0., 0.], &[])?;
+    assert!(through.complete && through.distances.len() == 4 && through.places[1][0] == 1);
+    assert_eq!(model.classify(&[4., 0.1, 2., 0., 0.1, 2.], 0.)?, [sys::NURBS_SIDE_INSIDE, sys::NURBS_SIDE_OUTSIDE]);
+    let whole = model.instances()?;
+    assert_eq!((whole.uses, whole.parents, whole.placements[0][5]), (vec![0], vec![-1], 1.));
+    let foot = model.face(0)?.face.closest_points(&[9., 0., 2.], 1e-9)?;
+    assert!((foot.distances[0] - 4.).abs() < 1e-8 && foot.status[0] & sys::NURBS_CLOSEST_CERTIFIED != 0);
+    let outside = model.face(0)?.face.rays(&[9., 0.1, 2.], &[-1., 0., 0.])?;
+    assert!(near(&outside.distances, &[9. - 24.99f64.sqrt()]));
+    Ok(())
+}
+
 fn main() -> Result<()> {
     let path = std::env::args_os().nth(1).expect("the path of bushing.step");
     let model = Model::read_file(Path::new(&path), None)?;
@@ -59,6 +76,7 @@ fn main() -> Result<()> {
     is_the_bushing(&model.clone())?;
     written(&model)?;
     bytes(&model)?;
+    rays(&model)?;
     let faces = [model.face(0)?.face, model.face(1)?.face.clone()];
     let two = Model::create(&[&faces[0], &faces[1]], 0.001)?;
     assert_eq!((two.counts()?.faces, two.face_name(1)?, two.part(0)?), (2, "1".to_string(), String::new()));

@@ -97,6 +97,22 @@ class Answers(unittest.TestCase):
         np.testing.assert_array_equal(self.face.classify(np.asfortranarray([[0.5, 0.5], [0.1, 0.5]])), [1, -1])
         self.assertEqual(self.face.classify([0.74, 0.5], 0.03), 0)
 
+    def test_rays(self):
+        above = self.face.surface([[0.5, 0.5], [0.1, 0.5], [0.25, 0.5]]) + [0, 0, 2]
+        found = self.face.rays(above, [0, 0, -1])
+        np.testing.assert_array_equal(found.distances, [2, np.nan, 2])
+        self.assertEqual(found.status.tolist(), [nurbs.NURBS_RAY_HIT | nurbs.NURBS_RAY_CERTIFIED,
+                                                 nurbs.NURBS_RAY_CERTIFIED, nurbs.NURBS_RAY_TOUCH])
+
+    def test_closest_points(self):
+        on = self.face.surface([[0.5, 0.5], [0.75, 0.75]])
+        found = self.face.closest_points([on[0] + [0, 0, 1], on[1] + [3, 4, 12]], 1e-9)
+        np.testing.assert_allclose(found.distances, [1, 13], atol=2e-9)
+        np.testing.assert_allclose(found.points, on, atol=1e-8)
+        self.assertEqual(found.status.tolist(), [nurbs.NURBS_CLOSEST_CERTIFIED,
+                                                 nurbs.NURBS_CLOSEST_CERTIFIED | nurbs.NURBS_CLOSEST_BOUNDARY])
+        self.assertEqual(self.face.closest_points(on[0]).distances.shape, ())
+
     def test_moments_and_boxes(self):
         moments, box = self.face.moments(1e-12), self.face.box(1e-9)
         self.assertAlmostEqual(moments.content, 1.5, 11)

@@ -104,6 +104,26 @@ class Models(unittest.TestCase):
         self.assertEqual((faces["torus"].loops, faces["cylinder"].loops, faces["hull"].loops), ((), (1, 1), (4,)))
         self.assertEqual(nurbs.Model.read(MODELS.read_bytes(), unit=1.0).unit, 1.0)
 
+    def test_rays(self):
+        found = self.model.rays([[9, 0.1, 2], [0, 0.1, 9]], [[-1, 0, 0], [0, 0, -1]])
+        self.assertEqual(found.status.tolist(), [nurbs.NURBS_RAY_HIT | nurbs.NURBS_RAY_CERTIFIED, nurbs.NURBS_RAY_CERTIFIED])
+        self.assertAlmostEqual(found.distances[0], 9 - math.sqrt(25 - 0.01), 12)
+        self.assertEqual((found.places.tolist(), found.params.shape), ([[0, 0], [-1, -1]], (2, 2)))
+        self.assertEqual(self.model.rays([9, 0.1, 2], [-1, 0, 0]).distances.shape, ())
+        hits = self.model.ray_hits([9, 0.1, 2], [-1, 0, 0])
+        self.assertEqual((hits.places[:, 0].tolist(), hits.complete), ([0, 1, 1, 0], True))
+        self.assertEqual([kind & nurbs.NURBS_RAY_BACK for kind in hits.kinds.tolist()], [0, nurbs.NURBS_RAY_BACK] * 2)
+        self.assertEqual(len(self.model.ray_hits([9, 0.1, 2], [-1, 0, 0], part=[0, 5]).distances), 1)
+        sides = self.model.classify([[4, 0.1, 2], [0, 0.1, 2], [4, 0, 4.0005]], 1e-3)
+        self.assertEqual(sides.tolist(), [nurbs.NURBS_SIDE_INSIDE, nurbs.NURBS_SIDE_OUTSIDE, nurbs.NURBS_SIDE_ON])
+        whole = self.model.instances()
+        self.assertEqual([list(whole.parents), list(whole.uses), list(whole.parts)], [[-1], [0], [0]])
+        np.testing.assert_array_equal(whole.placements, [np.eye(3, 4)])
+        self.assertEqual(status_of(lambda: self.model.rays([0, 0, 0], [0, 0, 0])), nurbs.NURBS_ERROR_DIRECTION)
+        self.assertEqual(status_of(lambda: nurbs.Model(self.model.faces[:2]).classify([0, 0, 0])), nurbs.NURBS_ERROR_GAP)
+        with self.assertRaises(ValueError):
+            self.model.rays([1, 2], [3, 4])
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))

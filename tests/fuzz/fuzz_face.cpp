@@ -231,6 +231,62 @@ void sides(Input &in, const nurbs *surface, const nurbs_face *face) {
     }
 }
 
+// The nearest point is on the face, and nearer than a place that is known to be on it.
+void nearest(Input &in, const nurbs *surface, const nurbs_face *face) {
+    const Domain domain(surface);
+    const double uv[] = {domain.at(0, in.unit()), domain.at(1, in.unit())};
+    double at[4] = {0, 0, 0, 0}, from[4], found[2], feet[4], distance = 0;
+    int32_t dim = 0, status = 0, side = 0;
+    FUZZ_REQUIRE(nurbs_dimension(surface, &dim) == NURBS_OK);
+    if (dim > 4 || !FUZZ_OK(nurbs_eval(surface, 1, uv, 0, 0, at, 0, 0, 0)) ||
+        !FUZZ_OK(nurbs_face_classify(face, 1, uv, 0, 0, 0, &side))) {
+        return;
+    }
+    double known = 0, size = 0;
+    for (int32_t c = 0; c < dim; ++c) {
+        from[c] = in.rarely() ? in.anything() : 4 * in.unit() - 2;
+        known = std::hypot(known, from[c] - at[c]);
+        size = std::max({size, std::fabs(from[c]), std::fabs(at[c])});
+    }
+    const nurbs_call_options call = limited(3'000'000);
+    if (!FUZZ_OK(nurbs_face_closest_points_with(face, 1, from, 0, 0, 1e-6, found, feet, &distance, &status,
+                                                &call))) {
+        return;
+    }
+    if ((status & NURBS_CLOSEST_CERTIFIED) != 0 && side == 1) {
+        FUZZ_REQUIRE(distance <= known + 2e-6 + 1e-9 * size);
+    }
+    if (in.below(8) == 0) {
+        FUZZ_OK(nurbs_face_closest_points(face, 1, from, 0, 0, 1e-3, nullptr, nullptr, &distance, nullptr));
+    }
+}
+
+// What a ray meets first lies inside, and rays to places inside are not certified to miss.
+void rays(Input &in, const nurbs *surface, const nurbs_face *face) {
+    const Domain domain(surface);
+    const double uv[] = {domain.at(0, in.unit()), domain.at(1, in.unit())};
+    double at[4] = {0, 0, 0, 0}, from[3], along[3], found[2], t = 0;
+    int32_t dim = 0, status = 0, side = 0;
+    FUZZ_REQUIRE(nurbs_dimension(surface, &dim) == NURBS_OK);
+    if (dim > 4 || !FUZZ_OK(nurbs_eval(surface, 1, uv, 0, 0, at, 0, 0, 0))) {
+        return;
+    }
+    for (int c = 0; c < 3; ++c) {
+        from[c] = in.rarely() ? in.anything() : 4 * in.unit() - 2;
+        along[c] = at[c] - from[c];
+    }
+    if (!FUZZ_OK(nurbs_face_rays(face, 1, from, 0, 0, along, 0, 0, found, &t, &status))) {
+        return;
+    }
+    const bool hit = (status & NURBS_RAY_HIT) != 0, touch = (status & NURBS_RAY_TOUCH) != 0;
+    FUZZ_REQUIRE((hit || touch) == !std::isnan(t) && !(hit && touch));
+    if (hit) {
+        FUZZ_REQUIRE(nurbs_face_classify(face, 1, found, 0, 0, 0, &side) == NURBS_OK && side >= 0);
+    }
+    const nurbs_call_options call = limited(in.below(1000) + 1);
+    FUZZ_OK(nurbs_face_rays_with(face, 1, from, 0, 0, along, 0, 0, nullptr, nullptr, &status, &call));
+}
+
 void areas(const nurbs_face *face) {
     const nurbs_call_options call = limited(3'000'000);
     double area = 0, content = 0, error = -1, centroid[4], inertia[16];
@@ -272,6 +328,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (face) {
         parts(in, face.get());
         sides(in, surface.get(), face.get());
+        rays(in, surface.get(), face.get());
+        nearest(in, surface.get(), face.get());
         areas(face.get());
     }
     plainly();

@@ -2,6 +2,7 @@
 // keys as they should and as they should not. Whatever model comes out is complete: its numbers name what it holds.
 #include "fuzz/harness.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -180,6 +181,60 @@ void use_solids(const nurbs_model *model, const Counts &n) {
     }
 }
 
+int64_t use_instances(const nurbs_model *model, const Counts &n) {
+    int64_t count = 0;
+    if (!FUZZ_OK(nurbs_model_instances(model, 0, nullptr, nullptr, nullptr, nullptr, &count)) ||
+        count > 1000) {
+        return -1;
+    }
+    const auto size = static_cast<size_t>(count);
+    std::vector<int64_t> parents(size), uses(size), parts(size);
+    std::vector<double> placements(12 * size);
+    FUZZ_REQUIRE(nurbs_model_instances(model, count, parents.data(), uses.data(), parts.data(),
+                                       placements.data(), nullptr) == NURBS_OK);
+    for (int64_t i = 0; i < count; ++i) {
+        const auto at = static_cast<size_t>(i);
+        FUZZ_REQUIRE(among(parents[at] + 1, i + 1) && among(uses[at], n.uses) && among(parts[at], n.parts));
+    }
+    return count;
+}
+
+// What a place says is there; a point inside has something on every side of it.
+void use_rays(const nurbs_model *model, const Counts &n) {
+    const int64_t instances = use_instances(model, n);
+    const double from[] = {0.3, 0.4, 5, -3, 0.2, 0.1}, along[] = {0, 0.05, -1, 1, 0.1, 0.05};
+    if (instances < 0 || n.faces > 12) {
+        return;
+    }
+    double t[2] = {0, 0};
+    int32_t status[2] = {0, 0}, complete = -1;
+    int64_t places[4] = {0, 0, 0, 0}, count = -1;
+    const nurbs_call_options call = limited(3'000'000);
+    if (!FUZZ_OK(nurbs_model_rays(model, 1, from, along, nullptr, t, status, places)) ||
+        !FUZZ_OK(nurbs_model_rays_with(model, 2, from, along, nullptr, t, status, places, &call))) {
+        return;
+    }
+    for (size_t i = 0; i < 2; ++i) {
+        const bool found = (status[i] & (NURBS_RAY_HIT | NURBS_RAY_TOUCH)) != 0;
+        FUZZ_REQUIRE(found == !std::isnan(t[i]));
+        FUZZ_REQUIRE(found ? among(places[2 * i], n.faces) && among(places[2 * i + 1], instances)
+                           : places[2 * i] == -1 && places[2 * i + 1] == -1);
+    }
+    FUZZ_OK(nurbs_model_ray_hits_with(model, from, along, nullptr, 0, nullptr, nullptr, nullptr, nullptr,
+                                      &count, &complete, &call));
+    FUZZ_OK(nurbs_model_ray_hits(model, from, along, nullptr, 0, nullptr, nullptr, nullptr, nullptr, &count,
+                                 &complete));
+    FUZZ_REQUIRE(count >= 0 && (complete == 0 || complete == 1));
+    int32_t side = 7;
+    if (FUZZ_OK(nurbs_model_classify_with(model, 1, from, 0, 0, 1e-3, &side, &call))) {
+        FUZZ_REQUIRE(-1 <= side && side <= 2);
+        const int32_t before = side;
+        FUZZ_REQUIRE(nurbs_model_classify(model, 1, from, 0, 0, 1e-3, &side) == NURBS_OK);
+        FUZZ_REQUIRE(side == before || before == NURBS_SIDE_UNDECIDED);
+        FUZZ_REQUIRE(side != NURBS_SIDE_INSIDE || count > 0);
+    }
+}
+
 void use(const nurbs_model *model, bool all_edges) {
     const Counts n = counts_of(model);
     use_layers(model, n);
@@ -196,6 +251,7 @@ void use(const nurbs_model *model, bool all_edges) {
         FUZZ_REQUIRE(nurbs_model_vertex(model, i, point) == NURBS_OK);
     }
     use_parts(model, n);
+    use_rays(model, n);
     nurbs_list *list = nullptr;
     FUZZ_REQUIRE(nurbs_model_splines(model, &list) == NURBS_OK && list != nullptr);
     const List owner(list);

@@ -56,26 +56,6 @@ Winding winding_of_copies(const Ground &ground, const Vec &polygon, const Place 
     return sum;
 }
 
-std::vector<Ground> grounds(Random &random) {
-    std::vector<Ground> all;
-    all.push_back(plane(random.magnitude(1e-3, 1e3)));
-    all.push_back(wavy(random));
-    all.push_back(cylinder(2, 3));
-    all.push_back(sphere(1.5));
-    all.push_back(torus(3, 1));
-    return all;
-}
-
-SplineData any_star(Random &random, const Ground &ground) {
-    Star kind;
-    kind.degree = random.whole(1, 10);
-    kind.rational = random.chance(50);
-    kind.periodic = kind.degree > 1 && random.chance(50);
-    const Place centre =
-        ground.at(ground.closed[0] ? random.unit() : 0.5, ground.closed[1] ? random.unit() : 0.5);
-    return star(random, ground, centre, kind);
-}
-
 SplineData moved(SplineData data, double u, double v) {
     for (size_t i = 0; i < data.points.size(); i += 2) {
         data.points[i] += u;

@@ -151,6 +151,27 @@ inline SplineData star(Random &random, const Ground &ground, const Place &centre
     return data;
 }
 
+// Plane and curved, closed and open.
+inline std::vector<Ground> grounds(Random &random) {
+    std::vector<Ground> all;
+    all.push_back(plane(random.magnitude(1e-3, 1e3)));
+    all.push_back(wavy(random));
+    all.push_back(cylinder(2, 3));
+    all.push_back(sphere(1.5));
+    all.push_back(torus(3, 1));
+    return all;
+}
+
+inline SplineData any_star(Random &random, const Ground &ground) {
+    Star kind;
+    kind.degree = random.whole(1, 10);
+    kind.rational = random.chance(50);
+    kind.periodic = kind.degree > 1 && random.chance(50);
+    const Place centre =
+        ground.at(ground.closed[0] ? random.unit() : 0.5, ground.closed[1] ? random.unit() : 0.5);
+    return star(random, ground, centre, kind);
+}
+
 inline Handle segment(const Place &a, const Place &b) {
     return create({{1}, {2}, {{0, 0, 1, 1}}, 2, {a[0], a[1], b[0], b[1]}, {}, 0});
 }

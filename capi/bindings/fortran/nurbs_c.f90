@@ -3548,6 +3548,60 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_classify_with
+        !> Where rays x = origin + t direction, t >= 0, meet a face first: hits of its surface, as
+        !> nurbs_surface_rays() finds them, that lie inside of its loops for certain.
+        function nurbs_face_rays(face, n, origins, origin_stride, origin_component_stride, directions, &
+                direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, origin_stride, origin_component_stride, direction_stride, &
+                direction_component_stride
+            real(c_double), intent(in) :: origins(*), directions(*)
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_face_rays
+        !> nurbs_face_rays() as a call that can be watched and ended.
+        function nurbs_face_rays_with(face, n, origins, origin_stride, origin_component_stride, directions, &
+                direction_stride, direction_component_stride, params, distances, status, call) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, origin_stride, origin_component_stride, direction_stride, &
+                direction_component_stride
+            real(c_double), intent(in) :: origins(*), directions(*)
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_rays_with
+        !> The points of a face that are nearest to given points: that of its surface, if it lies inside; else
+        !> the nearest one of the boundary, or of those local minima of the distance from the surface that lie
+        !> inside and are nearer.
+        function nurbs_face_closest_points(face, n, points, point_stride, point_component_stride, tolerance, &
+                params, feet, distances, status) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_face_closest_points
+        !> nurbs_face_closest_points() as a call that can be watched and ended.
+        function nurbs_face_closest_points_with(face, n, points, point_stride, point_component_stride, &
+                tolerance, params, feet, distances, status, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_closest_points_with
         !> Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain
         !> (Gunderman, Weiss, Evans 2021), each within one span of the surface.
         function nurbs_face_area(face, relative_tolerance, area, error) bind(c) result(r)
@@ -3947,6 +4001,95 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placement(*)
             integer(c_int32_t) :: r
         end function nurbs_model_use
+        !> Where the parts of a model stand in the whole: each way through uses of parts in parts.
+        function nurbs_model_instances(model, cap, parents, last_uses, own_parts, placements, count) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: parents(*), last_uses(*), own_parts(*), count
+            real(c_double), intent(inout), optional :: placements(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_instances
+        !> Where rays x = origin + t direction, t >= 0, meet the faces of a model first, of all parts where
+        !> they stand in the whole (nurbs_model_instances()).
+        function nurbs_model_rays(model, n, origins, directions, params, distances, status, places) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: origins(*), directions(*)
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int64_t), intent(inout), optional :: places(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_rays
+        !> nurbs_model_rays() as a call that can be watched and ended.
+        function nurbs_model_rays_with(model, n, origins, directions, params, distances, status, places, &
+                call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: origins(*), directions(*)
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int64_t), intent(inout), optional :: places(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_rays_with
+        !> All places where a ray meets the faces of a model, by rising t, as nurbs_model_rays() finds the
+        !> first.
+        function nurbs_model_ray_hits(model, origin, direction, range, cap, params, distances, kinds, &
+                places, count, complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: origin(*), direction(*)
+            real(c_double), intent(in), optional :: range(*)
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: places(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_model_ray_hits
+        !> nurbs_model_ray_hits() as a call that can be watched and ended; at the limit of work it is not
+        !> complete.
+        function nurbs_model_ray_hits_with(model, origin, direction, range, cap, params, distances, kinds, &
+                places, count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: origin(*), direction(*)
+            real(c_double), intent(in), optional :: range(*)
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: places(*), count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_ray_hits_with
+        !> Whether points are inside the solids of a closed model: a ray from the point leaves a solid once
+        !> more than it enters it.
+        function nurbs_model_classify(model, n, points, point_stride, point_component_stride, tolerance, &
+                sides) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout) :: sides(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_classify
+        !> nurbs_model_classify() as a call that can be watched and ended.
+        function nurbs_model_classify_with(model, n, points, point_stride, point_component_stride, &
+                tolerance, sides, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout) :: sides(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_classify_with
         !> The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
         !> notes on all that was not read.
         function nurbs_model_splines(model, out) bind(c) result(r)

@@ -468,6 +468,12 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_BYTES_FACE = 4  ! a face: nurbs_face_from_bytes()
     integer(c_int32_t), parameter :: NURBS_BYTES_MODEL = 5  ! a model: nurbs_model_from_bytes()
 
+    ! --- Sides of a model
+    integer(c_int32_t), parameter :: NURBS_SIDE_INSIDE = 1  ! of a solid, for certain
+    integer(c_int32_t), parameter :: NURBS_SIDE_ON = 0  ! no farther from a face than the tolerance
+    integer(c_int32_t), parameter :: NURBS_SIDE_OUTSIDE = -1  ! of all solids, for certain
+    integer(c_int32_t), parameter :: NURBS_SIDE_UNDECIDED = 2  ! not known
+
     ! --- Formats of files
     ! STEP: an exchange structure of ISO 10303-21, by AP214
     integer(c_int32_t), parameter :: NURBS_FORMAT_STEP = 1

@@ -5,8 +5,9 @@ module nurbs_faces
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_face_create, nurbs_face_surface, nurbs_face_loops, nurbs_face_curve, nurbs_face_edge, &
-        nurbs_face_deviation, nurbs_face_tolerance, nurbs_face_classify, nurbs_face_area, nurbs_face_moments, &
-        nurbs_face_box, nurbs_face_from_bytes, nurbs_face_create_with, nurbs_face_classify_with, nurbs_face_area_with, &
+        nurbs_face_deviation, nurbs_face_tolerance, nurbs_face_classify, nurbs_face_rays, nurbs_face_closest_points, &
+        nurbs_face_area, nurbs_face_moments, nurbs_face_box, nurbs_face_from_bytes, nurbs_face_create_with, &
+        nurbs_face_classify_with, nurbs_face_rays_with, nurbs_face_closest_points_with, nurbs_face_area_with, &
         nurbs_face_moments_with, nurbs_face_box_with
     use nurbs_support
     use nurbs_calls
@@ -18,8 +19,8 @@ module nurbs_faces
     !> A trimmed face; an assignment makes another handle on the same face.
     type, extends(nurbs_face_handle), public :: nurbs_face
     contains
-        procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, get_area, moments, box
-        procedure :: from_bytes
+        procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, rays, closest_points
+        procedure :: get_area, moments, box, from_bytes
     end type nurbs_face
 
 contains
@@ -161,6 +162,71 @@ contains
         end if
         call settle(code, status)
     end subroutine classify
+
+    !> Where rays meet it first, with proof.
+    subroutine rays(this, origins, directions, params, distances, states, status, call)
+        class(nurbs_face), intent(in) :: this
+        real(c_double), intent(in) :: origins(:, :), directions(:, :)
+        real(c_double), intent(inout), optional :: params(:, :), distances(:)
+        integer(c_int32_t), intent(inout), optional :: states(:)
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        n = size(origins, 1, c_int64_t)
+        allocate (params_c(2, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(origins, n, 3_c_int64_t), fits(directions, n, 3_c_int64_t), &
+            fits(params, n, 2_c_int64_t), fits(distances, n), fits(states, n)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_face_rays_with(this%handle, n, origins, step(origins), column(origins), directions, &
+                    step(directions), column(directions), params_c, distances, states, watched(call))
+            else
+                code = nurbs_face_rays(this%handle, n, origins, step(origins), column(origins), directions, &
+                    step(directions), column(directions), params_c, distances, states)
+            end if
+        end if
+        if (code == NURBS_OK) then
+            if (present(params)) params = transpose(params_c)
+        end if
+        call settle(code, status)
+    end subroutine rays
+
+    !> Its points that are nearest to given points, with proof.
+    subroutine closest_points(this, points, params, feet, distances, states, tolerance, status, call)
+        class(nurbs_face), intent(in) :: this
+        real(c_double), intent(in) :: points(:, :)
+        real(c_double), intent(inout), optional :: params(:, :), feet(:, :), distances(:)
+        integer(c_int32_t), intent(inout), optional :: states(:)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n, dim
+        real(c_double), allocatable :: params_c(:, :), feet_c(:, :)
+        n = size(points, 1, c_int64_t)
+        dim = face_dim_of(this%handle)
+        allocate (params_c(2, n), feet_c(dim, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(points, n, dim), fits(params, n, 2_c_int64_t), fits(feet, n, dim), &
+            fits(distances, n), fits(states, n)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_face_closest_points_with(this%handle, n, points, step(points), column(points), &
+                    given(tolerance, 0d0), params_c, feet_c, distances, states, watched(call))
+            else
+                code = nurbs_face_closest_points(this%handle, n, points, step(points), column(points), &
+                    given(tolerance, 0d0), params_c, feet_c, distances, states)
+            end if
+        end if
+        if (code == NURBS_OK) then
+            if (present(params)) params = transpose(params_c)
+            if (present(feet)) feet = transpose(feet_c)
+        end if
+        call settle(code, status)
+    end subroutine closest_points
 
     !> Its area.
     subroutine get_area(this, area, error, tolerance, status, call)

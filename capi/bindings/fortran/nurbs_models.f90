@@ -7,10 +7,11 @@ module nurbs_models
     use nurbs_constants
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
         nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
-        nurbs_model_edge_uses, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, nurbs_model_splines, &
-        nurbs_model_spline_layers, nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, &
-        nurbs_model_from_bytes, nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_write_file_with, &
-        nurbs_read_options, nurbs_write_options
+        nurbs_model_edge_uses, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, nurbs_model_instances, &
+        nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_classify, nurbs_model_splines, nurbs_model_spline_layers, &
+        nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, &
+        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_rays_with, nurbs_model_ray_hits_with, &
+        nurbs_model_classify_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -24,7 +25,8 @@ module nurbs_models
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
         procedure :: read, read_file, create, counts, face, face_name, face_solid, face_layers, edge, edge_uses, vertex
-        procedure :: part, get_use, splines, spline_layers, layer_count, layer, write_file, from_bytes
+        procedure :: part, get_use, instances, rays, ray_hits, classify, splines, spline_layers, layer_count, layer
+        procedure :: write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -232,6 +234,135 @@ contains
         end if
         call settle(code, status)
     end subroutine get_use
+
+    !> Where the parts stand in the whole: each way through uses of parts in parts.
+    subroutine instances(this, parents, uses, parts, placements, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: parents(:), uses(:), parts(:)
+        real(c_double), allocatable, intent(inout) :: placements(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: placements_c(:, :)
+        n = 0
+        code = nurbs_model_instances(this%handle, 0_c_int64_t, count=n)
+        if (allocated(parents)) deallocate (parents)
+        if (allocated(uses)) deallocate (uses)
+        if (allocated(parts)) deallocate (parts)
+        allocate (parents(n), uses(n), parts(n), placements_c(12, n))
+        if (code == NURBS_OK) code = nurbs_model_instances(this%handle, n, parents, uses, parts, placements_c)
+        placements = transpose(placements_c)
+        if (code == NURBS_OK) then
+            parents = parents + 1
+            uses = uses + 1
+            parts = parts + 1
+        end if
+        call settle(code, status)
+    end subroutine instances
+
+    !> Where rays meet its faces first, with proof.
+    subroutine rays(this, origins, directions, params, distances, states, places, status, call)
+        class(nurbs_model), intent(in) :: this
+        real(c_double), intent(in) :: origins(:, :), directions(:, :)
+        real(c_double), intent(inout), optional :: params(:, :), distances(:)
+        integer(c_int32_t), intent(inout), optional :: states(:)
+        integer(c_int64_t), intent(inout), optional :: places(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        integer(c_int64_t), allocatable :: places_c(:, :)
+        n = size(origins, 1, c_int64_t)
+        allocate (params_c(2, n), places_c(2, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(origins, n, 3_c_int64_t), fits(directions, n, 3_c_int64_t), &
+            fits(params, n, 2_c_int64_t), fits(distances, n), fits(states, n), fits(places, n, 2_c_int64_t)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_model_rays_with(this%handle, n, transpose(origins), transpose(directions), params_c, &
+                    distances, states, places_c, watched(call))
+            else
+                code = nurbs_model_rays(this%handle, n, transpose(origins), transpose(directions), params_c, &
+                    distances, states, places_c)
+            end if
+        end if
+        if (code == NURBS_OK) then
+            if (present(params)) params = transpose(params_c)
+            if (present(places)) places = transpose(places_c) + 1
+        end if
+        call settle(code, status)
+    end subroutine rays
+
+    !> All places where a ray meets its faces, by rising t.
+    subroutine ray_hits(this, origin, direction, params, distances, kinds, places, complete, range, status, call)
+        class(nurbs_model), intent(in) :: this
+        real(c_double), intent(in) :: origin(:), direction(3)
+        real(c_double), allocatable, intent(inout) :: params(:, :), distances(:)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        integer(c_int64_t), allocatable, intent(inout) :: places(:, :)
+        logical, intent(inout), optional :: complete
+        real(c_double), intent(in), optional :: range(2)
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        integer(c_int64_t), allocatable :: places_c(:, :)
+        n = 0
+        answer = 0
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(origin, 3_c_int64_t)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_model_ray_hits_with(this%handle, origin, direction, range, 0_c_int64_t, count=n, &
+                    call=watched(call))
+            else
+                code = nurbs_model_ray_hits(this%handle, origin, direction, range, 0_c_int64_t, count=n)
+            end if
+        end if
+        if (allocated(distances)) deallocate (distances)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (params_c(2, n), distances(n), kinds(n), places_c(2, n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_model_ray_hits_with(this%handle, origin, direction, range, n, params_c, distances, kinds, &
+                    places_c, complete=answer, call=watched(call))
+            else
+                code = nurbs_model_ray_hits(this%handle, origin, direction, range, n, params_c, distances, kinds, &
+                    places_c, complete=answer)
+            end if
+        end if
+        params = transpose(params_c)
+        if (present(complete)) complete = answer /= 0
+        if (code == NURBS_OK) places = transpose(places_c) + 1
+        call settle(code, status)
+    end subroutine ray_hits
+
+    !> Whether points are inside its solids: a NURBS_SIDE_ constant each.
+    subroutine classify(this, points, sides, tolerance, status, call)
+        class(nurbs_model), intent(in) :: this
+        real(c_double), intent(in) :: points(:, :)
+        integer(c_int32_t), intent(inout) :: sides(:)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = size(points, 1, c_int64_t)
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(points, n, 3_c_int64_t), fits(sides, n)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_model_classify_with(this%handle, n, points, step(points), column(points), &
+                    given(tolerance, 0d0), sides, watched(call))
+            else
+                code = nurbs_model_classify(this%handle, n, points, step(points), column(points), &
+                    given(tolerance, 0d0), sides)
+            end if
+        end if
+        call settle(code, status)
+    end subroutine classify
 
     !> The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what was not
     !> read.

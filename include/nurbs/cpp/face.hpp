@@ -6,6 +6,7 @@
 #define NURBS_CPP_FACE_HPP
 
 #include <nurbs/cpp/bounds.hpp>
+#include <nurbs/cpp/intersections.hpp>
 #include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/spline.hpp>
 
@@ -27,6 +28,14 @@ struct FaceEdge {
 struct FaceDeviation {
     double distance; ///< The distance.
     bool proven;     ///< Whether it is a bound, not only the largest one seen.
+};
+
+/// The points of a face that are nearest to given points.
+struct ClosestOnFace {
+    std::vector<double> params;       ///< [n][2] on the surface.
+    std::vector<double> points;       ///< [n][dim], as evaluation gives them.
+    std::vector<double> distances;    ///< From the points that were given.
+    std::vector<std::int32_t> status; ///< closest_ bits.
 };
 
 /// A trimmed face: a handle that is copied in constant time and freed by its destructor.
@@ -121,6 +130,52 @@ public:
         detail::call(nurbs_face_classify_with, get(), n, params.data(), params.stride(),
                      params.component_stride(), tolerance, values.data(), watch.get());
         return values;
+    }
+    /// Where rays meet it first, with proof.
+    [[nodiscard]] Returned<Rays> rays(Input origins, Input directions) const {
+        const std::int64_t n = detail::records(origins, 3, "origins");
+        directions.require(n, 3, "directions");
+        Rays found{detail::room(n, 2), detail::room(n), detail::room<std::int32_t>(n)};
+        detail::call(nurbs_face_rays, get(), n, origins.data(), origins.stride(), origins.component_stride(),
+                     directions.data(), directions.stride(), directions.component_stride(),
+                     found.params.data(), found.distances.data(), found.status.data());
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<Rays> rays(Input origins, Input directions, const CallOptions &call) const {
+        const std::int64_t n = detail::records(origins, 3, "origins");
+        directions.require(n, 3, "directions");
+        Rays found{detail::room(n, 2), detail::room(n), detail::room<std::int32_t>(n)};
+        const detail::Watch watch(call);
+        detail::call(nurbs_face_rays_with, get(), n, origins.data(), origins.stride(),
+                     origins.component_stride(), directions.data(), directions.stride(),
+                     directions.component_stride(), found.params.data(), found.distances.data(),
+                     found.status.data(), watch.get());
+        return found;
+    }
+    /// Its points that are nearest to given points, with proof.
+    [[nodiscard]] Returned<ClosestOnFace> closest_points(Input points, double tolerance = 0) const {
+        const std::int64_t dim = detail::dimension(get());
+        const std::int64_t n = detail::records(points, dim, "points");
+        ClosestOnFace found{detail::room(n, 2), detail::room(n, dim), detail::room(n),
+                            detail::room<std::int32_t>(n)};
+        detail::call(nurbs_face_closest_points, get(), n, points.data(), points.stride(),
+                     points.component_stride(), tolerance, found.params.data(), found.points.data(),
+                     found.distances.data(), found.status.data());
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<ClosestOnFace> closest_points(Input points, double tolerance,
+                                                         const CallOptions &call) const {
+        const std::int64_t dim = detail::dimension(get());
+        const std::int64_t n = detail::records(points, dim, "points");
+        ClosestOnFace found{detail::room(n, 2), detail::room(n, dim), detail::room(n),
+                            detail::room<std::int32_t>(n)};
+        const detail::Watch watch(call);
+        detail::call(nurbs_face_closest_points_with, get(), n, points.data(), points.stride(),
+                     points.component_stride(), tolerance, found.params.data(), found.points.data(),
+                     found.distances.data(), found.status.data(), watch.get());
+        return found;
     }
     /// Its area.
     [[nodiscard]] Returned<Measured> area(double relative_tolerance = 0) const {

@@ -19,6 +19,12 @@
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
+/// On which side of the faces of a model a point is.
+inline constexpr std::int32_t side_inside = NURBS_SIDE_INSIDE;
+inline constexpr std::int32_t side_on = NURBS_SIDE_ON;
+inline constexpr std::int32_t side_outside = NURBS_SIDE_OUTSIDE;
+inline constexpr std::int32_t side_undecided = NURBS_SIDE_UNDECIDED;
+
 /// How much a model holds.
 struct ModelCounts {
     std::int64_t parts;    ///< Number of parts.
@@ -56,6 +62,32 @@ struct ModelUse {
     std::int64_t parent;                            ///< The part in which it is placed, -1 for the whole.
     std::int64_t part;                              ///< The part that is placed.
     std::array<std::array<double, 4>, 3> placement; ///< A point x of the part is at M x + t, rows of (M | t).
+};
+
+/// Where the parts of a model stand in the whole.
+struct ModelInstances {
+    std::vector<std::int64_t> parents; ///< The instance in which each stands, -1 for the whole.
+    std::vector<std::int64_t> uses;    ///< The last use on the way to it.
+    std::vector<std::int64_t> parts;   ///< The part of that use.
+    /// [n][12]: a point x of the part is at M x + t, the three rows of (M | t).
+    std::vector<double> placements;
+};
+
+/// Where rays meet a model first, at origin + t direction.
+struct ModelRays {
+    std::vector<double> params;       ///< [n][2] on the surface of the face, NaN without a hit or touch.
+    std::vector<double> distances;    ///< t, in lengths of the direction; NaN without a hit or touch.
+    std::vector<std::int32_t> status; ///< ray_ bits.
+    std::vector<std::int64_t> places; ///< [n][2]: the face, and the instance of its part.
+};
+
+/// All places where a ray meets a model, by rising t.
+struct ModelRayHits {
+    std::vector<double> params;       ///< [n][2] on the surface of the face.
+    std::vector<double> distances;    ///< t, in lengths of the direction.
+    std::vector<std::int32_t> kinds;  ///< ray_hit or ray_touch each, and ray_back.
+    std::vector<std::int64_t> places; ///< [n][2]: the face, and the instance of its part.
+    bool complete;                    ///< Whether there are no others, and none is a touch.
 };
 
 /// Faces and the edges that they share: a handle that is copied in constant time and freed by its destructor.
@@ -174,6 +206,107 @@ public:
         detail::call(nurbs_model_use, get(), index, &found.parent, &found.part,
                      detail::flat(found.placement));
         return found;
+    }
+    /// Where the parts stand in the whole: each way through uses of parts in parts.
+    [[nodiscard]] Returned<ModelInstances> instances() const {
+        ModelInstances found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_instances, get(), cap, found.parents.data(), found.uses.data(),
+                         found.parts.data(), found.placements.data(), &count);
+        };
+        ask(0);
+        found.parents = detail::room<std::int64_t>(count);
+        found.uses = detail::room<std::int64_t>(count);
+        found.parts = detail::room<std::int64_t>(count);
+        found.placements = detail::room(count, 12);
+        ask(count);
+        return found;
+    }
+    /// Where rays meet its faces first, with proof.
+    [[nodiscard]] Returned<ModelRays> rays(View<double> origins, View<double> directions) const {
+        const std::int64_t n = detail::records(origins, 3, "origins");
+        detail::require(directions, 3 * n, "directions");
+        ModelRays found{detail::room(n, 2), detail::room(n), detail::room<std::int32_t>(n),
+                        detail::room<std::int64_t>(n, 2)};
+        detail::call(nurbs_model_rays, get(), n, origins.data(), directions.data(), found.params.data(),
+                     found.distances.data(), found.status.data(), found.places.data());
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<ModelRays> rays(View<double> origins, View<double> directions,
+                                           const CallOptions &call) const {
+        const std::int64_t n = detail::records(origins, 3, "origins");
+        detail::require(directions, 3 * n, "directions");
+        ModelRays found{detail::room(n, 2), detail::room(n), detail::room<std::int32_t>(n),
+                        detail::room<std::int64_t>(n, 2)};
+        const detail::Watch watch(call);
+        detail::call(nurbs_model_rays_with, get(), n, origins.data(), directions.data(), found.params.data(),
+                     found.distances.data(), found.status.data(), found.places.data(), watch.get());
+        return found;
+    }
+    /// All places where a ray meets its faces, by rising t.
+    [[nodiscard]] Returned<ModelRayHits> ray_hits(const std::array<double, 3> &origin,
+                                                  const std::array<double, 3> &direction,
+                                                  View<double> range = {}) const {
+        detail::require_given(range, 2, "range");
+        ModelRayHits found{};
+        std::int32_t complete = 0;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_ray_hits, get(), origin.data(), direction.data(), detail::pointer(range),
+                         cap, found.params.data(), found.distances.data(), found.kinds.data(),
+                         found.places.data(), &count, &complete);
+        };
+        ask(0);
+        found.params = detail::room(count, 2);
+        found.distances = detail::room(count);
+        found.kinds = detail::room<std::int32_t>(count);
+        found.places = detail::room<std::int64_t>(count, 2);
+        ask(count);
+        found.complete = complete != 0;
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<ModelRayHits> ray_hits(const std::array<double, 3> &origin,
+                                                  const std::array<double, 3> &direction, View<double> range,
+                                                  const CallOptions &call) const {
+        detail::require_given(range, 2, "range");
+        ModelRayHits found{};
+        const detail::Watch watch(call);
+        std::int32_t complete = 0;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_ray_hits_with, get(), origin.data(), direction.data(),
+                         detail::pointer(range), cap, found.params.data(), found.distances.data(),
+                         found.kinds.data(), found.places.data(), &count, &complete, watch.get());
+        };
+        ask(0);
+        found.params = detail::room(count, 2);
+        found.distances = detail::room(count);
+        found.kinds = detail::room<std::int32_t>(count);
+        found.places = detail::room<std::int64_t>(count, 2);
+        ask(count);
+        found.complete = complete != 0;
+        return found;
+    }
+    /// Whether points are inside its solids: a side_ constant each.
+    [[nodiscard]] Returned<std::vector<std::int32_t>> classify(Input points, double tolerance = 0) const {
+        const std::int64_t n = detail::records(points, 3, "points");
+        std::vector<std::int32_t> values = detail::room<std::int32_t>(n);
+        detail::call(nurbs_model_classify, get(), n, points.data(), points.stride(),
+                     points.component_stride(), tolerance, values.data());
+        return values;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<std::vector<std::int32_t>> classify(Input points, double tolerance,
+                                                               const CallOptions &call) const {
+        const std::int64_t n = detail::records(points, 3, "points");
+        const detail::Watch watch(call);
+        std::vector<std::int32_t> values = detail::room<std::int32_t>(n);
+        detail::call(nurbs_model_classify_with, get(), n, points.data(), points.stride(),
+                     points.component_stride(), tolerance, values.data(), watch.get());
+        return values;
     }
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what
     /// was not read.

@@ -2,6 +2,7 @@
 #include "face/trims/trim_map.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "face/trims/nesting.h"
 
 #include <algorithm>
@@ -27,7 +28,18 @@ TrimMap::TrimMap(FoldedPieces folded, const Covering &covering, const std::vecto
     : pieces_(std::move(folded.pieces)), passages_(std::move(folded.passages)), covering_(&covering),
       turned_(loops.size(), false) {
     fill_buckets();
+    set_room();
     orient(loops, turn);
+}
+
+void TrimMap::set_room() noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval domain = covering_->domain(static_cast<int>(k));
+        room_[k] = 16 * eps * std::max(std::abs(domain.lower), std::abs(domain.upper));
+        for (const TrimPiece &piece : pieces_.all()) {
+            room_[k] = std::max(room_[k], 2 * piece.noise[k]);
+        }
+    }
 }
 
 size_t TrimMap::bucket(double u) const noexcept {

@@ -25,6 +25,8 @@ public:
     // 1 inside, 0 on a curve to rounding, -1 outside.
     [[nodiscard]] int side(const Point2 &x) const noexcept;
     [[nodiscard]] const TrimPieces &pieces() const noexcept { return pieces_; }
+    // How far, along each axis, rounding may move pieces and places.
+    [[nodiscard]] const Point2 &room() const noexcept { return room_; }
     [[nodiscard]] const std::vector<SeamPassage> &passages() const noexcept { return passages_; }
     // What the value below a piece has more than the one above it: 1, or -1 for one that runs to larger x[0].
     [[nodiscard]] int passed(const TrimPiece &piece) const noexcept {
@@ -58,6 +60,7 @@ private:
     };
 
     void fill_buckets();
+    void set_room() noexcept;
     [[nodiscard]] size_t bucket(double u) const noexcept;
     template <class Add>
     bool walk(const Point2 &x, size_t except, Add &&add) const;
@@ -88,6 +91,7 @@ private:
     std::vector<Item> items_;
     std::vector<size_t> starts_;
     double columns_ = 0;
+    Point2 room_{0, 0};
     std::vector<bool> turned_;
     int corner_ = 1; // the value at the corner
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_boxes = 4000; // for a ray
 constexpr int most_depth = 60;
-constexpr size_t lanes = 4;
+constexpr size_t lanes = TurnedPatches::lanes;
 
 // The coordinates of a record.
 Vector3 vector_of(const double *record) noexcept {
@@ -24,52 +24,31 @@ Vector3 vector_of(const double *record) noexcept {
 
 RaySolver::RaySolver(const pieces::PieceGrid &grid)
     : grid_(grid), shape_(grid.shape()), count_(shape_.coefficients()),
-      size_(static_cast<size_t>(shape_.values())), origin_(static_cast<size_t>(shape_.lanes)) {
-    work_.resize(std::max(2 * size_, static_cast<size_t>(pieces::evaluation_work(shape_))));
+      size_(static_cast<size_t>(shape_.values())), patches_(grid) {
+    work_.resize(static_cast<size_t>(pieces::evaluation_work(shape_)));
     point_.resize(4 * lanes);
     memory_.resize(8 * size_);
 }
 
-// Turning takes three products and two sums for each coordinate, evaluation some for each degree: of the distance from the
-// origin.
-void RaySolver::set_ray(const Ray &ray, double moved) {
-    ray_ = ray;
-    first_ = any_normal(ray.direction);
-    second_ = cross(ray.direction, first_);
-    std::copy_n(ray.start.data(), 3, origin_.data());
-    const double far = length(ray.origin) + grid_.radius();
-    noise_ = 1.01 * grid_.moved() + (16 * eps + 4 * grid_.value_error()) * far + moved;
+void RaySolver::set_ray(const PlacedRay &ray) {
+    patches_.set_ray(ray);
+    noise_ = ray.room(grid_);
+    reach_ = grid_.radius() + length(ray.ray.origin);
     boxes_ = most_boxes;
 }
 
 void RaySolver::begin(int64_t piece) {
     piece_ = piece;
-    grid_.patch(piece, work_.data(), work_.data() + size_);
-    pieces::shift_patch(shape_, work_.data() + size_, origin_.data(), work_.data());
-    double *out = values(0);
-    for (int64_t i = 0; i < count_; ++i) {
-        const double *record = work_.data() + i * shape_.lanes;
-        double *turned = out + i * static_cast<int64_t>(lanes);
-        const Vector3 x = vector_of(record);
-        turned[0] = dot(x, first_);
-        turned[1] = dot(x, second_);
-        turned[2] = dot(x, ray_.direction);
-        turned[3] = record[3];
-    }
+    patches_.fill(piece, values(0));
     stack_.assign(1, Part{{0, 0}, {1, 1}, noise_, 0});
     count_work(16 * count_);
-}
-
-// Coefficients of weight 0 are 0 altogether where no weight is negative: they say nothing.
-bool RaySolver::has_point(const double *record) const noexcept {
-    return !grid_.positive() || record[3] != 0;
 }
 
 RaySolver::Ranges RaySolver::ranges(const double *v, double noise) const noexcept {
     Ranges r{infinity, 0, infinity, -infinity, 0, false};
     bool above[2] = {true, true}, below[2] = {true, true};
     for (int64_t i = 0; i < count_; ++i, v += lanes) {
-        if (!has_point(v)) {
+        if (!patches_.has_point(v)) {
             continue;
         }
         const double w = v[3], room = noise * w;
@@ -182,8 +161,8 @@ bool RaySolver::excludes(const Chart &chart, const double *v, double noise) cons
         const double *record = v;
         for (int64_t i = 0; i < count_; ++i, record += lanes) {
             const double x = a * record[0] + b * record[1];
-            above = above && (x > room * record[3] || !has_point(record));
-            below = below && (x < -room * record[3] || !has_point(record));
+            above = above && (x > room * record[3] || !patches_.has_point(record));
+            below = below && (x < -room * record[3] || !patches_.has_point(record));
         }
         if (above || below) {
             return true;
@@ -243,7 +222,13 @@ void RaySolver::set_meet(const Place<2> &z, const Box<2> &exact) {
     const Vector3 x = (1 / f[3]) * vector_of(f);
     const Vector3 normal = cross(vector_of(by_u) - by_u[3] * x, vector_of(by_v) - by_v[3] * x);
     const Part &part = stack_.back();
+    Box<2> around{};
+    for (size_t k = 0; k < 2; ++k) {
+        around[k] = {part.lower[k] + part.length[k] * exact[k].lower,
+                     part.lower[k] + part.length[k] * exact[k].upper};
+    }
     meet_ = {{part.lower[0] + part.length[0] * z[0], part.lower[1] + part.length[1] * z[1]},
+             around,
              t,
              {t, t},
              piece_,
@@ -256,6 +241,8 @@ void RaySolver::set_touch(const Ranges &ranges) {
     const Part &part = stack_.back();
     const double middle = ranges.nearest / 2 + ranges.farthest / 2;
     meet_ = {{part.lower[0] + part.length[0] / 2, part.lower[1] + part.length[1] / 2},
+             {Interval{part.lower[0], part.lower[0] + part.length[0]},
+              Interval{part.lower[1], part.lower[1] + part.length[1]}},
              std::isfinite(middle) ? middle : ranges.nearest,
              {ranges.nearest, ranges.farthest},
              piece_,
@@ -302,7 +289,7 @@ void RaySolver::halve() {
     Part &part = stack_.back();
     const auto k = static_cast<size_t>(axis);
     part.length[k] /= 2;
-    part.moved += 1.02 * shape_.degree(axis) * eps * (grid_.radius() + length(ray_.origin));
+    part.moved += 1.02 * shape_.degree(axis) * eps * reach_;
     ++part.depth;
     Part first = part;
     part.lower[k] += part.length[k];

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "intersect/contraction.h"
-#include "intersect/rays/ray_tree.h"
+#include "intersect/rays/turned_patches.h"
 
 namespace nrb::intersect {
 
 // Places on the piece, and t on the ray.
 struct RayMeet {
     Place<2> place{};
+    Box<2> around{}; // in which all of the meet is
     double t = 0;
     Interval ts{}; // of a touch: where it is
     int64_t piece = 0;
@@ -27,9 +28,8 @@ class RaySolver {
 public:
     explicit RaySolver(const pieces::PieceGrid &grid);
 
-    // For the rays that follow. `moved`: how far the origin may be from the ray. room() is how far rounding moves pieces
-    // and rays in all.
-    void set_ray(const Ray &ray, double moved);
+    // For the calls that follow. room() is how far rounding moves pieces and rays in all.
+    void set_ray(const PlacedRay &ray);
     [[nodiscard]] double room() const noexcept { return noise_; }
 
     // Calls found(meet) for each, with lower <= t <= limit() at the time, which may fall from call to call. Returns
@@ -81,7 +81,6 @@ private:
     void pop() { stack_.pop_back(); }
     [[nodiscard]] double *values(size_t part) noexcept { return memory_.data() + part * size_; }
     [[nodiscard]] Ranges ranges(const double *v, double noise) const noexcept;
-    [[nodiscard]] bool has_point(const double *record) const noexcept;
     [[nodiscard]] Chart chart(const double *v, double noise_of_f) const noexcept;
     [[nodiscard]] bool excludes(const Chart &chart, const double *v, double noise) const noexcept;
     Verdict meet_by(const Chart &chart, const double *v, double error, Interval range);
@@ -95,10 +94,8 @@ private:
     pieces::PatchShape shape_;
     int64_t count_; // of coefficients
     size_t size_;   // of the values of a part
-    Vector3 first_, second_;
-    Ray ray_;
-    std::vector<double> origin_; // lanes
-    double noise_ = 0;
+    TurnedPatches patches_;
+    double noise_ = 0, reach_ = 0;
     int boxes_ = 0;
     std::vector<Part> stack_;
     std::vector<double> memory_, work_, point_;

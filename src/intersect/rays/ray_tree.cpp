@@ -29,7 +29,7 @@ RayTree::RayTree(const pieces::PieceGrid &grid) : grid_(grid) {
     work_.resize(values);
     values_.resize(values);
     nodes_.reserve(static_cast<size_t>(2 * grid.count()));
-    build({0, 0}, {grid.count(0), grid.count(1)});
+    build({0, 0}, {grid.count(0), grid.spline_axes() > 1 ? grid.count(1) : 1});
     work_ = values_ = {};
 }
 
@@ -79,30 +79,14 @@ void RayTree::set_box(Node &node, int64_t piece) {
     }
 }
 
-// Slabs. Where the direction has no component along an axis, the inverse is infinite, and the ray is between both
-// sides all along or nowhere.
 Interval RayTree::meets(int32_t node, const Ray &ray, double room) const noexcept {
     const Node &box = at(node);
-    Interval inside{-infinity, infinity};
-    for (size_t c = 0; c < 3; ++c) {
-        const double lower = double{box.lower[c]} - room - ray.start[c],
-                     upper = double{box.upper[c]} + room - ray.start[c];
-        if (std::isinf(ray.inverse[c])) {
-            if (lower > 0 || upper < 0) {
-                return {infinity, -infinity};
-            }
-            continue;
-        }
-        const double first = lower * ray.inverse[c], second = upper * ray.inverse[c];
-        inside.lower = std::max(inside.lower, std::min(first, second));
-        inside.upper = std::min(inside.upper, std::max(first, second));
-    }
-    return inside;
+    return slab(box.lower.data(), box.upper.data(), ray, room);
 }
 
-const RayTree &ray_tree_of(const Spline &surface) {
-    return surface.kept<RayTree>(
-        Spline::Cache::rays, [&] { return std::make_shared<const RayTree>(pieces::piece_grid_of(surface)); });
+const RayTree &ray_tree_of(const Spline &spline) {
+    return spline.kept<RayTree>(
+        Spline::Cache::rays, [&] { return std::make_shared<const RayTree>(pieces::piece_grid_of(spline)); });
 }
 
 } // namespace nrb::intersect

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Boxes around the Bezier pieces of a surface and around blocks of them, for rays. They are kept with the surface.
+// Boxes around the Bezier pieces of a surface or curve and around blocks of them, for rays. They are kept with the spline.
 #pragma once
 
-#include "numeric/vector3.h"
+#include "intersect/rays/ray.h"
 #include "pieces/tree/piece_grid.h"
 
 #include <array>
 #include <vector>
 
 namespace nrb::intersect {
-
-// A line x = origin + t direction in the frame of the pieces, direction a unit vector.
-struct Ray {
-    Vector3 origin, direction;
-    std::array<double, 3> start{}, inverse{}; // the origin, and 1 / direction
-};
 
 // The grid of pieces is halved along its longer side down to single pieces. Children of node i are i + 1 and
 // right(i). What rounding does to pieces is in the boxes.
@@ -43,7 +37,7 @@ private:
     std::vector<double> work_, values_;
 };
 
-// Built at the first use. Precondition: a surface in space.
-const RayTree &ray_tree_of(const Spline &surface);
+// Built at the first use. Precondition: a surface or curve in space.
+const RayTree &ray_tree_of(const Spline &spline);
 
 } // namespace nrb::intersect

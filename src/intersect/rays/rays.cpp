@@ -4,49 +4,70 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/rays/ray_solver.h"
-#include "numeric/power_of_two.h"
+#include "intersect/rays/ray_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace nrb::intersect {
+
+RayAnswer FirstMeets::answer() const noexcept {
+    if (!hit && !touch) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {{none, none}, none, complete ? ray_certified : 0};
+    }
+    const bool before = touches_before();
+    RayAnswer answer = hit && !(before && touch->t < hit->t) ? *hit : *touch;
+    answer.status |= complete && !before && std::isfinite(answer.t) ? ray_certified : 0;
+    return answer;
+}
 
 // One ray after the other, in the frame of the pieces.
 class RayCaster::Cast {
 public:
-    Cast(const Spline &surface, const RayBatch &rays)
-        : tree_(ray_tree_of(surface)), grid_(tree_.grid()), solver_(grid_), rays_(rays) {}
+    Cast(const Spline &surface, PlaceFilter filter)
+        : tree_(ray_tree_of(surface)), grid_(tree_.grid()), solver_(grid_), filter_(std::move(filter)) {}
 
-    RayAnswer nearest(int64_t i) {
-        set(i);
+    FirstMeets first(const RayQuery &query) {
+        set(query);
         std::optional<RayMeet> hit, touch;
-        double first_touch = infinity; // where one may begin
+        double touch_from = infinity;
         const auto limit = [&] { return hit ? hit->t : range_.upper; };
-        const bool complete = walk(limit, [&](const RayMeet &meet) {
+        FirstMeets meets;
+        meets.complete = walk(limit, [&](RayMeet meet) {
+            if (!counts(meet)) {
+                return;
+            }
             std::optional<RayMeet> &found = meet.proven ? hit : touch;
+            touch_from = meet.proven ? touch_from : std::min(touch_from, meet.ts.lower);
             if (!found || meet.t < found->t) {
                 found = meet;
             }
-            first_touch = meet.proven ? first_touch : std::min(first_touch, meet.ts.lower);
         });
-        const bool before = first_touch < (hit ? hit->t - 64 * solver_.room() : infinity);
-        if (!hit && !touch) {
-            constexpr double none = std::numeric_limits<double>::quiet_NaN();
-            return {{none, none}, none, complete ? ray_certified : 0};
+        if (hit) {
+            meets.hit = answer_of(*hit);
         }
-        RayAnswer answer = answer_of(hit && !(before && touch->t < hit->t) ? *hit : *touch);
-        answer.status |= complete && !before && std::isfinite(answer.t) ? ray_certified : 0;
-        return answer;
+        if (touch) {
+            touch->ts.lower = touch_from;
+            meets.touch = answer_of(*touch);
+        }
+        meets.room = solver_.room() / placed_.factor;
+        return meets;
     }
 
-    bool all(int64_t i, std::vector<RayAnswer> &out) {
-        set(i);
+    bool all(const RayQuery &query, std::vector<RayAnswer> &out, double *room) {
+        set(query);
         meets_.clear();
         const auto limit = [&] { return range_.upper; };
-        const bool complete = walk(limit, [&](const RayMeet &meet) { meets_.push_back(meet); });
+        const bool complete = walk(limit, [&](RayMeet meet) {
+            if (counts(meet)) {
+                meets_.push_back(meet);
+            }
+        });
         std::ranges::sort(meets_, {}, [](const RayMeet &meet) {
             return std::tuple(meet.ts.lower, meet.piece, meet.place);
         });
@@ -54,35 +75,25 @@ public:
         bool sure = complete;
         for (const RayMeet &meet : meets_) {
             out.push_back(answer_of(meet));
-            sure = sure && meet.proven;
+            sure = sure && meet.proven && std::isfinite(out.back().t);
         }
-        return sure && std::ranges::all_of(out, [](const RayAnswer &one) { return std::isfinite(one.t); });
+        if (room != nullptr) {
+            *room = solver_.room() / placed_.factor;
+        }
+        return sure;
     }
 
 private:
-    // Directions are made unit vectors, and the origin is moved along the ray to where it is nearest to the centre: what
-    // that rounds moves the ray. t of the frame is (t of the caller) factor_ - start_.
-    void set(int64_t i) {
-        const auto row = [i](const ConstRecords &rows) {
-            return Vector3{rows(i, 0), rows(i, 1), rows(i, 2)};
-        };
-        const Vector3 origin = row(rays_.origins), direction = row(rays_.directions);
-        factor_ =
-            times_power_of_two(grid_.scaled(length(scaled_to_one(direction))), size_exponent(direction));
-        std::array<double, 4> placed{};
-        const double given[] = {origin.x, origin.y, origin.z};
-        grid_.place(given, placed.data());
-        const Vector3 from{placed[0], placed[1], placed[2]};
-        ray_.direction = unit(scaled_to_one(direction));
-        start_ = -dot(from, ray_.direction);
-        ray_.origin = from + start_ * ray_.direction;
-        ray_.start = {ray_.origin.x, ray_.origin.y, ray_.origin.z};
-        ray_.inverse = {1 / ray_.direction.x, 1 / ray_.direction.y, 1 / ray_.direction.z};
-        range_ = {in_frame(rays_.range.lower), in_frame(rays_.range.upper)};
-        solver_.set_ray(ray_, 4 * eps * std::abs(start_));
+    void set(const RayQuery &query) {
+        placed_ = PlacedRay(grid_, query);
+        range_ = {placed_.in_frame(query.range.lower), placed_.in_frame(query.range.upper)};
+        solver_.set_ray(placed_);
     }
-    [[nodiscard]] double in_frame(double t) const noexcept {
-        return std::isinf(t) ? t : t * factor_ - start_;
+    // Whether the filter lets it pass; perhaps as a touch.
+    bool counts(RayMeet &meet) const {
+        const int side = filter_ ? filter_(box_of(meet)) : 1;
+        meet.proven = meet.proven && side > 0;
+        return side >= 0;
     }
 
     // The nearer child first. Returns whether all was looked at that may hold a meet up to the limit.
@@ -114,7 +125,7 @@ private:
         return complete;
     }
     void push(int32_t node) {
-        const Interval inside = tree_.meets(node, ray_, solver_.room());
+        const Interval inside = tree_.meets(node, placed_.ray, solver_.room());
         if (inside.lower <= inside.upper && inside.upper >= range_.lower && inside.lower <= range_.upper) {
             stack_.push_back({node, std::max(inside.lower, range_.lower)});
         }
@@ -176,9 +187,27 @@ private:
         }
         return params;
     }
+    // Rounded outwards, within the part of the piece.
+    [[nodiscard]] std::array<Interval, 2> box_of(const RayMeet &meet) const {
+        std::array<Interval, 2> box{};
+        const auto part = grid_.part(meet.piece);
+        std::copy_n(part.begin(), 2, box.begin()); // of axes of degree 0
+        for (int k = 0; k < grid_.shape().axes; ++k) {
+            const Interval own = part[static_cast<size_t>(grid_.spline_axis(k))],
+                           around = meet.around[static_cast<size_t>(k)];
+            const double room = 4 * eps * std::max(std::abs(own.lower), std::abs(own.upper));
+            const auto at = [&](double s) { return own.lower * (1 - s) + own.upper * s; };
+            box[static_cast<size_t>(grid_.spline_axis(k))] = {std::max(at(around.lower) - room, own.lower),
+                                                              std::min(at(around.upper) + room, own.upper)};
+        }
+        return box;
+    }
     [[nodiscard]] RayAnswer answer_of(const RayMeet &meet) const {
-        return {params_of(meet), (meet.t + start_) / factor_,
-                meet.proven ? ray_hit | (meet.sine > 0 ? ray_back : 0) : ray_touch};
+        return {params_of(meet),
+                placed_.of_query(meet.t),
+                meet.proven ? ray_hit | (meet.sine > 0 ? ray_back : 0) : ray_touch,
+                {placed_.of_query(meet.ts.lower), placed_.of_query(meet.ts.upper)},
+                meet.inside};
     }
 
     struct Visit {
@@ -189,24 +218,23 @@ private:
     const RayTree &tree_;
     const pieces::PieceGrid &grid_;
     RaySolver solver_;
-    RayBatch rays_;
-    Ray ray_;
+    PlaceFilter filter_;
+    PlacedRay placed_;
     Interval range_{};
-    double factor_ = 1, start_ = 0;
     std::vector<Visit> stack_;
     std::vector<RayMeet> meets_;
 };
 
-RayCaster::RayCaster(const Spline &surface, const RayBatch &rays)
-    : cast_(std::make_unique<Cast>(surface, rays)) {}
+RayCaster::RayCaster(const Spline &surface, PlaceFilter filter)
+    : cast_(std::make_unique<Cast>(surface, std::move(filter))) {}
 RayCaster::~RayCaster() = default;
 
-RayAnswer RayCaster::nearest(int64_t ray) {
-    return cast_->nearest(ray);
+FirstMeets RayCaster::first(const RayQuery &query) {
+    return cast_->first(query);
 }
 
-bool RayCaster::all(int64_t ray, std::vector<RayAnswer> &out) {
-    return cast_->all(ray, out);
+bool RayCaster::all(const RayQuery &query, std::vector<RayAnswer> &out, double *room) {
+    return cast_->all(query, out, room);
 }
 
 } // namespace nrb::intersect

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <numbers>
 
 namespace bench {
 
@@ -85,6 +87,39 @@ struct Rays {
     Handle surface = net.make();
     std::shared_ptr<SISLSurf> sisl = net.sisl_surface();
     std::vector<double> from, along, at = std::vector<double>(rays);
+    std::unique_ptr<nurbs_face, decltype(&nurbs_face_destroy)> face{starred(), nurbs_face_destroy};
+
+    // The part of the surface in a star of 40 spans.
+    nurbs_face *starred() {
+        constexpr int corners = 40, degree = 3;
+        const int64_t count = corners + 1, size = 1;
+        const int32_t degrees = degree;
+        std::vector<double> points, knots;
+        for (int i = 0; i <= corners; ++i) {
+            const double angle = 2 * std::numbers::pi * (i % corners) / corners,
+                         radius = i % 2 == 0 ? 0.48 : 0.35;
+            points.insert(points.end(), {0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle)});
+        }
+        for (int i = 0; i < corners + 1 + degree + 1; ++i) {
+            knots.push_back(std::clamp(i - degree, 0, corners - degree + 1));
+        }
+        double u[2], v[2];
+        require_ok(nurbs_domain(surface.get(), 0, u));
+        require_ok(nurbs_domain(surface.get(), 1, v));
+        for (size_t i = 0; i < points.size(); i += 2) {
+            points[i] = u[0] + points[i] * (u[1] - u[0]);
+            points[i + 1] = v[0] + points[i + 1] * (v[1] - v[0]);
+        }
+        nurbs *curve = nullptr;
+        require_ok(nurbs_create(1, &degrees, &count, knots.data(), std::ssize(knots), 2, points.data(), 0, 0,
+                                nullptr, 0, 0, &curve));
+        const Handle loop(curve);
+        const nurbs *given[] = {curve};
+        nurbs_face *made = nullptr;
+        require_ok(
+            nurbs_face_create(surface.get(), 1, &size, given, nullptr, nullptr, 1e-6, 0, nullptr, &made));
+        return made;
+    }
 
     Rays() {
         std::mt19937 engine(7);
@@ -97,6 +132,10 @@ struct Rays {
     void cast() {
         require_ok(nurbs_surface_rays(surface.get(), rays, from.data(), 0, 0, along.data(), 0, 0, nullptr,
                                       at.data(), nullptr));
+    }
+    void cast_at_face() {
+        require_ok(nurbs_face_rays(face.get(), rays, from.data(), 0, 0, along.data(), 0, 0, nullptr,
+                                   at.data(), nullptr));
     }
     // All points of the whole line.
     int64_t sisl_cast(size_t ray) {
@@ -147,6 +186,12 @@ void add_meets(Rows &rows) {
                   }
               },
               [=] { return beams->difference(); }});
+    rows.add({"ray on a face of it",
+              "its surface",
+              bench::rays,
+              [=] { beams->cast_at_face(); },
+              [=] { beams->cast(); },
+              {}});
 }
 
 } // namespace bench

@@ -2315,6 +2315,104 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("face_rays");
+        const auto found = in.face.rays({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_rays distances");
+        const auto found = in.face.rays({0.5, 1.2, 9.0}, {0.0, 0.0, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points");
+        const auto found = in.face.closest_points({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, 1e-06);
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points alone");
+        const auto found = in.face.closest_points({0.1, 0.2, 0.3}, 0.0);
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("model_instances");
+        const auto found = in.model.instances();
+        show("parents", found.parents);
+        show("last_uses", found.uses);
+        show("own_parts", found.parts);
+        show("placements", found.placements);
+    }
+    {
+        begin("model_rays");
+        const auto found = in.model.rays({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
+    }
+    {
+        begin("model_rays places");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.rays({0.1, 0.2, 5.0}, {0.0, 0.0, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
+    }
+    {
+        begin("model_ray_hits within");
+        const auto found = in.model.ray_hits(std::array<double, 3>{0.5, 1.2, 9.0}, std::array<double, 3>{0.0, 0.0, -1.0}, {-1.0, 20.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("kinds", found.kinds);
+        show("places", found.places);
+        show("complete", found.complete);
+    }
+    {
+        begin("model_ray_hits");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.ray_hits(std::array<double, 3>{0.1, 0.2, 5.0}, std::array<double, 3>{0.0, 0.0, -1.0});
+        show("params", found.params);
+        show("distances", found.distances);
+        show("kinds", found.kinds);
+        show("places", found.places);
+        show("complete", found.complete);
+    }
+    {
+        begin("model_classify");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.classify({0.1, 0.2, 0.3, 1.0, 1.0, 1.0}, 0.0);
+        show("sides", found);
+    }
+    {
+        begin("model_classify near");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.classify({0.1, 0.2, 0.3, 0.0, 0.6, 0.8}, 0.001);
+        show("sides", found);
+    }
+    {
         begin("curve_self_intersections");
         const auto found = n::self_intersections(in.curve, 1e-09);
         show("params_a", found.params_a);
@@ -2733,6 +2831,96 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("distances", found.distances);
         show("status", found.status);
+    }
+    {
+        begin("face_rays_with");
+        const auto found = in.face.rays({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_rays_with distances");
+        const auto found = in.face.rays({0.5, 1.2, 9.0}, {0.0, 0.0, -1.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points_with");
+        const auto found = in.face.closest_points({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, 1e-06, watched());
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("face_closest_points_with alone");
+        const auto found = in.face.closest_points({0.1, 0.2, 0.3}, 0.0, watched());
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+    }
+    {
+        begin("model_rays_with");
+        const auto found = in.model.rays({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
+    }
+    {
+        begin("model_rays_with places");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.rays({0.1, 0.2, 5.0}, {0.0, 0.0, -1.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
+    }
+    {
+        begin("model_ray_hits_with within");
+        const auto found = in.model.ray_hits(std::array<double, 3>{0.5, 1.2, 9.0}, std::array<double, 3>{0.0, 0.0, -1.0}, {-1.0, 20.0}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("kinds", found.kinds);
+        show("places", found.places);
+        show("complete", found.complete);
+    }
+    {
+        begin("model_ray_hits_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.ray_hits(std::array<double, 3>{0.1, 0.2, 5.0}, std::array<double, 3>{0.0, 0.0, -1.0}, {}, watched());
+        show("params", found.params);
+        show("distances", found.distances);
+        show("kinds", found.kinds);
+        show("places", found.places);
+        show("complete", found.complete);
+    }
+    {
+        begin("model_classify_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.classify({0.1, 0.2, 0.3, 1.0, 1.0, 1.0}, 0.0, watched());
+        show("sides", found);
+    }
+    {
+        begin("model_classify_with near");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.classify({0.1, 0.2, 0.3, 0.0, 0.6, 0.8}, 0.001, watched());
+        show("sides", found);
     }
     {
         begin("curve_self_intersections_with");

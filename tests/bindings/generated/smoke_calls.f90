@@ -3972,6 +3972,185 @@ contains
             call show('kinds', kinds_found)
             call show('complete', complete_found)
         end block
+        call begin('face_rays')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            allocate (params_found(2, 2))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call face%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0, 0.1d0, 0.1d0, -1.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, distances=distances_found, states=states_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('face_rays distances')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            allocate (distances_found(1))
+            call face%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0], [1, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found)
+            call show('distances', distances_found)
+        end block
+        call begin('face_closest_points')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: feet_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            allocate (params_found(2, 2))
+            allocate (feet_found(2, 3))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call face%closest_points(points=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, feet=feet_found, distances=distances_found, states=states_found, tolerance=1d-06)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('feet', flat(reshape(feet_found, [size(feet_found, 2), size(feet_found, 1)], order=[2, 1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('face_closest_points alone')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            allocate (distances_found(1))
+            call face%closest_points(points=reshape([0.1d0, 0.2d0, 0.3d0], [1, 3], order=[2, 1]), &
+                distances=distances_found, tolerance=0.0d0)
+            call show('distances', distances_found)
+        end block
+        call begin('model_instances')
+        block
+            integer(c_int64_t), allocatable :: parents_found(:)
+            integer(c_int64_t), allocatable :: uses_found(:)
+            integer(c_int64_t), allocatable :: parts_found(:)
+            real(c_double), allocatable :: placements_found(:, :)
+            call model%instances(parents=parents_found, uses=uses_found, parts=parts_found, placements=placements_found)
+            call show('parents', parents_found - 1)
+            call show('last_uses', uses_found - 1)
+            call show('own_parts', parts_found - 1)
+            call show('placements', flat(reshape(placements_found, [size(placements_found, 2), &
+                size(placements_found, 1)], order=[2, 1])))
+        end block
+        call begin('model_rays')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            allocate (params_found(2, 2))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            allocate (places_found(2, 2))
+            call model%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0, 0.1d0, 0.1d0, -1.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, distances=distances_found, states=states_found, places=places_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_rays places')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (distances_found(1))
+            allocate (places_found(1, 2))
+            call ball%rays(origins=reshape([0.1d0, 0.2d0, 5.0d0], [1, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
+                places=places_found)
+            call show('distances', distances_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_ray_hits within')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            logical :: complete_found
+            call model%ray_hits(origin=[0.5d0, 1.2d0, 9.0d0], direction=[0.0d0, 0.0d0, -1.0d0], params=params_found, &
+                distances=distances_found, kinds=kinds_found, places=places_found, complete=complete_found, &
+                range=[-1.0d0, 20.0d0])
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('kinds', kinds_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+            call show('complete', complete_found)
+        end block
+        call begin('model_ray_hits')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            logical :: complete_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%ray_hits(origin=[0.1d0, 0.2d0, 5.0d0], direction=[0.0d0, 0.0d0, -1.0d0], params=params_found, &
+                distances=distances_found, kinds=kinds_found, places=places_found, complete=complete_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('kinds', kinds_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+            call show('complete', complete_found)
+        end block
+        call begin('model_classify')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            integer(c_int32_t), allocatable :: sides_found(:)
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (sides_found(2))
+            call ball%classify(points=reshape([0.1d0, 0.2d0, 0.3d0, 1.0d0, 1.0d0, 1.0d0], [2, 3], order=[2, 1]), &
+                sides=sides_found, tolerance=0.0d0)
+            call show('sides', sides_found)
+        end block
+        call begin('model_classify near')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            integer(c_int32_t), allocatable :: sides_found(:)
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (sides_found(2))
+            call ball%classify(points=reshape([0.1d0, 0.2d0, 0.3d0, 0.0d0, 0.6d0, 0.8d0], [2, 3], order=[2, 1]), &
+                sides=sides_found, tolerance=0.001d0)
+            call show('sides', sides_found)
+        end block
         call begin('curve_self_intersections')
         block
             real(c_double), allocatable :: params_a_found(:)
@@ -4641,6 +4820,185 @@ contains
                 directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
                 call=watching)
             call show('distances', distances_found)
+        end block
+        call begin('face_rays_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            type(nurbs_call) :: watching
+            allocate (params_found(2, 2))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call face%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0, 0.1d0, 0.1d0, -1.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, distances=distances_found, states=states_found, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('face_rays_with distances')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            type(nurbs_call) :: watching
+            allocate (distances_found(1))
+            call face%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0], [1, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
+                call=watching)
+            call show('distances', distances_found)
+        end block
+        call begin('face_closest_points_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: feet_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            type(nurbs_call) :: watching
+            allocate (params_found(2, 2))
+            allocate (feet_found(2, 3))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            call face%closest_points(points=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, feet=feet_found, distances=distances_found, states=states_found, tolerance=1d-06, &
+                call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('feet', flat(reshape(feet_found, [size(feet_found, 2), size(feet_found, 1)], order=[2, 1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+        end block
+        call begin('face_closest_points_with alone')
+        block
+            real(c_double), allocatable :: distances_found(:)
+            type(nurbs_call) :: watching
+            allocate (distances_found(1))
+            call face%closest_points(points=reshape([0.1d0, 0.2d0, 0.3d0], [1, 3], order=[2, 1]), &
+                distances=distances_found, tolerance=0.0d0, call=watching)
+            call show('distances', distances_found)
+        end block
+        call begin('model_rays_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            type(nurbs_call) :: watching
+            allocate (params_found(2, 2))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            allocate (places_found(2, 2))
+            call model%rays(origins=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0, 0.1d0, 0.1d0, -1.0d0], [2, 3], order=[2, 1]), &
+                params=params_found, distances=distances_found, states=states_found, places=places_found, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_rays_with places')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (distances_found(1))
+            allocate (places_found(1, 2))
+            call ball%rays(origins=reshape([0.1d0, 0.2d0, 5.0d0], [1, 3], order=[2, 1]), &
+                directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
+                places=places_found, call=watching)
+            call show('distances', distances_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_ray_hits_with within')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call model%ray_hits(origin=[0.5d0, 1.2d0, 9.0d0], direction=[0.0d0, 0.0d0, -1.0d0], params=params_found, &
+                distances=distances_found, kinds=kinds_found, places=places_found, complete=complete_found, &
+                range=[-1.0d0, 20.0d0], call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('kinds', kinds_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+            call show('complete', complete_found)
+        end block
+        call begin('model_ray_hits_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%ray_hits(origin=[0.1d0, 0.2d0, 5.0d0], direction=[0.0d0, 0.0d0, -1.0d0], params=params_found, &
+                distances=distances_found, kinds=kinds_found, places=places_found, complete=complete_found, &
+                call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('distances', distances_found)
+            call show('kinds', kinds_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+            call show('complete', complete_found)
+        end block
+        call begin('model_classify_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            integer(c_int32_t), allocatable :: sides_found(:)
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (sides_found(2))
+            call ball%classify(points=reshape([0.1d0, 0.2d0, 0.3d0, 1.0d0, 1.0d0, 1.0d0], [2, 3], order=[2, 1]), &
+                sides=sides_found, tolerance=0.0d0, call=watching)
+            call show('sides', sides_found)
+        end block
+        call begin('model_classify_with near')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            integer(c_int32_t), allocatable :: sides_found(:)
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (sides_found(2))
+            call ball%classify(points=reshape([0.1d0, 0.2d0, 0.3d0, 0.0d0, 0.6d0, 0.8d0], [2, 3], order=[2, 1]), &
+                sides=sides_found, tolerance=0.001d0, call=watching)
+            call show('sides', sides_found)
         end block
         call begin('curve_self_intersections_with')
         block

@@ -3295,6 +3295,134 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("kinds", &found.kinds);
         show("complete", &found.complete);
     }
+    begin("face_rays");
+    {
+        let found = given.face.rays(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            &[0.0, 0.0, -1.0, 0.1, 0.1, -1.0],
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_rays distances");
+    {
+        let found = given.face.rays(&[0.5, 1.2, 9.0], &[0.0, 0.0, -1.0])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points");
+    {
+        let found = given
+            .face
+            .closest_points(&[0.5, 1.2, 9.0, 0.3, 0.4, 6.0], 1e-06)?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points alone");
+    {
+        let found = given.face.closest_points(&[0.1, 0.2, 0.3], 0.0)?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("model_instances");
+    {
+        let found = given.model.instances()?;
+        show("parents", &found.parents);
+        show("last_uses", &found.uses);
+        show("own_parts", &found.parts);
+        show("placements", &found.placements);
+    }
+    begin("model_rays");
+    {
+        let found = given.model.rays(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            &[0.0, 0.0, -1.0, 0.1, 0.1, -1.0],
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
+    }
+    begin("model_rays places");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.rays(&[0.1, 0.2, 5.0], &[0.0, 0.0, -1.0])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
+    }
+    begin("model_ray_hits within");
+    {
+        let found = given
+            .model
+            .ray_hits(&[0.5, 1.2, 9.0], &[0.0, 0.0, -1.0], &[-1.0, 20.0])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("kinds", &found.kinds);
+        show("places", &found.places);
+        show("complete", &found.complete);
+    }
+    begin("model_ray_hits");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.ray_hits(&[0.1, 0.2, 5.0], &[0.0, 0.0, -1.0], &[])?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("kinds", &found.kinds);
+        show("places", &found.places);
+        show("complete", &found.complete);
+    }
+    begin("model_classify");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.classify(&[0.1, 0.2, 0.3, 1.0, 1.0, 1.0], 0.0)?;
+        show("sides", &found);
+    }
+    begin("model_classify near");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.classify(&[0.1, 0.2, 0.3, 0.0, 0.6, 0.8], 0.001)?;
+        show("sides", &found);
+    }
     begin("curve_self_intersections");
     {
         let found = given.curve.self_intersections(1e-09)?;
@@ -3829,6 +3957,158 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("params", &found.params);
         show("distances", &found.distances);
         show("status", &found.status);
+    }
+    begin("face_rays_with");
+    {
+        let found = given.face.rays_with(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            &[0.0, 0.0, -1.0, 0.1, 0.1, -1.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_rays_with distances");
+    {
+        let found = given.face.rays_with(
+            &[0.5, 1.2, 9.0],
+            &[0.0, 0.0, -1.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points_with");
+    {
+        let found = given.face.closest_points_with(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            1e-06,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("face_closest_points_with alone");
+    {
+        let found = given.face.closest_points_with(
+            &[0.1, 0.2, 0.3],
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+    }
+    begin("model_rays_with");
+    {
+        let found = given.model.rays_with(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            &[0.0, 0.0, -1.0, 0.1, 0.1, -1.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
+    }
+    begin("model_rays_with places");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.rays_with(
+            &[0.1, 0.2, 5.0],
+            &[0.0, 0.0, -1.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
+    }
+    begin("model_ray_hits_with within");
+    {
+        let found = given.model.ray_hits_with(
+            &[0.5, 1.2, 9.0],
+            &[0.0, 0.0, -1.0],
+            &[-1.0, 20.0],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("kinds", &found.kinds);
+        show("places", &found.places);
+        show("complete", &found.complete);
+    }
+    begin("model_ray_hits_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.ray_hits_with(
+            &[0.1, 0.2, 5.0],
+            &[0.0, 0.0, -1.0],
+            &[],
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("distances", &found.distances);
+        show("kinds", &found.kinds);
+        show("places", &found.places);
+        show("complete", &found.complete);
+    }
+    begin("model_classify_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.classify_with(
+            &[0.1, 0.2, 0.3, 1.0, 1.0, 1.0],
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("sides", &found);
+    }
+    begin("model_classify_with near");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.classify_with(
+            &[0.1, 0.2, 0.3, 0.0, 0.6, 0.8],
+            0.001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("sides", &found);
     }
     begin("curve_self_intersections_with");
     {

@@ -14,7 +14,9 @@ from ._base import handle_of
 from ._bounds import Box
 from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
+from ._closest import ClosestPoints
 from ._errors import NurbsError
+from ._intersections import cast
 from ._library import call, get, lib
 from ._measure import Measured, Moments, moments_of
 from ._spline import Spline
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from ._arrays import Floats, Int32s
     from ._bytes import Contents
     from ._calls import Progress
+    from ._intersections import Rays
 
     #: One curve that closes, or curves that follow one another; None where the other array has one.
     Loop = Union[Spline, Iterable[Optional[Spline]]]
@@ -236,6 +239,24 @@ class Face:
         call(watched(lib.nurbs_face_classify, progress, work), self._handle, given.n, *given.layout, tolerance,
              sides.ctypes.data)
         return sides
+
+    def rays(self, origins: ArrayLike, directions: ArrayLike, *, progress: Progress = None,
+             work: Optional[int] = None) -> Rays:
+        """Where rays origin + t direction, t >= 0, arrays (..., 3), meet it first, with proof. One origin or direction
+        serves all."""
+        return cast(watched(lib.nurbs_face_rays, progress, work), self._handle, origins, directions)
+
+    def closest_points(self, points: ArrayLike, tolerance: float = 0.0, *, progress: Progress = None,
+                       work: Optional[int] = None) -> ClosestPoints:
+        """Its points that are nearest to points (..., dimension), with proof that none is nearer by more than
+        `tolerance`."""
+        dim = self.surface.dimension
+        given, batch = parameters(points, dim)
+        params, feet, distances = numpy.empty((*batch, 2)), numpy.empty((*batch, dim)), numpy.empty(batch)
+        status = numpy.empty(batch, numpy.int32)
+        call(watched(lib.nurbs_face_closest_points, progress, work), self._handle, given.n, *given.layout, tolerance,
+             params.ctypes.data, feet.ctypes.data, distances.ctypes.data, status.ctypes.data)
+        return ClosestPoints(params, feet, distances, status)
 
     def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
              work: Optional[int] = None) -> Measured:

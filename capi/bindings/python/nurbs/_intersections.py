@@ -70,6 +70,16 @@ def _pair_arrays(n: int) -> Tuple[Any, ...]:
     return numpy.empty(n), numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty((n, 2)), numpy.empty((n, 2))
 
 
+def cast(function: Any, handle: Any, origins: ArrayLike, directions: ArrayLike) -> Rays:
+    """The rays of a surface or a face."""
+    starts, ways = numpy.broadcast_arrays(numpy.asarray(origins, float), numpy.asarray(directions, float))
+    (given, batch), (along, _) = parameters(starts, 3), parameters(ways, 3)
+    params, distances, status = numpy.empty((*batch, 2)), numpy.empty(batch), numpy.empty(batch, numpy.int32)
+    call(function, handle, given.n, *given.layout, *along.layout, params.ctypes.data, distances.ctypes.data,
+         status.ctypes.data)
+    return Rays(params, distances, status)
+
+
 class Intersections(SplineBase):
     """Where the shape meets others."""
 
@@ -104,12 +114,7 @@ class Intersections(SplineBase):
              work: Optional[int] = None) -> Rays:
         """Where rays origin + t direction, t >= 0, arrays (..., 3), meet a surface first, with proof. One origin or
         direction serves all."""
-        starts, ways = numpy.broadcast_arrays(numpy.asarray(origins, float), numpy.asarray(directions, float))
-        (given, batch), (along, _) = parameters(starts, 3), parameters(ways, 3)
-        params, distances, status = numpy.empty((*batch, 2)), numpy.empty(batch), numpy.empty(batch, numpy.int32)
-        call(watched(lib.nurbs_surface_rays, progress, work), self._handle, given.n, *given.layout, *along.layout,
-             params.ctypes.data, distances.ctypes.data, status.ctypes.data)
-        return Rays(params, distances, status)
+        return cast(watched(lib.nurbs_surface_rays, progress, work), self._handle, origins, directions)
 
     def ray_hits(self, origin: ArrayLike, direction: ArrayLike, part: Optional[ArrayLike] = None) -> RayHits:
         """All places where a ray meets a surface, by rising t."""

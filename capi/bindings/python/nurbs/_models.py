@@ -11,8 +11,9 @@ from typing import Tuple, Type, TypeVar, Union, overload
 
 import numpy
 
+from ._arrays import address, exactly, if_given, parameters
 from ._bytes import given as given_bytes, pickled, written
-from ._calls import watched
+from ._calls import listed, watched
 from ._faces import Face
 from ._files import Note, SplineList, _options
 from ._library import call, get, lib, text
@@ -21,11 +22,14 @@ from ._write import file_bytes, to_file
 from .constants import NURBS_FORMAT_STEP
 
 if TYPE_CHECKING:
-    from ._arrays import Floats
+    from numpy.typing import ArrayLike
+
+    from ._arrays import Floats, Int32s, Int64s
     from ._bytes import Contents
     from ._calls import Progress
 
-__all__ = ["EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelUse"]
+__all__ = ["EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelInstances", "ModelRayHits",
+           "ModelRays", "ModelUse"]
 
 _Item = TypeVar("_Item")
 
@@ -53,6 +57,37 @@ class FaceSolid(NamedTuple):
 
     solid: int
     in_void: bool
+
+
+class ModelInstances(NamedTuple):
+    """Where parts stand in the whole: the instance in which each stands (-1: the whole), the last use on the way to it and
+    the part of that, all (n,), and placements (n, 3, 4) in the whole, rows of (M | t)."""
+
+    parents: Int64s
+    uses: Int64s
+    parts: Int64s
+    placements: Floats
+
+
+class ModelRays(NamedTuple):
+    """Parameters (..., 2) of the faces that rays meet first, t (...), NURBS_RAY_ bits (...), and places (..., 2): the face,
+    and the instance of its part."""
+
+    params: Floats
+    distances: Floats
+    status: Int32s
+    places: Int64s
+
+
+class ModelRayHits(NamedTuple):
+    """Parameters (n, 2) of the faces that a ray meets, t (n,) rising, NURBS_RAY_ bits, places (n, 2): the face, and the
+    instance of its part; and whether these are all."""
+
+    params: Floats
+    distances: Floats
+    kinds: Int32s
+    places: Int64s
+    complete: bool
 
 
 class ModelEdge(NamedTuple):
@@ -379,6 +414,59 @@ class Model:
         parent, part, placement = ctypes.c_int64(), ctypes.c_int64(), numpy.empty((3, 4))
         call(lib.nurbs_model_use, self._handle, index, ctypes.byref(parent), ctypes.byref(part), placement.ctypes.data)
         return ModelUse(parent.value, part.value, placement)
+
+    # --- Rays ---
+
+    def instances(self) -> ModelInstances:
+        """Where the parts stand in the whole: each way through uses of parts in parts."""
+        count = get(ctypes.c_int64, lib.nurbs_model_instances, self._handle, 0, None, None, None, None)
+        parents, uses, parts = (numpy.empty(count, numpy.int64) for _ in range(3))
+        placements: Floats = numpy.empty((count, 3, 4))
+        call(lib.nurbs_model_instances, self._handle, count, parents.ctypes.data, uses.ctypes.data, parts.ctypes.data,
+             placements.ctypes.data, None)
+        return ModelInstances(parents, uses, parts, placements)
+
+    def rays(self, origins: ArrayLike, directions: ArrayLike, *, progress: Progress = None,
+             work: Optional[int] = None) -> ModelRays:
+        """Where rays origin + t direction, t >= 0, arrays (..., 3), meet its faces first, with proof. One origin or
+        direction serves all."""
+        starts, ways = (_points(rows) for rows in numpy.broadcast_arrays(numpy.asarray(origins, float),
+                                                                        numpy.asarray(directions, float)))
+        batch = starts.shape[:-1]
+        params, distances, status = numpy.empty((*batch, 2)), numpy.empty(batch), numpy.empty(batch, numpy.int32)
+        places = numpy.empty((*batch, 2), numpy.int64)
+        call(watched(lib.nurbs_model_rays, progress, work), self._handle, distances.size, starts.ctypes.data,
+             ways.ctypes.data, params.ctypes.data, distances.ctypes.data, status.ctypes.data, places.ctypes.data)
+        return ModelRays(params, distances, status, places)
+
+    def ray_hits(self, origin: ArrayLike, direction: ArrayLike, part: Optional[ArrayLike] = None, *,
+                 progress: Progress = None, work: Optional[int] = None) -> ModelRayHits:
+        """All places where a ray meets its faces, by rising t."""
+        start, way = exactly(origin, 3, "origin"), exactly(direction, 3, "direction")
+        limits = if_given(part, 2, "part")
+
+        def arrays(n: int) -> Tuple[Any, ...]:
+            return numpy.empty((n, 2)), numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty((n, 2), numpy.int64)
+
+        return listed(ModelRayHits, arrays, watched(lib.nurbs_model_ray_hits, progress, work, 2), self._handle,
+                      start.ctypes.data, way.ctypes.data, address(limits))
+
+    def classify(self, points: ArrayLike, tolerance: float = 0.0, *, progress: Progress = None,
+                 work: Optional[int] = None) -> Int32s:
+        """Whether points (..., 3) are inside its solids: NURBS_SIDE_ constants, NURBS_SIDE_ON within `tolerance` of a
+        face."""
+        given, batch = parameters(points, 3)
+        sides = numpy.empty(batch, numpy.int32)
+        call(watched(lib.nurbs_model_classify, progress, work), self._handle, given.n, *given.layout, tolerance,
+             sides.ctypes.data)
+        return sides
+
+
+def _points(rows: Floats) -> Floats:
+    """Points (..., 3), one after the other."""
+    if rows.ndim == 0 or rows.shape[-1] != 3:
+        raise ValueError(f"points of shape {rows.shape}, expected (..., 3)")
+    return numpy.ascontiguousarray(rows)
 
 
 # A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.

@@ -320,6 +320,12 @@ NURBS_BYTES_STATISTICS = 3  # statistics: nurbs_statistics_from_bytes()
 NURBS_BYTES_FACE = 4  # a face: nurbs_face_from_bytes()
 NURBS_BYTES_MODEL = 5  # a model: nurbs_model_from_bytes()
 
+# --- Sides of a model
+NURBS_SIDE_INSIDE = 1  # of a solid, for certain
+NURBS_SIDE_ON = 0  # no farther from a face than the tolerance
+NURBS_SIDE_OUTSIDE = -1  # of all solids, for certain
+NURBS_SIDE_UNDECIDED = 2  # not known
+
 # --- Formats of files
 NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214
 NURBS_FORMAT_IGES = 2  # IGES 5.3 in lines of 80 columns

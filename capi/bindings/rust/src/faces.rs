@@ -7,6 +7,7 @@ use crate::bounds::BoundingBox;
 use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::Face;
+use crate::intersections::Rays;
 use crate::measure::{Measured, Moments};
 use crate::moments::moments_of;
 use crate::sizes::sum;
@@ -32,6 +33,20 @@ pub struct FaceDeviation {
     pub distance: f64,
     /// Whether it is a bound, not only the largest one seen.
     pub proven: bool,
+}
+
+/// The points of a face that are nearest to given points.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ClosestOnFace {
+    /// `[n][2]` on the surface.
+    pub params: Vec<[f64; 2]>,
+    /// `[n][dim]`, as evaluation gives them.
+    pub points: Vec<f64>,
+    /// From the points that were given.
+    pub distances: Vec<f64>,
+    /// `NURBS_CLOSEST_` bits.
+    pub status: Vec<i32>,
 }
 
 /// Trimmed faces: the part of a surface that loops of curves bound.
@@ -189,6 +204,132 @@ impl Face {
             )
         })?;
         Ok(sides)
+    }
+
+    /// Where rays meet it first, with proof.
+    pub fn rays<'a, 'b>(
+        &self,
+        origins: impl Into<Records<'a>>,
+        directions: impl Into<Records<'b>>,
+    ) -> Result<Rays> {
+        let origins = origins.into();
+        let directions = directions.into();
+        let n = origins.count(3, "origins")?;
+        directions.require(n, 3, "directions")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_rays(
+                self.raw(),
+                n as i64,
+                origins.pointer(),
+                origins.stride(),
+                origins.component_stride(),
+                directions.pointer(),
+                directions.stride(),
+                directions.component_stride(),
+                params.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+            )
+        })?;
+        Ok(Rays { params, distances, status })
+    }
+
+    /// The same as `rays`; it can be watched and stopped.
+    pub fn rays_with<'a, 'b>(
+        &self,
+        origins: impl Into<Records<'a>>,
+        directions: impl Into<Records<'b>>,
+        call: &mut Call,
+    ) -> Result<Rays> {
+        let origins = origins.into();
+        let directions = directions.into();
+        let n = origins.count(3, "origins")?;
+        directions.require(n, 3, "directions")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_rays_with(
+                self.raw(),
+                n as i64,
+                origins.pointer(),
+                origins.stride(),
+                origins.component_stride(),
+                directions.pointer(),
+                directions.stride(),
+                directions.component_stride(),
+                params.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(Rays { params, distances, status })
+    }
+
+    /// Its points that are nearest to given points, with proof.
+    pub fn closest_points<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+    ) -> Result<ClosestOnFace> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_closest_points(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                params.as_mut_ptr().cast(),
+                feet.as_mut_ptr(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+            )
+        })?;
+        Ok(ClosestOnFace { params, points: feet, distances, status })
+    }
+
+    /// The same as `closest_points`; it can be watched and stopped.
+    pub fn closest_points_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<ClosestOnFace> {
+        let points = points.into();
+        let dim = self.dimension()? as usize;
+        let n = points.count(dim, "points")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut feet = vec![0.0; n * dim];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        check(unsafe {
+            sys::nurbs_face_closest_points_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                params.as_mut_ptr().cast(),
+                feet.as_mut_ptr(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(ClosestOnFace { params, points: feet, distances, status })
     }
 
     /// Its area.

@@ -3,6 +3,7 @@
 //! Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
 //! they belong.
 
+use crate::arrays::{exactly, if_given, rows, Records};
 use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::{face_handles, Face};
@@ -81,6 +82,50 @@ pub struct ModelUse {
     pub part: i64,
     /// A point x of the part is at M x + t, rows of (M | t).
     pub placement: [[f64; 4]; 3],
+}
+
+/// Where the parts of a model stand in the whole.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ModelInstances {
+    /// The instance in which each stands, -1 for the whole.
+    pub parents: Vec<i64>,
+    /// The last use on the way to it.
+    pub uses: Vec<i64>,
+    /// The part of that use.
+    pub parts: Vec<i64>,
+    /// `[n][12]`: a point x of the part is at M x + t, the three rows of (M | t).
+    pub placements: Vec<[f64; 12]>,
+}
+
+/// Where rays meet a model first, at origin + t direction.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ModelRays {
+    /// `[n][2]` on the surface of the face, NaN without a hit or touch.
+    pub params: Vec<[f64; 2]>,
+    /// t, in lengths of the direction; NaN without a hit or touch.
+    pub distances: Vec<f64>,
+    /// `NURBS_RAY_` bits.
+    pub status: Vec<i32>,
+    /// `[n][2]`: the face, and the instance of its part.
+    pub places: Vec<[i64; 2]>,
+}
+
+/// All places where a ray meets a model, by rising t.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ModelRayHits {
+    /// `[n][2]` on the surface of the face.
+    pub params: Vec<[f64; 2]>,
+    /// t, in lengths of the direction.
+    pub distances: Vec<f64>,
+    /// `NURBS_RAY_HIT` or `NURBS_RAY_TOUCH` each, and `NURBS_RAY_BACK`.
+    pub kinds: Vec<i32>,
+    /// `[n][2]`: the face, and the instance of its part.
+    pub places: Vec<[i64; 2]>,
+    /// Whether there are no others, and none is a touch.
+    pub complete: bool,
 }
 
 /// Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
@@ -245,6 +290,201 @@ impl Model {
             )
         })?;
         Ok(ModelUse { parent, part, placement })
+    }
+
+    /// Where the parts stand in the whole: each way through uses of parts in parts.
+    pub fn instances(&self) -> Result<ModelInstances> {
+        let fill = |cap, parents, uses, parts, placements, count| unsafe {
+            sys::nurbs_model_instances(self.raw(), cap, parents, uses, parts, placements, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut parents = vec![0; n];
+        let mut uses = vec![0; n];
+        let mut parts = vec![0; n];
+        let mut placements = vec![[0.0; 12]; n];
+        check(fill(
+            count,
+            parents.as_mut_ptr(),
+            uses.as_mut_ptr(),
+            parts.as_mut_ptr(),
+            placements.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(ModelInstances { parents, uses, parts, placements })
+    }
+
+    /// Where rays meet its faces first, with proof.
+    pub fn rays(&self, origins: &[f64], directions: &[f64]) -> Result<ModelRays> {
+        let n = rows(origins, 3, "origins")?;
+        let directions = exactly(directions, 3 * n, "directions")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        let mut places = vec![[0; 2]; n];
+        check(unsafe {
+            sys::nurbs_model_rays(
+                self.raw(),
+                n as i64,
+                origins.as_ptr(),
+                directions,
+                params.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                places.as_mut_ptr().cast(),
+            )
+        })?;
+        Ok(ModelRays { params, distances, status, places })
+    }
+
+    /// The same as `rays`; it can be watched and stopped.
+    pub fn rays_with(&self, origins: &[f64], directions: &[f64], call: &mut Call) -> Result<ModelRays> {
+        let n = rows(origins, 3, "origins")?;
+        let directions = exactly(directions, 3 * n, "directions")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        let mut places = vec![[0; 2]; n];
+        check(unsafe {
+            sys::nurbs_model_rays_with(
+                self.raw(),
+                n as i64,
+                origins.as_ptr(),
+                directions,
+                params.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                places.as_mut_ptr().cast(),
+                call.options(),
+            )
+        })?;
+        Ok(ModelRays { params, distances, status, places })
+    }
+
+    /// All places where a ray meets its faces, by rising t.
+    pub fn ray_hits(&self, origin: &[f64; 3], direction: &[f64; 3], range: &[f64]) -> Result<ModelRayHits> {
+        let range = if_given(range, 2, "range")?;
+        let mut complete = 0;
+        let mut fill = |cap, params, distances, kinds, places, count| unsafe {
+            sys::nurbs_model_ray_hits(
+                self.raw(),
+                origin.as_ptr(),
+                direction.as_ptr(),
+                range,
+                cap,
+                params,
+                distances,
+                kinds,
+                places,
+                count,
+                &mut complete,
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut kinds = vec![0; n];
+        let mut places = vec![[0; 2]; n];
+        check(fill(
+            count,
+            params.as_mut_ptr().cast(),
+            distances.as_mut_ptr(),
+            kinds.as_mut_ptr(),
+            places.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(ModelRayHits { params, distances, kinds, places, complete: complete != 0 })
+    }
+
+    /// The same as `ray_hits`; it can be watched and stopped.
+    pub fn ray_hits_with(
+        &self,
+        origin: &[f64; 3],
+        direction: &[f64; 3],
+        range: &[f64],
+        call: &mut Call,
+    ) -> Result<ModelRayHits> {
+        let range = if_given(range, 2, "range")?;
+        let mut complete = 0;
+        let mut fill = |cap, params, distances, kinds, places, count| unsafe {
+            sys::nurbs_model_ray_hits_with(
+                self.raw(),
+                origin.as_ptr(),
+                direction.as_ptr(),
+                range,
+                cap,
+                params,
+                distances,
+                kinds,
+                places,
+                count,
+                &mut complete,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 2]; n];
+        let mut distances = vec![0.0; n];
+        let mut kinds = vec![0; n];
+        let mut places = vec![[0; 2]; n];
+        check(fill(
+            count,
+            params.as_mut_ptr().cast(),
+            distances.as_mut_ptr(),
+            kinds.as_mut_ptr(),
+            places.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(ModelRayHits { params, distances, kinds, places, complete: complete != 0 })
+    }
+
+    /// Whether points are inside its solids: a `NURBS_SIDE_` constant each.
+    pub fn classify<'a>(&self, points: impl Into<Records<'a>>, tolerance: f64) -> Result<Vec<i32>> {
+        let points = points.into();
+        let n = points.count(3, "points")?;
+        let mut sides = vec![0; n];
+        check(unsafe {
+            sys::nurbs_model_classify(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                sides.as_mut_ptr(),
+            )
+        })?;
+        Ok(sides)
+    }
+
+    /// The same as `classify`; it can be watched and stopped.
+    pub fn classify_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Vec<i32>> {
+        let points = points.into();
+        let n = points.count(3, "points")?;
+        let mut sides = vec![0; n];
+        check(unsafe {
+            sys::nurbs_model_classify_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                sides.as_mut_ptr(),
+                call.options(),
+            )
+        })?;
+        Ok(sides)
     }
 
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on

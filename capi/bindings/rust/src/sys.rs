@@ -923,6 +923,16 @@ pub const NURBS_BYTES_FACE: i32 = 4;
 /// a model: nurbs_model_from_bytes()
 pub const NURBS_BYTES_MODEL: i32 = 5;
 
+// --- Sides of a model
+/// of a solid, for certain
+pub const NURBS_SIDE_INSIDE: i32 = 1;
+/// no farther from a face than the tolerance
+pub const NURBS_SIDE_ON: i32 = 0;
+/// of all solids, for certain
+pub const NURBS_SIDE_OUTSIDE: i32 = -1;
+/// not known
+pub const NURBS_SIDE_UNDECIDED: i32 = 2;
+
 // --- Formats of files
 /// STEP: an exchange structure of ISO 10303-21, by AP214
 pub const NURBS_FORMAT_STEP: i32 = 1;
@@ -4331,6 +4341,73 @@ extern "C" {
         sides: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// Where rays x = origin + t direction, t \>= 0, meet a face first: hits of its surface, as
+    /// nurbs_surface_rays() finds them, that lie inside of its loops for certain.
+    ///
+    /// May be null: `params`, `distances`, `status`.
+    pub fn nurbs_face_rays(
+        face: *const nurbs_face,
+        n: i64,
+        origins: *const f64,
+        origin_stride: i64,
+        origin_component_stride: i64,
+        directions: *const f64,
+        direction_stride: i64,
+        direction_component_stride: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_face_rays() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `distances`, `status`, `call`.
+    pub fn nurbs_face_rays_with(
+        face: *const nurbs_face,
+        n: i64,
+        origins: *const f64,
+        origin_stride: i64,
+        origin_component_stride: i64,
+        directions: *const f64,
+        direction_stride: i64,
+        direction_component_stride: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// The points of a face that are nearest to given points: that of its surface, if it lies inside; else
+    /// the nearest one of the boundary, or of those local minima of the distance from the surface that lie
+    /// inside and are nearer.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`.
+    pub fn nurbs_face_closest_points(
+        face: *const nurbs_face,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        params: *mut f64,
+        feet: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_face_closest_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`, `call`.
+    pub fn nurbs_face_closest_points_with(
+        face: *const nurbs_face,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        params: *mut f64,
+        feet: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
     /// Weiss, Evans 2021), each within one span of the surface.
     ///
@@ -4689,6 +4766,104 @@ extern "C" {
         parent: *mut i64,
         part: *mut i64,
         placement: *mut f64,
+    ) -> nurbs_status;
+    /// Where the parts of a model stand in the whole: each way through uses of parts in parts.
+    ///
+    /// May be null: `parents`, `last_uses`, `own_parts`, `placements`, `count`.
+    pub fn nurbs_model_instances(
+        model: *const nurbs_model,
+        cap: i64,
+        parents: *mut i64,
+        last_uses: *mut i64,
+        own_parts: *mut i64,
+        placements: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// Where rays x = origin + t direction, t \>= 0, meet the faces of a model first, of all parts where they
+    /// stand in the whole (nurbs_model_instances()).
+    ///
+    /// May be null: `params`, `distances`, `status`, `places`.
+    pub fn nurbs_model_rays(
+        model: *const nurbs_model,
+        n: i64,
+        origins: *const f64,
+        directions: *const f64,
+        params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        places: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_model_rays() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `distances`, `status`, `places`, `call`.
+    pub fn nurbs_model_rays_with(
+        model: *const nurbs_model,
+        n: i64,
+        origins: *const f64,
+        directions: *const f64,
+        params: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        places: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// All places where a ray meets the faces of a model, by rising t, as nurbs_model_rays() finds the first.
+    ///
+    /// May be null: `range`, `params`, `distances`, `kinds`, `places`, `count`, `complete`.
+    pub fn nurbs_model_ray_hits(
+        model: *const nurbs_model,
+        origin: *const f64,
+        direction: *const f64,
+        range: *const f64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        kinds: *mut i32,
+        places: *mut i64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_model_ray_hits() as a call that can be watched and ended; at the limit of work it is not
+    /// complete.
+    ///
+    /// May be null: `range`, `params`, `distances`, `kinds`, `places`, `count`, `complete`, `call`.
+    pub fn nurbs_model_ray_hits_with(
+        model: *const nurbs_model,
+        origin: *const f64,
+        direction: *const f64,
+        range: *const f64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        kinds: *mut i32,
+        places: *mut i64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Whether points are inside the solids of a closed model: a ray from the point leaves a solid once more
+    /// than it enters it.
+    pub fn nurbs_model_classify(
+        model: *const nurbs_model,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        sides: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_model_classify() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_model_classify_with(
+        model: *const nurbs_model,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        sides: *mut i32,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
     /// notes on all that was not read.

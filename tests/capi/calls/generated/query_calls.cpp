@@ -243,6 +243,118 @@ const Call group[] = {
          return nurbs_surface_ray_hits(in.surface, origin, direction, nullptr, 8, o.values, o.values + 16,
              o.states, o.spans, o.states + 8);
      }, true},
+    {"face_rays",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         static constexpr double directions[] = {0, 0, -1, 0.1, 0.1, -1};
+         return nurbs_face_rays(in.face, 2, origins, 0, 0, directions, 0, 0, o.values, o.values + 4, o.states);
+     }},
+    {"face_rays distances",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.5, 1.2, 9};
+         static constexpr double directions[] = {0, 0, -1};
+         return nurbs_face_rays(in.face, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values, nullptr);
+     }},
+    {"face_closest_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         return nurbs_face_closest_points(in.face, 2, points, 0, 0, 1e-06, o.values, o.values + 4, o.values +
+             10, o.states);
+     }},
+    {"face_closest_points alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.2, 0.3};
+         return nurbs_face_closest_points(in.face, 1, points, 0, 0, 0, nullptr, nullptr, o.values, nullptr);
+     }},
+    {"model_instances",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_instances(in.model, 2, o.spans, o.spans + 2, o.spans + 4, o.values, o.spans + 6);
+     }, true},
+    {"model_rays",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         static constexpr double directions[] = {0, 0, -1, 0.1, 0.1, -1};
+         return nurbs_model_rays(in.model, 2, origins, directions, o.values, o.values + 4, o.states, o.spans);
+     }},
+    {"model_rays places",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double origins[] = {0.1, 0.2, 5};
+         static constexpr double directions[] = {0, 0, -1};
+         return nurbs_model_rays(made_ball, 1, origins, directions, nullptr, o.values, nullptr, o.spans);
+     }},
+    {"model_ray_hits within",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origin[] = {0.5, 1.2, 9};
+         static constexpr double direction[] = {0, 0, -1};
+         static constexpr double range[] = {-1, 20};
+         return nurbs_model_ray_hits(in.model, origin, direction, range, 8, o.values, o.values + 16, o.states,
+             o.spans, o.spans + 16, o.states + 8);
+     }, true},
+    {"model_ray_hits",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double origin[] = {0.1, 0.2, 5};
+         static constexpr double direction[] = {0, 0, -1};
+         return nurbs_model_ray_hits(made_ball, origin, direction, nullptr, 8, o.values, o.values + 16,
+             o.states, o.spans, o.spans + 16, o.states + 8);
+     }, true},
+    {"model_classify",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double points[] = {0.1, 0.2, 0.3, 1, 1, 1};
+         return nurbs_model_classify(made_ball, 2, points, 0, 0, 0, o.states);
+     }},
+    {"model_classify near",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double points[] = {0.1, 0.2, 0.3, 0, 0.6, 0.8};
+         return nurbs_model_classify(made_ball, 2, points, 0, 0, 0.001, o.states);
+     }},
     {"curve_self_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_curve_self_intersections(in.curve, 1e-09, 16, o.values, o.values + 16, o.states, o.values
@@ -613,6 +725,139 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_rays_with(in.surface, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values,
              nullptr, &call);
+     }},
+    {"face_rays_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         static constexpr double directions[] = {0, 0, -1, 0.1, 0.1, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_rays_with(in.face, 2, origins, 0, 0, directions, 0, 0, o.values, o.values + 4,
+             o.states, &call);
+     }},
+    {"face_rays_with distances",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.5, 1.2, 9};
+         static constexpr double directions[] = {0, 0, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_rays_with(in.face, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values, nullptr,
+             &call);
+     }},
+    {"face_closest_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_closest_points_with(in.face, 2, points, 0, 0, 1e-06, o.values, o.values + 4,
+             o.values + 10, o.states, &call);
+     }},
+    {"face_closest_points_with alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.1, 0.2, 0.3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_closest_points_with(in.face, 1, points, 0, 0, 0, nullptr, nullptr, o.values,
+             nullptr, &call);
+     }},
+    {"model_rays_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         static constexpr double directions[] = {0, 0, -1, 0.1, 0.1, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_rays_with(in.model, 2, origins, directions, o.values, o.values + 4, o.states,
+             o.spans, &call);
+     }},
+    {"model_rays_with places",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double origins[] = {0.1, 0.2, 5};
+         static constexpr double directions[] = {0, 0, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_rays_with(made_ball, 1, origins, directions, nullptr, o.values, nullptr, o.spans,
+             &call);
+     }},
+    {"model_ray_hits_with within",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double origin[] = {0.5, 1.2, 9};
+         static constexpr double direction[] = {0, 0, -1};
+         static constexpr double range[] = {-1, 20};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_ray_hits_with(in.model, origin, direction, range, 8, o.values, o.values + 16,
+             o.states, o.spans, o.spans + 16, o.states + 8, &call);
+     }, true},
+    {"model_ray_hits_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double origin[] = {0.1, 0.2, 5};
+         static constexpr double direction[] = {0, 0, -1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_ray_hits_with(made_ball, origin, direction, nullptr, 8, o.values, o.values + 16,
+             o.states, o.spans, o.spans + 16, o.states + 8, &call);
+     }, true},
+    {"model_classify_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double points[] = {0.1, 0.2, 0.3, 1, 1, 1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_classify_with(made_ball, 2, points, 0, 0, 0, o.states, &call);
+     }},
+    {"model_classify_with near",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double points[] = {0.1, 0.2, 0.3, 0, 0.6, 0.8};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_classify_with(made_ball, 2, points, 0, 0, 0.001, o.states, &call);
      }},
     {"curve_self_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -194,6 +194,27 @@ nurbs_status make_another_face(const Inputs &in, nurbs_face **out) {
     return nurbs_face_clone(in.face, out);
 }
 
+nurbs_status make_ball_face(const Inputs &in, nurbs_face **out) {
+    Made made_sphere(in, make_sphere);
+    if (made_sphere.status() != NURBS_OK) {
+        return made_sphere.status();
+    }
+    return nurbs_face_create(made_sphere, 0, nullptr, nullptr, nullptr, nullptr, 1e-09, 0, nullptr, out);
+}
+
+nurbs_status make_ball(const Inputs &in, nurbs_model **out) {
+    Made made_sphere(in, make_sphere);
+    if (made_sphere.status() != NURBS_OK) {
+        return made_sphere.status();
+    }
+    Made made_ball_face(in, make_ball_face);
+    if (made_ball_face.status() != NURBS_OK) {
+        return made_ball_face.status();
+    }
+    const nurbs_face *const faces[] = {made_ball_face};
+    return nurbs_model_create(1, faces, 1, out);
+}
+
 nurbs_status make_south(const Inputs &, nurbs **out) {
     static constexpr int32_t degrees[] = {1};
     static constexpr double points[] = {0, 0, 1, 0};

@@ -280,6 +280,8 @@ nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_another_model(const Inputs &in, nurbs_model **out);
 nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out);
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out);
+nurbs_status make_ball_face(const Inputs &in, nurbs_face **out);
+nurbs_status make_ball(const Inputs &in, nurbs_model **out);
 nurbs_status make_south(const Inputs &in, nurbs **out);
 nurbs_status make_east(const Inputs &in, nurbs **out);
 nurbs_status make_north(const Inputs &in, nurbs **out);

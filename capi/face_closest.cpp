@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Nearest points of faces.
+#include "checks.h"
+#include "guard.h"
+#include "outputs.h"
+#include "watched.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/tolerance.h"
+#include "eval/evaluate.h"
+#include "face/face_locator.h"
+#include "numeric/norm.h"
+
+#include <cmath>
+#include <vector>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+constexpr int64_t work_of_a_point = 1000;
+
+// The point of a foot, and whether what was proven of the foot holds for it.
+void settle(const Spline &surface, const double *point, double tolerance, closest::Foot &foot, double *x) {
+    eval::AxisRules rules;
+    for (size_t k = 0; k < 2; ++k) {
+        rules[k].nan = true;
+        rules[k].left = (foot.left >> k & 1U) != 0;
+    }
+    const int dim = surface.dim();
+    eval::evaluate_points(surface, rules, 0, {foot.params.data(), 1, 2, 2, 1}, {x, 1, dim, dim, 1});
+    const double distance = norm_of(dim, [&](int c) { return x[c] - point[c]; });
+    const double allowed = foot.distance + tolerance + foot.noise;
+    if ((foot.status & closest::closest_certified) != 0 &&
+        !(distance <= allowed && std::isfinite(distance))) {
+        foot.status ^= closest::closest_certified | closest::closest_coarse;
+    }
+    foot.distance = distance;
+    foot.status |= static_cast<int32_t>(foot.left) * closest::closest_left;
+}
+
+void check_points(const ConstRecords &points) {
+    for (int64_t i = 0; i < points.count; ++i) {
+        for (int64_t c = 0; c < points.width; ++c) {
+            if (!std::isfinite(points(i, c))) {
+                fail(Status::point_not_finite, "points[%lld][%lld] = %s, expected a number",
+                     static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
+            }
+        }
+    }
+}
+
+void put_feet(const face::Face &own, const ConstRecords &points, double tolerance, const Records &params,
+              const Records &feet, const Records &distances, int32_t *status) {
+    const Spline &surface = *own.surface();
+    std::vector<double> point(static_cast<size_t>(surface.dim())), x(point.size());
+    face::FaceLocator locator(own);
+    const LimitedSearch search;
+    Steps steps(points.count);
+    for (int64_t i = 0; i < points.count; ++i, steps.next(work_of_a_point)) {
+        for (size_t c = 0; c < point.size(); ++c) {
+            point[c] = points(i, static_cast<int64_t>(c));
+        }
+        closest::Foot foot = locator.nearest(point.data(), tolerance);
+        settle(surface, point.data(), tolerance, foot, x.data());
+        const auto at = static_cast<size_t>(i);
+        put(params.data, 2 * at, foot.params[0]);
+        put(params.data, 2 * at + 1, foot.params[1]);
+        put_all(feet.data == nullptr ? nullptr : feet.data + at * x.size(), x);
+        put(distances.data, at, foot.distance);
+        put(status, at, foot.status);
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_face_closest_points(const nurbs_face *face, int64_t n, const double *points,
+                                       int64_t point_stride, int64_t point_component_stride, double tolerance,
+                                       double *params, double *feet, double *distances, int32_t *status) {
+    return guard([&] {
+        require(face, "face");
+        const face::Face &own = *face->face;
+        const int dim = own.surface()->dim();
+        check_length(n, "n");
+        const ConstRecords from = input("points", points, n, dim, point_stride, point_component_stride);
+        check_tolerance(tolerance);
+        Outputs outputs(n, status);
+        const Records at = outputs.add({"params", params, 2, 0, 0}),
+                      on = outputs.add({"feet", feet, dim, 0, 0}),
+                      away = outputs.add({"distances", distances, 1, 0, 0});
+        outputs.check("points", from);
+        check_points(from);
+        const StagedRecords staged_params(at), staged_feet(on), staged_distances(away);
+        StagedStatus staged_status(status, n);
+        put_feet(own, from, tolerance, staged_params.view(), staged_feet.view(), staged_distances.view(),
+                 staged_status.data());
+        staged_params.commit();
+        staged_feet.commit();
+        staged_distances.commit();
+        staged_status.commit();
+    });
+}
+
+nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, int64_t n, const double *points,
+                                            int64_t point_stride, int64_t point_component_stride,
+                                            double tolerance, double *params, double *feet, double *distances,
+                                            int32_t *status, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_face_closest_points(face, n, points, point_stride, point_component_stride, tolerance,
+                                         params, feet, distances, status);
+    });
+}

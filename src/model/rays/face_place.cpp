@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "model/rays/face_place.h"
+
+#include "face/open_ends.h"
+
+#include <algorithm>
+
+namespace nrb::model {
+
+intersect::Box3 box3_of(const bounds::Box &box) noexcept {
+    constexpr double most = 1e300;
+    intersect::Box3 result;
+    for (size_t c = 0; c < 3; ++c) {
+        result.lower[c] = std::max(box.lower[c], -most);
+        result.upper[c] = std::min(box.upper[c], most);
+    }
+    return result;
+}
+
+intersect::Box3 box_between(const face::Face &face, const face::Point2 &a, const face::Point2 &b) {
+    Part part{};
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval domain = face.covering().domain(static_cast<int>(k));
+        const double room = face.trims().room()[k];
+        part[k] = {std::clamp(std::min(a[k], b[k]) - room, domain.lower, domain.upper),
+                   std::clamp(std::max(a[k], b[k]) + room, domain.lower, domain.upper)};
+    }
+    return box3_of(bounds::bounding_box(*face.surface(), part, infinity));
+}
+
+// A coordinate that does not close is largest and smallest on the boundary.
+intersect::Box3 face_box(const face::Face &face) {
+    const face::Covering &covering = face.covering();
+    face::Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
+    const auto add = [&](const face::Point2 &x) {
+        for (size_t k = 0; k < 2; ++k) {
+            lower[k] = std::min(lower[k], x[k]);
+            upper[k] = std::max(upper[k], x[k]);
+        }
+    };
+    for (const face::TrimPiece &piece : face.trims().pieces().all()) {
+        add(piece.lower);
+        add(piece.upper);
+    }
+    for (const face::EndPart &part : face::open_ends(face)) {
+        add(part.from);
+        add(part.to);
+    }
+    for (size_t k = 0; k < 2; ++k) {
+        const int axis = static_cast<int>(k);
+        if (covering.closed(axis) || !(lower[k] <= upper[k])) {
+            lower[k] = covering.domain(axis).lower;
+            upper[k] = covering.domain(axis).upper;
+        }
+    }
+    return box_between(face, lower, upper);
+}
+
+} // namespace nrb::model

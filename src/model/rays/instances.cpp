@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "model/rays/instances.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::model {
+
+namespace {
+
+constexpr size_t most_instances = 1 << 20;
+using Rows = std::array<double, 12>;
+
+// First b, then a.
+Rows product(const Rows &a, const Rows &b) noexcept {
+    Rows c{};
+    for (size_t i = 0; i < 3; ++i) {
+        for (size_t j = 0; j < 4; ++j) {
+            double sum = j == 3 ? a[4 * i + 3] : 0;
+            for (size_t k = 0; k < 3; ++k) {
+                sum += a[4 * i + k] * b[4 * k + j];
+            }
+            c[4 * i + j] = sum;
+        }
+    }
+    return c;
+}
+
+// Lengths grow by no more: by the root of the largest eigenvalue of M^T M, which row sums of its magnitudes bound. Where M is a
+// motion, or one with a scale, that is its scale.
+double growth_of(const std::array<std::array<double, 3>, 3> &m) noexcept {
+    double scale = 0, most = 0;
+    for (const auto &row : m) {
+        for (const double x : row) {
+            scale = std::max(scale, std::abs(x));
+        }
+    }
+    for (size_t i = 0; i < 3; ++i) {
+        double sum = 0;
+        for (size_t j = 0; j < 3; ++j) {
+            double entry = 0;
+            for (size_t k = 0; k < 3; ++k) {
+                entry += m[k][i] / scale * (m[k][j] / scale);
+            }
+            sum += std::abs(entry);
+        }
+        most = std::max(most, sum);
+    }
+    return (1 + 32 * eps) * scale * std::sqrt(most);
+}
+
+} // namespace
+
+// Instances wait on a stack, the first use on top.
+std::vector<Instance> instances_of(const Model &model) {
+    std::vector<std::vector<int64_t>> below(model.parts.size() + 1);
+    for (size_t i = model.uses.size(); i-- > 0;) {
+        below[static_cast<size_t>(model.uses[i].parent + 1)].push_back(static_cast<int64_t>(i));
+    }
+    struct Waiting {
+        int64_t use, parent;
+    };
+    std::vector<Waiting> waiting;
+    std::vector<Instance> found;
+    const auto open = [&](int64_t part, int64_t instance) {
+        for (const int64_t use : below[static_cast<size_t>(part + 1)]) {
+            waiting.push_back({use, instance});
+        }
+    };
+    open(-1, -1);
+    while (!waiting.empty()) {
+        const auto [number, parent] = waiting.back();
+        waiting.pop_back();
+        if (found.size() == most_instances) {
+            fail(Status::too_large, "parts are placed in parts more than %zu times in all", most_instances);
+        }
+        const Use &use = model.uses[static_cast<size_t>(number)];
+        const Rows placement =
+            parent < 0 ? use.placement : product(found[static_cast<size_t>(parent)].placement, use.placement);
+        found.push_back({use.part, number, parent, placement});
+        open(use.part, std::ssize(found) - 1);
+    }
+    return found;
+}
+
+Placement::Placement(const std::vector<Instance> &instances, size_t index)
+    : identity_(instances[index].placement == Use{}.placement), placement_(instances[index].placement) {
+    if (identity_) {
+        return;
+    }
+    const Rows &p = placement_;
+    std::array<std::array<double, 3>, 3> m{};
+    for (size_t i = 0; i < 3; ++i) {
+        std::copy_n(p.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, m[i].begin());
+        reach_ += std::abs(p[4 * i + 3]);
+    }
+    for (size_t i = 0; i < 3; ++i) {
+        for (size_t j = 0; j < 3; ++j) {
+            const size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+            inverse_[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+    }
+    const double determinant = m[0][0] * inverse_[0][0] + m[0][1] * inverse_[1][0] + m[0][2] * inverse_[2][0];
+    for (auto &row : inverse_) {
+        for (double &x : row) {
+            x /= determinant;
+        }
+    }
+    norm_ = growth_of(m);
+    inverse_norm_ = growth_of(inverse_);
+    const double condition = norm_ * inverse_norm_;
+    if (!(condition < 1e9)) {
+        fail(Status::matrix, "the placement of use %lld has no inverse to rounding",
+             static_cast<long long>(instances[index].use));
+    }
+    int depth = 1;
+    for (int64_t at = instances[index].parent; at >= 0; at = instances[static_cast<size_t>(at)].parent) {
+        const Instance &above = instances[static_cast<size_t>(at)];
+        reach_ += std::abs(above.placement[3]) + std::abs(above.placement[7]) + std::abs(above.placement[11]);
+        ++depth;
+    }
+    error_ = 32 * depth * eps * condition;
+}
+
+Vector3 Placement::turned(const Vector3 &x) const noexcept {
+    const auto row = [&](size_t i) {
+        return inverse_[i][0] * x.x + inverse_[i][1] * x.y + inverse_[i][2] * x.z;
+    };
+    return {row(0), row(1), row(2)};
+}
+
+Vector3 Placement::moved(const Vector3 &x) const noexcept {
+    return identity_ ? x : turned(x - Vector3{placement_[3], placement_[7], placement_[11]});
+}
+
+double Placement::error(const Vector3 &x) const noexcept {
+    return error_ * inverse_norm_ * (length(x) + reach_);
+}
+
+intersect::RayQuery Placement::moved(const intersect::RayQuery &query) const noexcept {
+    if (identity_) {
+        return query;
+    }
+    intersect::RayQuery result = query;
+    result.origin = moved(query.origin);
+    result.direction = turned(query.direction);
+    result.off = inverse_norm_ * query.off + error(query.origin);
+    result.turned = norm_ * inverse_norm_ * query.turned + error_ * norm_ * inverse_norm_;
+    return result;
+}
+
+intersect::Box3 Placement::placed(const intersect::Box3 &box) const noexcept {
+    if (identity_) {
+        return box;
+    }
+    intersect::Box3 result;
+    for (size_t i = 0; i < 3; ++i) {
+        double middle = placement_[4 * i + 3], half = 0, size = std::abs(middle);
+        for (size_t k = 0; k < 3; ++k) {
+            const double m = placement_[4 * i + k];
+            middle += m * (box.lower[k] / 2 + box.upper[k] / 2);
+            half += std::abs(m) * (box.upper[k] / 2 - box.lower[k] / 2);
+            size += std::abs(m) * std::max(std::abs(box.lower[k]), std::abs(box.upper[k]));
+        }
+        const double room = error_ * (size + reach_);
+        result.lower[i] = middle - half - room;
+        result.upper[i] = middle + half + room;
+    }
+    return result;
+}
+
+} // namespace nrb::model

@@ -1,0 +1,115 @@
+// Nearest points of faces: no place inside is nearer than what is certified, and the nearest point is on the face.
+#include "property/faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace face_closest_test {
+
+using namespace support;
+using namespace support::faces;
+
+namespace {
+
+struct Answer {
+    double uv[2] = {0, 0}, x[3] = {0, 0, 0}, distance = 0;
+    int32_t status = 0;
+    [[nodiscard]] bool certified() const { return (status & NURBS_CLOSEST_CERTIFIED) != 0; }
+    [[nodiscard]] bool boundary() const { return (status & NURBS_CLOSEST_BOUNDARY) != 0; }
+};
+
+Answer nearest(const nurbs_face *face, const Vec &point, double tolerance) {
+    Answer answer;
+    require_ok(nurbs_face_closest_points(face, 1, point.data(), 0, 0, tolerance, answer.uv, answer.x,
+                                         &answer.distance, &answer.status));
+    return answer;
+}
+
+double distance(const Vec &a, const double *b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// Places of a grid inside of the loops.
+std::vector<Vec> points_inside(const Ground &ground, const nurbs_face *face) {
+    constexpr int per_axis = 40;
+    Vec places;
+    for (int i = 0; i <= per_axis; ++i) {
+        for (int j = 0; j <= per_axis; ++j) {
+            const Place at = ground.at(i / (per_axis + 0.0), j / (per_axis + 0.0));
+            places.insert(places.end(), at.begin(), at.end());
+        }
+    }
+    const std::vector<int32_t> found = sides(face, places);
+    std::vector<Vec> points;
+    for (size_t i = 0; i < found.size(); ++i) {
+        if (found[i] >= 0) {
+            points.push_back(eval(ground.surface.get(), {places[2 * i], places[2 * i + 1]}));
+        }
+    }
+    return points;
+}
+
+} // namespace
+
+TEST(FaceClosest, no_place_inside_is_nearer) {
+    int64_t certified = 0, boundary = 0, count = 0;
+    for_each_case(3000000, 25, [&](Random &random, uint64_t seed) {
+        for (const Ground &ground : grounds(random)) {
+            const Handle loop = create(any_star(random, ground));
+            const Face face = face_of(ground.surface.get(), {{loop.get()}});
+            const std::vector<Vec> inside = points_inside(ground, face.get());
+            const Box box = box_of(face.get(), HUGE_VAL);
+            double size = 0;
+            for (size_t k = 0; k < 3; ++k) {
+                size = std::max(size, box.upper[k] - box.lower[k]);
+            }
+            for (int i = 0; i < 8; ++i) {
+                Vec point;
+                for (size_t k = 0; k < 3; ++k) {
+                    point.push_back(random.between(box.lower[k] - size / 2, box.upper[k] + size / 2));
+                }
+                const double tolerance = 1e-6 * size;
+                const Answer answer = nearest(face.get(), point, tolerance);
+                ++count;
+                ASSERT_NEAR(answer.distance, distance(point, answer.x), 1e-12 * size) << seed;
+                ASSERT_GE(sides(face.get(), {answer.uv[0], answer.uv[1]}, 1e-6 * size)[0], 0) << seed;
+                if (!answer.certified()) {
+                    continue;
+                }
+                ++certified;
+                boundary += answer.boundary() ? 1 : 0;
+                for (const Vec &other : inside) {
+                    ASSERT_LE(answer.distance, distance(other, point.data()) + 2 * tolerance) << seed;
+                }
+            }
+        }
+    });
+    std::cout << "certified " << certified << " of " << count << ", at the boundary " << boundary << '\n';
+    EXPECT_GE(certified, of_whole_run(count * 3 / 4));
+    EXPECT_GE(boundary, of_whole_run(count / 5));
+}
+
+// A square without a disc: the nearest points of places over the disc are on its rim, where the closed form says.
+TEST(FaceClosest, of_places_over_a_hole_are_on_its_rim) {
+    const Ground ground = plane(4, 1);
+    const Handle outline = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    const double centre[] = {0.5, 0.5};
+    const Handle hole = made([&](nurbs **out) {
+        return nurbs_curve_circle(2, centre, nullptr, nullptr, 0.25, NURBS_ARC_QUARTERS, out);
+    });
+    const Face face = face_of(ground.surface.get(), {{outline.get()}, {hole.get()}});
+    for_each_case(3010000, 200, [&](Random &random, uint64_t seed) {
+        const double x = random.between(-1, 5), y = random.between(-1, 5), z = random.between(-1, 1);
+        const double from_axis = std::hypot(x - 2, y - 2), beyond_x = std::max({-x, x - 4, 0.0}),
+                     beyond_y = std::max({-y, y - 4, 0.0});
+        const double expected =
+            std::hypot(from_axis < 1 ? 1 - from_axis : 0, beyond_x, std::hypot(beyond_y, z));
+        const Answer answer = nearest(face.get(), {x, y, z}, 1e-9);
+        ASSERT_TRUE(answer.certified()) << seed;
+        ASSERT_NEAR(answer.distance, expected, 2e-9) << seed;
+        ASSERT_EQ(answer.boundary(), from_axis < 1 || beyond_x > 0 || beyond_y > 0) << seed;
+    });
+}
+
+} // namespace face_closest_test
