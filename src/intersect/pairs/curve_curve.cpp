@@ -27,10 +27,11 @@ using Cells = std::vector<NearCell>;
 class Meeting {
 public:
     Meeting(const Spline &a, const Spline &b, double tolerance)
-        : a_(a), b_(b), breaks_a_(a), breaks_b_(b), dim_(a.dim()), tolerance_(tolerance), search_(a, b) {}
+        : a_(a), b_(b), breaks_a_(a.axis(0)), breaks_b_(b.axis(0)), dim_(a.dim()), tolerance_(tolerance),
+          search_(a, b) {}
     Meeting(const Spline &curve, double tolerance)
-        : a_(curve), b_(curve), breaks_a_(curve), breaks_b_(curve), dim_(curve.dim()), tolerance_(tolerance),
-          closes_(closes(curve)), search_(curve) {}
+        : a_(curve), b_(curve), breaks_a_(curve.axis(0)), breaks_b_(curve.axis(0)), dim_(curve.dim()),
+          tolerance_(tolerance), closes_(closes(curve)), search_(curve) {}
 
     PairHits run() {
         const NearCells found = search_.find(tolerance_);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Pieces of a curve and of a surface in space that meet once at most.
+#pragma once
+
+#include "intersect/contraction.h"
+#include "intersect/pairs/slopes.h"
+
+namespace nrb::intersect {
+
+// A piece of a curve whose weights are positive, and the same of a surface.
+struct SlopedArc {
+    const pieces::BezierPiece *piece;
+    const Slopes *slopes;
+};
+struct SlopedPatch {
+    const pieces::BezierPiece *piece;
+    const Slopes *along_u, *along_v;
+};
+
+// The contraction of F(t, u, v) = C(t) - S(u, v): M is the inverse of (c, -s_u, -s_v), with the means of the derivatives.
+class SpaceChart {
+public:
+    void set(const SlopedArc &arc, const SlopedPatch &patch);
+
+    [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
+    [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
+    // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: proven().
+    [[nodiscard]] bool excludes(const SlopedArc &arc, const SlopedPatch &patch, double near) const noexcept;
+    // M times a difference.
+    [[nodiscard]] Place<3> step(const double *difference) const noexcept;
+    // 1 or -1: the side to which the curve goes.
+    [[nodiscard]] int turn() const noexcept { return turn_; }
+
+private:
+    using Rows = std::array<std::array<double, 3>, 3>;
+    Rows rows_{}; // of M
+    Contraction contraction_;
+    int turn_ = 0;
+};
+
+// The step of Newton's method from a difference where the derivatives are these; false if they all but lie in a plane.
+bool newton_step(const double *c, const double *u, const double *v, const double *difference,
+                 Place<3> &step) noexcept;
+
+} // namespace nrb::intersect
