@@ -67,7 +67,7 @@ bool Alongside::set_region(const SlopedPatch &patch) {
     bool beyond = false;
     for (size_t k = 0; k < 2; ++k) {
         const Interval hull = feet_.hull(static_cast<int>(k));
-        constexpr double farthest = 0.75;
+        constexpr double farthest = 1.5;
         if (!(hull.lower >= -farthest && hull.upper <= 1 + farthest)) {
             return false;
         }

@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "closest/locator.h"
 #include "eval/curve_point.h"
 #include "intersect/curve_surface/meet_search.h"
 #include "intersect/curve_surface/overlaps.h"
@@ -108,7 +109,7 @@ private:
                 taken[i] = true;
                 front.push_back(i);
             }
-            add(overlap);
+            add(group, overlap);
         }
         while (!front.empty()) {
             const MeetCell &from = group.cells[front.back()];
@@ -179,7 +180,7 @@ private:
 
     // Whether a control point of both is in a group, at one place, and no more than rounding from its ends.
     [[nodiscard]] bool hold_common_point(const MeetGroup &group, double reach) const {
-        return reach <= 64 * noise_ && std::ranges::any_of(group.cells, [this](const MeetCell &cell) {
+        return reach <= 512 * noise_ && std::ranges::any_of(group.cells, [this](const MeetCell &cell) {
                    return is_control_point(curve_.axis(0), 0, cell.at[0]) &&
                           is_control_point(surface_.axis(0), 1, cell.at[1]) &&
                           is_control_point(surface_.axis(1), 2, cell.at[2]) && share_point(cell.at);
@@ -222,12 +223,19 @@ private:
         place(hit, group.box);
         result_.complete = result_.complete && kind != HitKind::undecided;
     }
-    // At the middle on the curve, and what of the surface is nearest there.
-    void add(const SurfaceOverlap &overlap) {
+    // At the middle on the curve, and the foot of that.
+    void add(const MeetGroup &group, const SurfaceOverlap &overlap) {
         SurfaceHit hit{{}, {}, HitKind::overlap};
-        hit.at[0] = seams_.in_domain(0, overlap.box[0].lower / 2 + overlap.box[0].upper / 2);
-        hit.at[1] = overlap.box[1].lower / 2 + overlap.box[1].upper / 2;
-        hit.at[2] = overlap.box[2].lower / 2 + overlap.box[2].upper / 2;
+        const double middle = overlap.box[0].lower / 2 + overlap.box[0].upper / 2;
+        const auto nearest = std::ranges::min_element(
+            overlap.cells, {}, [&](size_t i) { return std::abs(group.cells[i].at[0] - middle); });
+        const MeetPlace &at = group.cells[*nearest].at;
+        const double guess[] = {seams_.in_domain(1, at[1]), seams_.in_domain(2, at[2])};
+        hit.at[0] = seams_.in_domain(0, middle);
+        const std::vector<double> x = eval::curve_point(curve_, hit.at[0], false);
+        const closest::Foot foot = closest::locator_of(surface_).local(x.data(), guess);
+        hit.at[1] = foot.params[0];
+        hit.at[2] = foot.params[1];
         place(hit, overlap.box);
     }
     void place(SurfaceHit &hit, const MeetBox &box) {

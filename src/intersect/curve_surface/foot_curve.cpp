@@ -16,7 +16,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_degree = 5;
-constexpr double far_out = 0.5; // how far beyond a piece feet are looked for
+constexpr double far_out = 1.25; // how far beyond a piece feet are looked for
 
 BernsteinShape shape_of(int degree, int width) noexcept {
     return {{0, 0, degree}, width};
@@ -83,7 +83,7 @@ double weight_ratio(const pieces::BezierPiece &piece) noexcept {
 bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2> &foot) {
     constexpr int most_steps = 12;
     const double *u = patch.along_u->mean(), *v = patch.along_v->mean();
-    double last = infinity;
+    const double length = patch.along_u->largest() + patch.along_v->largest();
     for (int i = 0; i < most_steps; ++i) {
         patch_point_.evaluate(*patch.piece, foot);
         std::array<double, 3> difference{};
@@ -93,20 +93,15 @@ bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2
         const double e = dot(u, difference.data(), 3), f = dot(v, difference.data(), 3),
                      determinant = a * d - b * c;
         const Place<2> step{(e * d - b * f) / determinant, (a * f - e * c) / determinant};
-        const double size = largest(step);
-        if (!std::isfinite(size)) {
-            return false;
-        }
-        const bool done = size <= 4 * eps || (size < 1e-9 && !(size < 0.5 * last));
         foot = {foot[0] + step[0], foot[1] + step[1]};
-        if (done || size < 1e-9) { // the next one would be the square of it
-            return std::all_of(foot.begin(), foot.end(),
-                               [](double x) { return std::abs(x - 0.5) <= 0.5 + far_out; });
-        }
-        if (!(largest(Place<2>{foot[0] - 0.5, foot[1] - 0.5}) <= 2)) {
+        if (!(largest(Place<2>{foot[0] - 0.5, foot[1] - 0.5}) <= 4)) {
             return false;
         }
-        last = size;
+        const double size = largest(step);
+        if (size <= 1e-9 ||
+            size * length <= 16 * eps) { // the next one would be the square of it, or rounding
+            return largest(Place<2>{foot[0] - 0.5, foot[1] - 0.5}) <= 0.5 + far_out;
+        }
     }
     return false;
 }
@@ -245,7 +240,7 @@ double FootCurve::compare(const SlopedArc &arc, const SlopedPatch &patch) {
     const double steps = degrees * (degree_ + 4) + degrees * degree_ + n + 16;
     const double rounding =
         eps * (2 * (c.reach() + s.reach()) + steps * spread * local) + c.moved() + spread * s.moved();
-    return positive && spread < 1e3 ? rounding : infinity;
+    return positive && spread < 1e9 ? rounding : infinity;
 }
 
 } // namespace nrb::intersect

@@ -90,7 +90,9 @@ MeetJudge::Verdict MeetJudge::by_tangents() {
     case Alongside::Verdict::open:
         break;
     }
-    return std::max(curve().size(), surface().size()) <= near_ ? at_ends(all_places) : Verdict::open;
+    constexpr double few = 64; // below that charts lose their proof to rounding
+    const bool small = std::max(curve().size(), surface().size()) <= std::max(near_, few * noise_);
+    return small ? at_ends(all_places) : Verdict::open;
 }
 
 // Open where it is not as small as what near means.
@@ -100,7 +102,7 @@ MeetJudge::Verdict MeetJudge::at_ends(const MeetBox &room) {
     if (is_apart()) {
         return Verdict::nothing;
     }
-    if (!(place_.distance <= near_ + slack(near_, noise_)) || length > 16 * near_) {
+    if (!(place_.distance <= near_ + slack(near_, noise_)) || length > std::max(16 * near_, 128 * noise_)) {
         return Verdict::open;
     }
     set_cell(MeetCell::Kind::tiny, room);

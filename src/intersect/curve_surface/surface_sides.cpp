@@ -51,26 +51,40 @@ private:
     [[nodiscard]] std::vector<double> point(double t) const {
         return eval::curve_point(curve_, seams_.in_domain(0, t), false);
     }
-    // The point and both derivatives.
-    [[nodiscard]] std::array<Vector3, 3> jet(const double *params) const {
+    struct Tangent {
+        Vector3 point, normal; // of no length, if there is none
+    };
+    [[nodiscard]] Tangent tangent(const std::array<double, 2> &params) const {
         std::array<double, 9> values{};
-        eval::evaluate_points(surface_, {}, 1, {params, 1, 2, 2, 1}, {values.data(), 1, 9, 9, 1});
+        eval::evaluate_points(surface_, {}, 1, {params.data(), 1, 2, 2, 1}, {values.data(), 1, 9, 9, 1});
         const auto vector = [&](size_t i) {
             return Vector3{values[3 * i], values[3 * i + 1], values[3 * i + 2]};
         };
-        return {vector(0), vector(1), vector(2)};
+        const Vector3 u = vector(1), v = vector(2), normal = cross(scaled_to_one(u), scaled_to_one(v));
+        const double size = length(scaled_to_one(u)) * length(scaled_to_one(v));
+        return {vector(0), length(normal) > 1e-6 * size ? unit(normal) : Vector3{}};
+    }
+    // At a pole the one that is a little way off.
+    [[nodiscard]] Vector3 normal(const std::array<double, 2> &params) const {
+        std::array<double, 2> off = params;
+        for (size_t k = 0; k < 2; ++k) {
+            const auto [lower, upper] = seams_.domain(k + 1);
+            off[k] += (lower / 2 + upper / 2 - off[k]) * 0x1p-16;
+        }
+        const Tangent here = tangent(params), there = tangent(off);
+        return length(here.normal) > 0 ? here.normal : there.normal;
     }
     // The foot of a perpendicular tells the side; a border and an edge do not, nor a foot that is elsewhere.
     [[nodiscard]] int at(const double *x, const std::array<double, 2> &guess, double reach) const {
-        const double start[] = {seams_.in_domain(1, guess[0]), seams_.in_domain(2, guess[1])};
-        const closest::Foot foot = closest::locator_of(surface_).local(x, start);
-        const std::array<Vector3, 3> here = jet(foot.params.data());
-        if (length(here[0] - jet(start)[0]) > reach) {
+        const std::array<double, 2> start{seams_.in_domain(1, guess[0]), seams_.in_domain(2, guess[1])};
+        const closest::Foot foot = closest::locator_of(surface_).local(x, start.data());
+        const std::array<double, 2> params{foot.params[0], foot.params[1]};
+        const Vector3 point = tangent(params).point;
+        if (length(point - tangent(start).point) > reach) {
             return 0;
         }
-        const Vector3 offset = Vector3{x[0], x[1], x[2]} - here[0],
-                      normal = unit(cross(scaled_to_one(here[1]), scaled_to_one(here[2])));
-        const double away = length(offset), height = dot(normal, offset);
+        const Vector3 offset = Vector3{x[0], x[1], x[2]} - point;
+        const double away = length(offset), height = dot(normal(params), offset);
         const bool perpendicular = std::abs(height) > 0.5 * away;
         return !perpendicular || !(away > 2 * noise_) ? 0 : height > 0 ? 1 : -1;
     }

@@ -91,8 +91,9 @@ Slopes::Slopes(const pieces::BezierPiece &piece, int axis) : dim_(static_cast<si
         vectors_[size + i % dim_] += vectors_[i] / static_cast<double>(count());
     }
     for (size_t i = 0; i < count(); ++i) {
-        largest_ = std::max(largest_, norm(vector(i), piece.dim()));
+        largest_ = std::max(largest_, dot(vector(i), vector(i), piece.dim()));
     }
+    largest_ = std::sqrt(largest_) + 0x1p-500; // squares may have vanished
     // Coefficients are off by what points are; differences of p of them, in quotients of squares of weights.
     const double ratio = most / least;
     int degrees = 0;

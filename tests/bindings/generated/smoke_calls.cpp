@@ -2220,6 +2220,16 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("curve_surface_intersections");
+        const auto found = n::surface_intersections(in.twist, in.surface, 1e-09);
+        show("params_curve", found.params_curve);
+        show("params_surface", found.params_surface);
+        show("kinds", found.kinds);
+        show("ranges_curve", found.ranges_curve);
+        show("ranges_surface", found.ranges_surface);
+        show("complete", found.complete);
+    }
+    {
         begin("curve_self_intersections");
         const auto found = n::self_intersections(in.curve, 1e-09);
         show("params_a", found.params_a);
@@ -2638,6 +2648,16 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("distances", found.distances);
         show("status", found.status);
+    }
+    {
+        begin("curve_surface_intersections_with");
+        const auto found = n::surface_intersections(in.twist, in.surface, 1e-09, watched());
+        show("params_curve", found.params_curve);
+        show("params_surface", found.params_surface);
+        show("kinds", found.kinds);
+        show("ranges_curve", found.ranges_curve);
+        show("ranges_surface", found.ranges_surface);
+        show("complete", found.complete);
     }
     {
         begin("curve_self_intersections_with");
