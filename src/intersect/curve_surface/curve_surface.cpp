@@ -37,7 +37,7 @@ public:
             add_exact(cells);
         } else {
             for (const MeetGroup &group : groups_of(cells, seams_)) {
-                add_near(group);
+                add_near(group, cells);
             }
         }
         std::ranges::sort(result_.list, {},
@@ -71,7 +71,7 @@ private:
 
     // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
     // tolerance.
-    void add_near(const MeetGroup &group) {
+    void add_near(const MeetGroup &group, const Cells &cells) {
         if (group.is_still()) {
             add(group, group.nearest().gap <= tolerance_ ? HitKind::overlap : HitKind::undecided);
             return;
@@ -87,7 +87,7 @@ private:
             rest.cells.push_back(cell);
             const bool is_chart = cell.kind == Kind::meets || cell.kind == Kind::touches;
             if (cell.meetable) {
-                (is_chart ? exact : open).push_back(cell);
+                (is_chart ? exact : open).push_back(cells[cell.index]);
             }
         }
         const MeetCells finer = search_.refine(open);

@@ -41,6 +41,7 @@ struct MeetCell {
     };
     Line first{}, last{};
     std::array<int64_t, 3> segments{}; // the parts, which jumps are not in
+    size_t index = 0;                  // of a cell in a group: in the list that it is of
     closest::PairCell *of_curve = nullptr, *of_surface = nullptr;
 };
 

@@ -17,6 +17,10 @@ Interval moved(Interval part, double by) noexcept {
     return {part.lower + by, part.upper + by};
 }
 
+bool overlap(Interval a, Interval b) noexcept {
+    return a.lower <= b.upper && b.lower <= a.upper;
+}
+
 // A cell that touches another one if it is moved by so many periods.
 struct Touch {
     size_t cell;
@@ -29,74 +33,88 @@ public:
         : cells_(cells), seams_(seams), of_(cells.size()) {}
 
     std::vector<std::vector<Touch>> run() {
-        std::vector<size_t> order(cells_.size());
-        for (size_t i = 0; i < order.size(); ++i) {
-            order[i] = i;
+        sweep();
+        for (int turns = 14; turns < 27; ++turns) { // each way across, but not back
+            look_across({turns / 9 - 1, turns / 3 % 3 - 1, turns % 3 - 1});
         }
-        std::ranges::sort(order, {}, [this](size_t i) { return cells_[i].box[0].lower; });
-        sweep(order);
-        look_across_seam_of_curve();
         return std::move(of_);
     }
 
 private:
-    void sweep(const std::vector<size_t> &order) {
-        std::vector<size_t> open;
+    // Along the axis on which cells are the shortest, beside all of them.
+    [[nodiscard]] size_t sweep_axis() const noexcept {
+        std::array<double, 3> shares{};
+        for (size_t k = 0; k < 3; ++k) {
+            Interval all{infinity, -infinity};
+            for (const MeetCell &cell : cells_) {
+                shares[k] += cell.box[k].upper - cell.box[k].lower;
+                all = {std::min(all.lower, cell.box[k].lower), std::max(all.upper, cell.box[k].upper)};
+            }
+            shares[k] = all.upper > all.lower ? shares[k] / (all.upper - all.lower) : infinity;
+        }
+        return static_cast<size_t>(std::ranges::min_element(shares) - shares.begin());
+    }
+    void sweep() {
+        const size_t k = sweep_axis();
+        std::vector<size_t> order(cells_.size()), open;
+        for (size_t i = 0; i < order.size(); ++i) {
+            order[i] = i;
+        }
+        std::ranges::sort(order, {}, [&](size_t i) { return cells_[i].box[k].lower; });
         for (const size_t i : order) {
-            std::erase_if(open, [&](size_t j) { return cells_[j].box[0].upper < cells_[i].box[0].lower; });
-            count_work(20 * std::ssize(open));
+            std::erase_if(open, [&](size_t j) { return cells_[j].box[k].upper < cells_[i].box[k].lower; });
+            count_work(10 * std::ssize(open));
             for (const size_t j : open) {
-                look(j, i, 0);
+                look(j, i, {});
             }
             open.push_back(i);
         }
     }
-    void look_across_seam_of_curve() {
-        const Interval domain = seams_.domain(0);
-        std::vector<size_t> first, last;
+
+    [[nodiscard]] bool is_at(const MeetCell &cell, size_t k, bool upper) const noexcept {
+        return upper ? cell.box[k].upper >= seams_.domain(k).upper
+                     : cell.box[k].lower <= seams_.domain(k).lower;
+    }
+    // The cells from which that many periods lead across seams.
+    [[nodiscard]] std::vector<size_t> cells_at(const PeriodCounts &periods) const {
+        std::vector<size_t> found;
         for (size_t i = 0; i < cells_.size(); ++i) {
-            if (cells_[i].box[0].lower <= domain.lower) {
-                first.push_back(i);
+            bool all = true;
+            for (size_t k = 0; k < 3; ++k) {
+                all = all && (periods[k] == 0 || is_at(cells_[i], k, periods[k] > 0));
             }
-            if (cells_[i].box[0].upper >= domain.upper) {
-                last.push_back(i);
+            if (all) {
+                found.push_back(i);
             }
         }
-        if (first.empty() || last.empty() || seams_.period(0) == 0) {
-            return;
+        return found;
+    }
+    void look_across(const PeriodCounts &periods) {
+        const std::vector<size_t> from = cells_at(periods),
+                                  to = cells_at({-periods[0], -periods[1], -periods[2]});
+        for (size_t k = 0; k < 3; ++k) {
+            if (from.empty() || to.empty() || (periods[k] != 0 && seams_.period(k) == 0)) {
+                return;
+            }
         }
-        count_work(20 * std::ssize(first) * std::ssize(last));
-        for (const size_t i : first) {
-            for (const size_t j : last) {
-                look(j, i, 1);
+        for (const size_t j : from) {
+            count_work(10 * std::ssize(to));
+            for (const size_t i : to) {
+                look(j, i, periods);
             }
         }
     }
 
-    // Cell i after j, moved by a period of the curve or not, and by those of the surface.
-    void look(size_t j, size_t i, int turn) {
+    // Cell i, moved by periods, after j.
+    void look(size_t j, size_t i, const PeriodCounts &periods) {
         const MeetCell &a = cells_[j], &b = cells_[i];
-        if (turn == 0 && a.segments[0] != b.segments[0]) {
-            return;
-        }
-        for (int u = -1; u <= 1; ++u) {
-            for (int v = -1; v <= 1 && touch(a, b, 1, u); ++v) {
-                if (touch(a, b, 2, v) && (i != j || turn != 0 || u != 0 || v != 0)) {
-                    of_[j].push_back({i, {turn, u, v}});
-                    of_[i].push_back({j, {-turn, -u, -v}});
-                }
+        for (size_t k = 0; k < 3; ++k) {
+            if (periods[k] == 0 && (a.segments[k] != b.segments[k] || !overlap(a.box[k], b.box[k]))) {
+                return;
             }
         }
-    }
-    [[nodiscard]] bool touch(const MeetCell &a, const MeetCell &b, size_t k, int turn) const {
-        if (turn == 0) {
-            return a.segments[k] == b.segments[k] && a.box[k].lower <= b.box[k].upper &&
-                   b.box[k].lower <= a.box[k].upper;
-        }
-        const Interval domain = seams_.domain(k);
-        const bool at_seam = turn > 0 ? a.box[k].upper >= domain.upper && b.box[k].lower <= domain.lower
-                                      : a.box[k].lower <= domain.lower && b.box[k].upper >= domain.upper;
-        return at_seam && seams_.period(k) > 0;
+        of_[j].push_back({i, periods});
+        of_[i].push_back({j, {-periods[0], -periods[1], -periods[2]}});
     }
 
     std::span<const MeetCell> cells_;
@@ -142,7 +160,7 @@ bool MeetGroup::is_still() const noexcept {
 
 bool touch(const MeetCell &a, const MeetCell &b) noexcept {
     for (size_t k = 0; k < 3; ++k) {
-        if (a.box[k].lower > b.box[k].upper || b.box[k].lower > a.box[k].upper) {
+        if (!overlap(a.box[k], b.box[k])) {
             return false;
         }
     }
@@ -163,6 +181,7 @@ std::vector<MeetGroup> groups_of(std::span<const MeetCell> cells, const Seams &s
         for (size_t i = 0; i < members.size(); ++i) {
             const Touch member = members[i];
             group.cells.push_back(moved_by(cells[member.cell], member.periods, seams));
+            group.cells.back().index = member.cell;
             for (const auto &[next, by] : touches[member.cell]) {
                 if (!seen[next]) {
                     seen[next] = true;

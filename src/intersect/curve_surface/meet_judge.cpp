@@ -226,6 +226,7 @@ void MeetJudge::set_cell(MeetCell::Kind kind, const MeetBox &box) {
     const pieces::LocalParam on_surface = surface().parameter({place_.b[0], place_.b[1]});
     cell_.at = {curve().parameter({place_.a[0]})[0], on_surface[0], on_surface[1]};
     cell_.gap = place_.distance;
+    cell_.still = curve().size() == 0;
 }
 
 MeetJudge::Verdict MeetJudge::look_at_tiny(const SlopedArc &arc, const SlopedPatch &patch, double near,
@@ -236,7 +237,6 @@ MeetJudge::Verdict MeetJudge::look_at_tiny(const SlopedArc &arc, const SlopedPat
         return Verdict::nothing;
     }
     set_cell(MeetCell::Kind::tiny, all_places);
-    cell_.still = curve().size() == 0;
     return Verdict::cell;
 }
 

@@ -18,6 +18,16 @@ bool has_points(const closest::PairCell &cell) noexcept {
     return cell.piece && cell.piece->positive();
 }
 
+// Whether its parameters cannot be halved along the axis on which it is much longer.
+bool is_exhausted(const SlopedPatch &patch) noexcept {
+    const double along[] = {patch.along_u->largest(), patch.along_v->largest()};
+    const size_t longer = along[0] >= along[1] ? 0 : 1;
+    const double lower = patch.piece->parameter({0, 0})[longer],
+                 upper = patch.piece->parameter({1, 1})[longer], middle = lower / 2 + upper / 2;
+    constexpr double much = 4;
+    return !(middle > lower && middle < upper) && along[longer] >= much * along[1 - longer];
+}
+
 } // namespace
 
 MeetSearch::MeetSearch(const Spline &curve, const Spline &surface, const Seams &seams)
@@ -137,9 +147,11 @@ void MeetSearch::divide(const Pair &pair) {
     // Groups go before pieces.
     const auto rank = [](const PairCell &cell) { return cell.piece ? cell.size : cell.size + 1e3; };
     const bool curve_first = rank(*pair.curve) >= rank(*pair.surface);
-    const PairCell &larger = curve_first ? *pair.curve : *pair.surface;
-    const bool may_both = !larger.piece || has_points(larger);
-    if (divide(pair, curve_first) || (may_both && divide(pair, !curve_first))) {
+    const PairCell &larger = curve_first ? *pair.curve : *pair.surface,
+                   &smaller = curve_first ? *pair.surface : *pair.curve;
+    // Where parameters have no more digits, parts that are much smaller than what is left say little more.
+    const bool helps = !larger.piece || 4 * rank(smaller) >= rank(larger);
+    if (divide(pair, curve_first) || (helps && divide(pair, !curve_first))) {
         return;
     }
     if (!has_points(*pair.curve) || !has_points(*pair.surface)) {
@@ -154,7 +166,8 @@ void MeetSearch::divide(const Pair &pair) {
 bool MeetSearch::divide(const Pair &pair, bool of_curve) {
     PairCell &cell = of_curve ? *pair.curve : *pair.surface;
     const bool small = has_points(cell) ? cell.size <= near() / 4 : cell.halvings >= most_blind_halvings;
-    if (small || !(of_curve ? curve_cells_ : surface_cells_).split(cell)) {
+    const bool has_no_digits = !of_curve && has_points(cell) && is_exhausted(sloped_patch(cell));
+    if (small || has_no_digits || !(of_curve ? curve_cells_ : surface_cells_).split(cell)) {
         return false;
     }
     for (auto child = cell.children.rbegin(); child != cell.children.rend(); ++child) {
