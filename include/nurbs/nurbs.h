@@ -5414,8 +5414,8 @@ NURBS_API nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, doubl
  * \param[in] surface a surface of dimension 3.
  * \param[in] tolerance the largest distance that counts as none, >= 0.
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
- * \param[out] params_curve [cap] or NULL: where on the curve, rising; the middle of an overlap, elsewhere the
- *   nearest place found.
+ * \param[out] params_curve [cap] or NULL: where on the curve, rising; about the middle of an overlap, elsewhere
+ *   the nearest place found.
  * \param[out] params_surface [cap][2] or NULL: where on the surface.
  * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
  * \param[out] ranges_curve [cap][2] or NULL: of parameters of the curve, for a crossing or a tangent those that

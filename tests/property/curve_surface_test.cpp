@@ -188,7 +188,8 @@ TEST(CurveSurface, known_meets_are_found) {
             const double period = curve.upper(0) - curve.lower(0);
             holds = holds || (t >= lower && t <= upper) || (t + period >= lower && t + period <= upper) ||
                     distance(point_of(c.get(), hits.t[i]), to) <= 1e-3 * size;
-            if (hits.kinds[i] != NURBS_HIT_UNDECIDED && has_even_weights(curve) && has_even_weights(surface)) {
+            if (hits.kinds[i] != NURBS_HIT_UNDECIDED && has_even_weights(curve) &&
+                has_even_weights(surface)) {
                 ASSERT_LE(gap_of(c.get(), hits.t[i], s.get(), &hits.uv[2 * i]),
                           1.1 * tolerance + noise_of(curve) + noise_of(surface))
                     << where(seed, curve) << where(seed, surface);
@@ -199,4 +200,157 @@ TEST(CurveSurface, known_meets_are_found) {
     std::cout << "complete " << complete << " of " << all << '\n';
     EXPECT_GE(complete, of_whole_run(all / 2));
 }
+
+// A line meets a surface where a ray along it does.
+TEST(CurveSurface, lines_meet_surfaces_as_rays_do) {
+    int64_t compared = 0, found = 0;
+    for_each_case(3020000, 300, [&](Random &random, uint64_t seed) {
+        const SplineData data = random_spline(random, in_space(random, 2, 4));
+        const Handle s = create(data);
+        const double size = size_of(data), lower[] = {data.lower(0), data.lower(1)},
+                     upper[] = {data.upper(0), data.upper(1)};
+        Vec ends[2];
+        for (Vec &end : ends) {
+            const double uv[] = {random.between(lower[0], upper[0]), random.between(lower[1], upper[1])};
+            end = point_at(s.get(), uv);
+            for (double &x : end) {
+                x += size * random.between(-0.5, 0.5);
+            }
+        }
+        const Vec along{ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]};
+        const double range[] = {0, 1};
+        int64_t rays = 0;
+        int32_t complete = 0;
+        require_ok(nurbs_surface_ray_hits(s.get(), ends[0].data(), along.data(), range, 0, nullptr, nullptr,
+                                          nullptr, &rays, &complete));
+        const Hits hits = meets(line(ends[0], ends[1]), s, 0);
+        if (complete != 1 || hits.complete != 1) {
+            return;
+        }
+        ++compared;
+        found += rays;
+        ASSERT_EQ(static_cast<int64_t>(hits.size()), rays) << where(seed, data);
+        ASSERT_EQ(hits.count(NURBS_HIT_CROSSING), rays) << where(seed, data);
+    });
+    std::cout << compared << " lines, " << found << " meets\n";
+    EXPECT_GE(compared, of_whole_run(150));
+    EXPECT_GE(found, of_whole_run(50));
+}
+
+// A curve meets a parallelogram where it meets its plane, if it stays over it.
+TEST(CurveSurface, planes_meet_curves_as_their_equations_do) {
+    int64_t compared = 0, found = 0;
+    for_each_case(3030000, 300, [&](Random &random, uint64_t seed) {
+        const SplineData data = random_spline(random, in_space(random, 1, 6));
+        const Handle c = create(data);
+        const double size = size_of(data);
+        // z = a x + b y + c over a square that the curve does not leave.
+        const double a = random.between(-1, 1), b = random.between(-1, 1),
+                     offset = size * random.between(-0.3, 0.3), far = 1.5 * size;
+        const double origin[] = {-far, -far, offset - far * (a + b)}, u[] = {2 * far, 0, 2 * far * a},
+                     v[] = {0, 2 * far, 2 * far * b}, plane[] = {a, b, -1, offset};
+        const Handle s = made([&](nurbs **out) { return nurbs_surface_plane(3, origin, u, v, out); });
+        int64_t roots = 0;
+        int32_t complete = 0;
+        std::vector<int32_t> kinds(1000);
+        require_ok(
+            nurbs_curve_level(c.get(), 1, plane, 0, 1000, nullptr, kinds.data(), nullptr, &roots, &complete));
+        const Hits hits = meets(c, s, 0);
+        if (complete != 1 || hits.complete != 1 || data.rational()) {
+            return; // weights may be so uneven that the curve leaves the square
+        }
+        roots -= std::ranges::count(kinds, int32_t{NURBS_HIT_JUMP});
+        ++compared;
+        found += roots;
+        ASSERT_EQ(hits.count(NURBS_HIT_CROSSING), roots) << where(seed, data);
+    });
+    std::cout << compared << " planes, " << found << " meets\n";
+    EXPECT_GE(compared, of_whole_run(60));
+    EXPECT_GE(found, of_whole_run(50));
+}
+
+// A curve made of one in the parameters lies on the surface, all along.
+TEST(CurveSurface, curves_on_surfaces_are_one_overlap) {
+    for_each_case(3040000, 60, [&](Random &random, uint64_t seed) {
+        Recipe recipe = in_space(random, 2, 3);
+        for (AxisRecipe &axis : recipe.axes) {
+            axis = {axis.degree, random.chance(50) ? KnotForm::clamped : KnotForm::unclamped,
+                    Spacing::integers, Placement::origin, 3};
+        }
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        const SplineData data = random_spline(random, recipe);
+        const Handle s = create(data);
+        for (size_t k = 0; k < 2; ++k) {
+            for (const double t : data.knots[k]) {
+                if (std::ranges::count(data.knots[k], t) > data.degrees[k] &&
+                    t > data.lower(static_cast<int>(k)) && t < data.upper(static_cast<int>(k))) {
+                    return; // a jump
+                }
+            }
+        }
+        Vec inner;
+        const int32_t degree = random.whole(1, 3);
+        for (int i = 0; i <= degree; ++i) {
+            for (int k = 0; k < 2; ++k) {
+                inner.push_back(random.between(data.lower(k), data.upper(k)));
+            }
+        }
+        SplineData way{{degree}, {degree + 1}, {{}}, 2, inner, {}, 0};
+        way.knots[0].assign(static_cast<size_t>(degree) + 1, 0.0);
+        way.knots[0].insert(way.knots[0].end(), static_cast<size_t>(degree) + 1, 1.0);
+        const Handle f = create(way),
+                     c = made([&](nurbs **out) { return nurbs_compose(s.get(), f.get(), out); });
+        const double tolerance = 1e-8 * size_of(data);
+        const Hits hits = meets(c, s, tolerance);
+        ASSERT_EQ(hits.complete, 1) << hex(inner) << where(seed, data);
+        ASSERT_GE(hits.count(NURBS_HIT_OVERLAP), 1) << hex(inner) << where(seed, data);
+        const auto at = static_cast<size_t>(std::ranges::find(hits.kinds, int32_t{NURBS_HIT_OVERLAP}) -
+                                            hits.kinds.begin());
+        ASSERT_EQ(hits.ranges_curve[2 * at], 0) << hex(inner) << where(seed, data);
+        ASSERT_EQ(hits.ranges_curve[2 * at + 1], 1) << hex(inner) << where(seed, data);
+        ASSERT_LE(gap_of(c.get(), hits.t[at], s.get(), &hits.uv[2 * at]), tolerance)
+            << hex(inner) << where(seed, data);
+    });
+}
+
+// Other axes, directions, knots, degrees and places: the same hits.
+TEST(CurveSurface, meets_do_not_depend_on_how_shapes_are_given) {
+    int64_t found = 0;
+    for_each_case(3050000, 100, [&](Random &random, uint64_t seed) {
+        const GraphCase given = graph_case(random);
+        const Handle c = create(given.curve), s = create(given.graph);
+        const double tolerance = 1e-9;
+        const Hits hits = meets(c, s, tolerance);
+        found += static_cast<int64_t>(hits.size());
+        std::vector<int32_t> kinds = hits.kinds;
+        const auto check = [&](const nurbs *curve, const nurbs *surface, bool turned, const char *what) {
+            Hits other = meets(curve, surface, tolerance);
+            if (turned) {
+                std::ranges::reverse(other.kinds);
+            }
+            ASSERT_EQ(other.kinds, kinds) << what << where(seed, given.curve) << where(seed, given.graph);
+            ASSERT_EQ(other.complete, hits.complete);
+        };
+        const int32_t exchanged[] = {1, 0};
+        check(c.get(), made([&](nurbs **out) { return nurbs_transpose(s.get(), exchanged, out); }).get(),
+              false, "transposed");
+        check(c.get(), made([&](nurbs **out) { return nurbs_reverse(s.get(), 1, 0, out); }).get(), false,
+              "surface reversed");
+        check(made([&](nurbs **out) { return nurbs_reverse(c.get(), 0, 0, out); }).get(), s.get(), true,
+              "curve reversed");
+        check(elevate(c.get(), 0, 1).get(), elevate(s.get(), random.whole(0, 1), 1).get(), false, "elevated");
+        const double at = hits.size() == 0 ? 0.5 : hits.t.front(),
+                     u = hits.size() == 0 ? 0.25 : hits.uv.front();
+        if (at > 0 && at < 1 && u > 0 && u < 1) { // knots where they meet, too
+            check(insert(c.get(), 0, at, 1).get(), insert(s.get(), 0, u, 1).get(), false, "refined");
+            check(insert(c.get(), 0, random.between(0.1, 0.9), 1).get(),
+                  insert(s.get(), 1, random.between(0.1, 0.9), given.graph.degrees[1]).get(), false, "cut");
+        }
+        const Matrix map = random_map(random);
+        check(create(mapped(given.curve, map)).get(), create(mapped(given.graph, map)).get(), false,
+              "mapped");
+    });
+    EXPECT_GE(found, of_whole_run(50));
+}
+
 } // namespace curve_surface_test

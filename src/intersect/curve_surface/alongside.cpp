@@ -47,6 +47,19 @@ pieces::BezierPiece extended(const pieces::BezierPiece &piece, const Box<2> &par
     return {2, piece.shape(), std::move(values), {}, rounding};
 }
 
+// As the means of the derivatives tell.
+struct Run {
+    double length; // about how far p goes
+    double sine;   // between the axes of S
+};
+Run run_of(const SlopedArc &arc, const SlopedPatch &patch) noexcept {
+    const double *c = arc.slopes->mean(), *u = patch.along_u->mean(), *v = patch.along_v->mean();
+    const double uu = dot(u, u, 3), uv = dot(u, v, 3), vv = dot(v, v, 3), cu = dot(c, u, 3),
+                 cv = dot(c, v, 3), determinant = uu * vv - uv * uv;
+    return {std::max(std::abs(cu * vv - cv * uv), std::abs(cv * uu - cu * uv)) / determinant,
+            std::sqrt(std::max(determinant, 0.0) / (uu * vv))};
+}
+
 // The largest |vector . slope| there may be.
 double steepest(const Slopes &slopes, const double *vector) noexcept {
     const Interval range = slopes.along(vector);
@@ -120,9 +133,23 @@ bool Alongside::is_apart(double near) const noexcept {
 
 Alongside::Verdict Alongside::look(const SlopedArc &arc, const SlopedPatch &patch, double near,
                                    double slack) {
-    if (!is_level(arc, patch) || !feet_.interpolate(arc, patch) || !set_region(patch)) {
+    is_long_ = false;
+    why = "level";
+    if (!is_level(arc, patch))
         return Verdict::open;
-    }
+    const auto [length, sine] = run_of(arc, patch);
+    constexpr double most_length = 2, least_sine = 0x1p-8;
+    is_long_ = length > 0.5 && 8 * arc.piece->size() >= std::max(sine, least_sine) * patch.piece->size();
+    why = "long";
+    if (!(length <= most_length))
+        return Verdict::open;
+    why = "interp";
+    if (!feet_.interpolate(arc, patch))
+        return Verdict::open;
+    why = "region";
+    if (!set_region(patch))
+        return Verdict::open;
+    why = "ok";
     const double rounding = feet_.compare(arc, patch);
     if (!(rounding < infinity)) {
         return Verdict::open;

@@ -22,6 +22,9 @@ public:
     };
     Verdict look(const SlopedArc &arc, const SlopedPatch &patch, double near, double slack);
 
+    // After open: whether C is long beside S, as p goes.
+    [[nodiscard]] bool is_long() const noexcept { return is_long_; }
+
     // Places on C: where p is on S, and where something may be near.
     [[nodiscard]] Interval core() const noexcept { return core_; }
     [[nodiscard]] Interval reach() const noexcept { return reach_; }
@@ -48,6 +51,7 @@ private:
     SlopedPatch over_region_{};
     Chart chart_; // of S over it
     std::array<double, 3> normal_{};
+    bool is_long_ = false;
     double largest_ = 0;      // difference
     double tangential_ = 0;   // M times one
     Interval along_normal_{}; // products of differences with the normal

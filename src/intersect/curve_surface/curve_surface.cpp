@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "closest/locator.h"
 #include "eval/curve_point.h"
 #include "intersect/curve_surface/meet_search.h"
 #include "intersect/curve_surface/overlaps.h"
@@ -223,19 +222,12 @@ private:
         place(hit, group.box);
         result_.complete = result_.complete && kind != HitKind::undecided;
     }
-    // At the middle on the curve, and the foot of that.
+    // At a place about the middle on the curve.
     void add(const MeetGroup &group, const SurfaceOverlap &overlap) {
-        SurfaceHit hit{{}, {}, HitKind::overlap};
         const double middle = overlap.box[0].lower / 2 + overlap.box[0].upper / 2;
-        const auto nearest = std::ranges::min_element(
-            overlap.cells, {}, [&](size_t i) { return std::abs(group.cells[i].at[0] - middle); });
-        const MeetPlace &at = group.cells[*nearest].at;
-        const double guess[] = {seams_.in_domain(1, at[1]), seams_.in_domain(2, at[2])};
-        hit.at[0] = seams_.in_domain(0, middle);
-        const std::vector<double> x = eval::curve_point(curve_, hit.at[0], false);
-        const closest::Foot foot = closest::locator_of(surface_).local(x.data(), guess);
-        hit.at[1] = foot.params[0];
-        hit.at[2] = foot.params[1];
+        const auto apart = [&](size_t i) { return std::abs(group.cells[i].at[0] - middle); };
+        SurfaceHit hit{
+            group.cells[*std::ranges::min_element(overlap.cells, {}, apart)].at, {}, HitKind::overlap};
         place(hit, overlap.box);
     }
     void place(SurfaceHit &hit, const MeetBox &box) {

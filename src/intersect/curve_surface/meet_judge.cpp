@@ -33,6 +33,7 @@ void MeetJudge::set(const SlopedArc &arc, const SlopedPatch &patch, double near,
     patch_ = patch;
     near_ = near;
     noise_ = noise;
+    curve_is_long_ = false;
     count_work(work_of_a_meet + 10 * surface().coefficients());
 }
 
@@ -88,6 +89,7 @@ MeetJudge::Verdict MeetJudge::by_tangents() {
     case Alongside::Verdict::ends:
         return at_ends({alongside_.reach(), alongside_.room()[0], alongside_.room()[1]});
     case Alongside::Verdict::open:
+        curve_is_long_ = alongside_.is_long();
         break;
     }
     constexpr double few = 64; // below that charts lose their proof to rounding

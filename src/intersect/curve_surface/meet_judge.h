@@ -22,6 +22,9 @@ public:
     // Of pieces that are not halved any more: nothing, or a cell.
     Verdict look_at_tiny(const SlopedArc &arc, const SlopedPatch &patch, double near, double noise);
 
+    // After open: whether the curve is too long beside the surface.
+    [[nodiscard]] bool curve_is_long() const noexcept { return curve_is_long_; }
+
     // In the unit of the pieces; its segments and owners are not set.
     [[nodiscard]] const MeetCell &cell() const noexcept { return cell_; }
     static double slack(double near, double noise) noexcept { return near / 64 + noise; }
@@ -50,6 +53,7 @@ private:
     SlopedArc arc_{};
     SlopedPatch patch_{};
     double near_ = 0, noise_ = 0;
+    bool curve_is_long_ = false;
     MeetCell cell_{};
     closest::PairPlace place_; // the nearest that was found
     std::array<double, 3> difference_{};

@@ -79,7 +79,7 @@ void MeetSearch::look(const Pair &pair) {
         return;
     }
     if (!has_points(*pair.curve) || !has_points(*pair.surface)) {
-        divide(pair);
+        divide(pair, false);
         return;
     }
     const MeetJudge::Verdict verdict =
@@ -87,7 +87,7 @@ void MeetSearch::look(const Pair &pair) {
     if (verdict == MeetJudge::Verdict::cell) {
         add(pair);
     } else if (verdict == MeetJudge::Verdict::open) {
-        divide(pair);
+        divide(pair, judge_.curve_is_long());
     }
 }
 
@@ -143,7 +143,10 @@ void MeetSearch::add_unknown(const Pair &pair) {
     result_.list.push_back(cell);
 }
 
-void MeetSearch::divide(const Pair &pair) {
+void MeetSearch::divide(const Pair &pair, bool curve_is_long) {
+    if (curve_is_long && divide_one(pair, true)) {
+        return;
+    }
     // Groups go before pieces.
     const auto rank = [](const PairCell &cell) { return cell.piece ? cell.size : cell.size + 1e3; };
     const bool curve_first = rank(*pair.curve) >= rank(*pair.surface);
@@ -151,7 +154,7 @@ void MeetSearch::divide(const Pair &pair) {
                    &smaller = curve_first ? *pair.surface : *pair.curve;
     // Where parameters have no more digits, parts that are much smaller than what is left say little more.
     const bool helps = !larger.piece || 4 * rank(smaller) >= rank(larger);
-    if (divide(pair, curve_first) || (helps && divide(pair, !curve_first))) {
+    if (divide_one(pair, curve_first) || (helps && divide_one(pair, !curve_first))) {
         return;
     }
     if (!has_points(*pair.curve) || !has_points(*pair.surface)) {
@@ -163,7 +166,7 @@ void MeetSearch::divide(const Pair &pair) {
 }
 
 // Later parts below, so that those that come first are looked at first.
-bool MeetSearch::divide(const Pair &pair, bool of_curve) {
+bool MeetSearch::divide_one(const Pair &pair, bool of_curve) {
     PairCell &cell = of_curve ? *pair.curve : *pair.surface;
     const bool small = has_points(cell) ? cell.size <= near() / 4 : cell.halvings >= most_blind_halvings;
     const bool has_no_digits = !of_curve && has_points(cell) && is_exhausted(sloped_patch(cell));

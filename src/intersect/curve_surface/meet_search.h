@@ -40,8 +40,8 @@ private:
     void look(const Pair &pair);
     void add(const Pair &pair);
     void add_unknown(const Pair &pair);
-    void divide(const Pair &pair);
-    bool divide(const Pair &pair, bool of_curve);
+    void divide(const Pair &pair, bool curve_is_long);
+    bool divide_one(const Pair &pair, bool of_curve);
     SlopedArc sloped_arc(PairCell &cell);
     SlopedPatch sloped_patch(PairCell &cell);
     [[nodiscard]] double near() const noexcept { return std::max(tolerance_, framed_noise()); }
