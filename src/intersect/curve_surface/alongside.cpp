@@ -134,22 +134,15 @@ bool Alongside::is_apart(double near) const noexcept {
 Alongside::Verdict Alongside::look(const SlopedArc &arc, const SlopedPatch &patch, double near,
                                    double slack) {
     is_long_ = false;
-    why = "level";
-    if (!is_level(arc, patch))
+    if (!is_level(arc, patch)) {
         return Verdict::open;
+    }
     const auto [length, sine] = run_of(arc, patch);
     constexpr double most_length = 2, least_sine = 0x1p-8;
     is_long_ = length > 0.5 && 8 * arc.piece->size() >= std::max(sine, least_sine) * patch.piece->size();
-    why = "long";
-    if (!(length <= most_length))
+    if (!(length <= most_length) || !feet_.interpolate(arc, patch) || !set_region(patch)) {
         return Verdict::open;
-    why = "interp";
-    if (!feet_.interpolate(arc, patch))
-        return Verdict::open;
-    why = "region";
-    if (!set_region(patch))
-        return Verdict::open;
-    why = "ok";
+    }
     const double rounding = feet_.compare(arc, patch);
     if (!(rounding < infinity)) {
         return Verdict::open;
