@@ -140,7 +140,8 @@ Alongside::Verdict Alongside::look(const SlopedArc &arc, const SlopedPatch &patc
     const auto [length, sine] = run_of(arc, patch);
     constexpr double most_length = 2, least_sine = 0x1p-8;
     is_long_ = length > 0.5 && 8 * arc.piece->size() >= std::max(sine, least_sine) * patch.piece->size();
-    if (!(length <= most_length) || !feet_.interpolate(arc, patch) || !set_region(patch)) {
+    if (!(length <= most_length) || !feet_.interpolate(arc, patch, near, near + slack) ||
+        !set_region(patch)) {
         return Verdict::open;
     }
     const double rounding = feet_.compare(arc, patch);
@@ -203,7 +204,13 @@ Alongside::Verdict Alongside::cut_at(int line) {
 void Alongside::cut_monotone(const std::vector<double> &inside, double room, int line) {
     const bool rises = inside.front() < inside.back();
     const int degree = static_cast<int>(inside.size()) - 1;
+    constexpr int most_steps = 100;
     std::vector<double> values;
+    const auto value = [&](double at) {
+        values = inside;
+        nrb::evaluate(degree, 1, at, values.data());
+        return values.front();
+    };
     // Where it is `level`, from the side where it is less; an end where it is more or less all along.
     const auto place = [&](double level) {
         double less = rises ? 0 : 1, more = 1 - less;
@@ -213,11 +220,24 @@ void Alongside::cut_monotone(const std::vector<double> &inside, double room, int
         if ((rises ? inside.back() : inside.front()) <= level) {
             return more;
         }
-        while (std::abs(more - less) > 2 * eps) {
-            const double middle = less / 2 + more / 2;
-            values = inside;
-            nrb::evaluate(degree, 1, middle, values.data());
-            (values.front() < level ? less : more) = middle;
+        // False position, with the value that stays halved (the Illinois rule).
+        double below = value(less) - level, above = value(more) - level;
+        for (int i = 0, last = 0; i < most_steps && std::abs(more - less) > 2 * eps; ++i) {
+            const double at = less + (more - less) * below / (below - above), here = value(at) - level;
+            const int side = here < 0 ? -1 : 1;
+            if (side < 0) {
+                less = at;
+                below = here;
+                above /= last < 0 ? 2 : 1;
+            } else {
+                more = at;
+                above = here;
+                below /= last > 0 ? 2 : 1;
+            }
+            last = side;
+            if (std::abs(here) <= eps) {
+                break;
+            }
         }
         return less;
     };

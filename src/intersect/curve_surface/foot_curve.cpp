@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace nrb::intersect {
 
@@ -24,8 +23,13 @@ BernsteinShape shape_of(int degree, int width) noexcept {
 
 // The places between which polynomials swing least (Chebyshev and Lobatto), the ends first.
 double node(int degree, int i) noexcept {
-    const int at = i == 0 ? 0 : i == 1 ? degree : i - 1;
-    return at == degree ? 1 : 0.5 - 0.5 * std::cos(std::numbers::pi * at / degree);
+    static constexpr double nodes[most_degree][most_degree + 1] = {
+        {0, 1},
+        {0, 1, 0.5},
+        {0, 1, 0.25, 0.75},
+        {0, 1, 0.14644660940672624, 0.5, 0.85355339059327376},
+        {0, 1, 0.09549150281252629, 0.34549150281252629, 0.65450849718747371, 0.90450849718747371}};
+    return nodes[degree - 1][i];
 }
 
 // Newton's divided differences, and the polynomial from them by Horner's rule in the Bernstein basis.
@@ -86,11 +90,10 @@ bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2
     const double length = patch.along_u->largest() + patch.along_v->largest();
     for (int i = 0; i < most_steps; ++i) {
         patch_point_.evaluate(*patch.piece, foot);
-        std::array<double, 3> difference{};
-        std::transform(point, point + 3, patch_point_.value(), difference.begin(), std::minus<>());
+        std::transform(point, point + 3, patch_point_.value(), offset_.begin(), std::minus<>());
         const double *by_u = patch_point_.derivative(0), *by_v = patch_point_.derivative(1);
         const double a = dot(u, by_u, 3), b = dot(u, by_v, 3), c = dot(v, by_u, 3), d = dot(v, by_v, 3);
-        const double e = dot(u, difference.data(), 3), f = dot(v, difference.data(), 3),
+        const double e = dot(u, offset_.data(), 3), f = dot(v, offset_.data(), 3),
                      determinant = a * d - b * c;
         const Place<2> step{(e * d - b * f) / determinant, (a * f - e * c) / determinant};
         foot = {foot[0] + step[0], foot[1] + step[1]};
@@ -106,7 +109,14 @@ bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2
     return false;
 }
 
-bool FootCurve::interpolate(const SlopedArc &arc, const SlopedPatch &patch) {
+// Of the last offset, which is across the mean tangent plane but for rounding.
+double FootCurve::height_of(const SlopedPatch &patch) const noexcept {
+    const double *u = patch.along_u->mean(), *v = patch.along_v->mean();
+    const Vector3 offset{offset_[0], offset_[1], offset_[2]};
+    return std::copysign(length(offset), dot(cross({u[0], u[1], u[2]}, {v[0], v[1], v[2]}), offset));
+}
+
+bool FootCurve::interpolate(const SlopedArc &arc, const SlopedPatch &patch, double near, double far) {
     const int degrees = patch.piece->degree(0) + patch.piece->degree(1);
     degree_ = std::min(most_degree, (max_product_degree - arc.piece->degree(0)) / std::max(degrees, 1));
     if (degree_ < 1) {
@@ -114,10 +124,17 @@ bool FootCurve::interpolate(const SlopedArc &arc, const SlopedPatch &patch) {
     }
     std::array<std::vector<double>, 2> values;
     Place<2> foot{0.5, 0.5};
-    count_work(60 * patch.piece->coefficients() * (degree_ + 1));
+    Interval heights{infinity, -infinity};
     for (int i = 0; i <= degree_; ++i) {
         arc_point_.evaluate(*arc.piece, node(degree_, i));
+        count_work(60 * patch.piece->coefficients());
         if (!find_foot(patch, arc_point_.value(), foot)) {
+            return false;
+        }
+        const double height = height_of(patch);
+        heights = {std::min(heights.lower, height), std::max(heights.upper, height)};
+        const bool some_far = heights.lower < -far || heights.upper > far;
+        if (some_far && heights.lower <= near && heights.upper >= -near) {
             return false;
         }
         for (size_t k = 0; k < 2; ++k) {

@@ -15,8 +15,9 @@ namespace nrb::intersect {
 // surface has the difference 0, and others one of a high order.
 class FootCurve {
 public:
-    // False if a foot is not found on S or shortly beyond it.
-    bool interpolate(const SlopedArc &arc, const SlopedPatch &patch);
+    // False if a foot is not found on S or shortly beyond it, or if some are nearer than `near` or on another side than some
+    // that are farther than `far`.
+    bool interpolate(const SlopedArc &arc, const SlopedPatch &patch, double near, double far);
 
     // The Bernstein coefficients along an axis of S.
     [[nodiscard]] const std::vector<double> &coefficients(int axis) const noexcept {
@@ -33,12 +34,14 @@ public:
 
 private:
     bool find_foot(const SlopedPatch &patch, const double *point, Place<2> &foot);
+    [[nodiscard]] double height_of(const SlopedPatch &patch) const noexcept;
     void set_powers(size_t axis, int degree);
     void compose(const pieces::BezierPiece &patch);
 
     int degree_ = 0;
     std::array<std::vector<double>, 2> places_;
     std::array<double, 3> centre_{}; // of coefficients, so that they are rounded by what is near only
+    std::array<double, 3> offset_{}; // of a point from its foot
     PiecePoint arc_point_;
     PatchPoint patch_point_;
     std::array<std::vector<std::vector<double>>, 2>
