@@ -14,7 +14,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double most_sine = 0.2; // between a curve and a surface that run beside each other
+constexpr double most_sine = 0.05; // between a curve and a surface that run beside each other
 
 Vector3 vector_at(const double *x) noexcept {
     return {x[0], x[1], x[2]};
@@ -187,6 +187,7 @@ Alongside::Verdict Alongside::cut_at(int line) {
     if (*low >= -room) {
         const Slopes &along = axis == 0 ? *over_region_.along_u : *over_region_.along_v;
         largest_ += std::max(-*low, 0.0) * along.largest();
+        set_line_at_ends(inside, room, line);
         return Verdict::along;
     }
     if (*high < -room) {
@@ -199,6 +200,20 @@ Alongside::Verdict Alongside::cut_at(int line) {
     }
     cut_monotone(inside, room, line);
     return Verdict::along;
+}
+
+// If p begins or ends just there, and does not run along the line.
+void Alongside::set_line_at_ends(const std::vector<double> &inside, double room, int line) noexcept {
+    constexpr double much = 16;
+    if (*std::ranges::max_element(inside) <= much * room) {
+        return;
+    }
+    if (inside.front() <= room && core_.lower == 0) {
+        lines_[0] = line;
+    }
+    if (inside.back() <= room && core_.upper == 1) {
+        lines_[1] = line;
+    }
 }
 
 void Alongside::cut_monotone(const std::vector<double> &inside, double room, int line) {
@@ -224,6 +239,9 @@ void Alongside::cut_monotone(const std::vector<double> &inside, double room, int
         double below = value(less) - level, above = value(more) - level;
         for (int i = 0, last = 0; i < most_steps && std::abs(more - less) > 2 * eps; ++i) {
             const double at = less + (more - less) * below / (below - above), here = value(at) - level;
+            if (std::abs(here) <= eps) {
+                return at;
+            }
             const int side = here < 0 ? -1 : 1;
             if (side < 0) {
                 less = at;
@@ -235,9 +253,6 @@ void Alongside::cut_monotone(const std::vector<double> &inside, double room, int
                 below /= last > 0 ? 2 : 1;
             }
             last = side;
-            if (std::abs(here) <= eps) {
-                break;
-            }
         }
         return less;
     };

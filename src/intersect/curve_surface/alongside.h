@@ -41,6 +41,7 @@ private:
     bool is_apart(double near) const noexcept;
     Verdict cut();
     Verdict cut_at(int line);
+    void set_line_at_ends(const std::vector<double> &inside, double room, int line) noexcept;
     void cut_monotone(const std::vector<double> &inside, double room, int line);
     void set_room();
 

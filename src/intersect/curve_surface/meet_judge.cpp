@@ -41,17 +41,14 @@ MeetJudge::Verdict MeetJudge::look(const SlopedArc &arc, const SlopedPatch &patc
                                    double noise) {
     set(arc, patch, near, noise);
     chart_.set(arc, patch);
-    if (chart_.proven()) {
-        return by_chart();
+    if (chart_.turn() != 0 ? chart_.excludes(arc, patch, near) : separated()) {
+        return Verdict::nothing;
     }
-    return separated() ? Verdict::nothing : by_tangents();
+    return chart_.proven() ? by_chart() : by_tangents();
 }
 
 // If what is near may be all along the pieces, they may as well run beside each other.
 MeetJudge::Verdict MeetJudge::by_chart() {
-    if (chart_.excludes(arc_, patch_, near_)) {
-        return Verdict::nothing;
-    }
     approach();
     if (place_.distance > near_ + slack(near_, noise_)) {
         std::ranges::transform(difference_, difference_.begin(), std::negate<>());

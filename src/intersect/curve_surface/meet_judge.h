@@ -25,6 +25,10 @@ public:
     // After open: whether the curve is too long beside the surface.
     [[nodiscard]] bool curve_is_long() const noexcept { return curve_is_long_; }
 
+    // After open: whether there is a chart of the middle, and which of both keeps it from being one of all.
+    [[nodiscard]] bool has_chart() const noexcept { return chart_.turn() != 0; }
+    [[nodiscard]] bool curve_bends_more() const noexcept { return chart_.curve_bends_more(); }
+
     // In the unit of the pieces; its segments and owners are not set.
     [[nodiscard]] const MeetCell &cell() const noexcept { return cell_; }
     static double slack(double near, double noise) noexcept { return near / 64 + noise; }

@@ -149,7 +149,11 @@ void MeetSearch::divide(const Pair &pair, bool curve_is_long) {
     }
     // Groups go before pieces.
     const auto rank = [](const PairCell &cell) { return cell.piece ? cell.size : cell.size + 1e3; };
-    const bool curve_first = rank(*pair.curve) >= rank(*pair.surface);
+    // Where a chart would do but for how one of them bends that one goes first, if it is not much smaller.
+    constexpr double much = 4;
+    const bool both = has_points(*pair.curve) && has_points(*pair.surface);
+    const double favour = !both || !judge_.has_chart() ? 1 : judge_.curve_bends_more() ? much : 1 / much;
+    const bool curve_first = favour * rank(*pair.curve) >= rank(*pair.surface);
     const PairCell &larger = curve_first ? *pair.curve : *pair.surface,
                    &smaller = curve_first ? *pair.surface : *pair.curve;
     // Where parameters have no more digits, parts that are much smaller than what is left say little more.

@@ -69,8 +69,12 @@ void SpaceChart::set(const SlopedArc &arc, const SlopedPatch &patch) {
         const double *row = rows_[k].data();
         const double length = norm(row, 3), errors = c.error() + u.error() + v.error(),
                      sizes = c.largest() + u.largest() + v.largest();
-        const double off = deviation(row, c, k == 0 ? 1 : 0) + deviation(row, u, k == 1 ? -1 : 0) +
-                           deviation(row, v, k == 2 ? -1 : 0);
+        const double of_curve = deviation(row, c, k == 0 ? 1 : 0),
+                     of_surface = deviation(row, u, k == 1 ? -1 : 0) + deviation(row, v, k == 2 ? -1 : 0),
+                     off = of_curve + of_surface;
+        if (off > contraction_.rho) {
+            curve_bends_more_ = of_curve > of_surface;
+        }
         contraction_.rho = std::max(contraction_.rho, off + length * (1.01 * errors + 8 * eps * sizes));
         contraction_.norm = std::max(contraction_.norm, length);
     }

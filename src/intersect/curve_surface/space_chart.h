@@ -24,10 +24,12 @@ public:
 
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
     [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
-    // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: proven().
+    // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: turn() != 0.
     [[nodiscard]] bool excludes(const SlopedArc &arc, const SlopedPatch &patch, double near) const noexcept;
     // M times a difference.
     [[nodiscard]] Place<3> step(const double *difference) const noexcept;
+    // Whether the curve bends more than the surface, as M has it.
+    [[nodiscard]] bool curve_bends_more() const noexcept { return curve_bends_more_; }
     // 1 or -1: the side to which the curve goes.
     [[nodiscard]] int turn() const noexcept { return turn_; }
 
@@ -36,6 +38,7 @@ private:
     Rows rows_{}; // of M
     Contraction contraction_;
     int turn_ = 0;
+    bool curve_bends_more_ = false;
 };
 
 // The step of Newton's method from a difference where the derivatives are these; false if they all but lie in a plane.
