@@ -118,6 +118,10 @@ static void boxes() {
     EXPECT(first.status == (std::vector{ray_hit | ray_certified, ray_certified}));
     const RayHits through = ray_hits(sphere({}, 2), {0.5, 0.25, 5}, {0, 0, -1});
     EXPECT(near({through.distances[0] + through.distances[1]}, {10}) && through.complete);
+    const SurfaceHits pierced = surface_intersections(line({0.5, 1, 3}, {0.5, 1, -1}), floor_plane());
+    EXPECT(near(pierced.params_curve, {0.75}) && near(pierced.params_surface, {0.25, 0.25}) &&
+           pierced.complete);
+    EXPECT(pierced.kinds == std::vector{hit_crossing} && pierced.ranges_surface.size() == 4);
     const ExtremePoint top = extreme_point(circle({}, 2), {0, 1}, 1e-9);
     EXPECT(near(top.params, {0.25}, 1e-4) && near({top.value, top.bound}, {2, 2}, 1e-8) && top.bound >= 2);
     EXPECT(status_of([] { (void)extreme_point(base(), {0, 0}, 0); }) == Status::direction);

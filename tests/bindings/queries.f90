@@ -249,6 +249,10 @@ contains
         call expect(near(first, [3d0]) .and. all(states == NURBS_RAY_HIT + NURBS_RAY_CERTIFIED), 'a ray')
         call ray_hits(floor_plane, [0.5d0, 1d0, 3d0], [0d0, 0d0, -1d0], params, gaps, kinds, complete)
         call expect(near(gaps, [3d0]) .and. near(params(1, :), [0.25d0, 0.25d0]) .and. complete, 'its hits')
+        call create_line(g, [0.5d0, 1d0, 3d0], [0.5d0, 1d0, -1d0])
+        call surface_intersections(g, floor_plane, gaps, params, kinds, sizes, boxes, complete)
+        call expect(near(gaps, [0.75d0]) .and. near(params(1, :), [0.25d0, 0.25d0]) .and. complete, 'a line through a plane')
+        call expect(all(kinds == NURBS_HIT_CROSSING) .and. all(shape(boxes) == [2, 2, 1]), 'its kind')
         call singular_points(base, 1d-3, params, boxes)
         call expect(size(params, 1) == 0 .and. size(boxes, 3) == 0, 'none')
     end subroutine surface_shapes

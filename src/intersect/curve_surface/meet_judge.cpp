@@ -192,17 +192,26 @@ void MeetJudge::descend() {
     std::ranges::transform(place_.from, place_.to, difference_.begin(), std::minus<>());
 }
 
+// With room for what rounds parameters.
 MeetBox MeetJudge::parameters(const MeetBox &places) const noexcept {
-    const auto place = [&](bool upper) {
-        MeetPlace z{};
-        for (size_t k = 0; k < 3; ++k) {
-            z[k] = std::clamp(upper ? places[k].upper : places[k].lower, 0.0, 1.0);
-        }
-        const pieces::LocalParam on_surface = surface().parameter({z[1], z[2]});
-        return MeetPlace{curve().parameter({z[0]})[0], on_surface[0], on_surface[1]};
+    const auto parameter = [&](double t, double u, double v) {
+        const pieces::LocalParam on_surface = surface().parameter({u, v});
+        return MeetPlace{curve().parameter({t})[0], on_surface[0], on_surface[1]};
     };
-    const MeetPlace lower = place(false), upper = place(true);
-    return {{{lower[0], upper[0]}, {lower[1], upper[1]}, {lower[2], upper[2]}}};
+    const MeetPlace first = parameter(0, 0, 0), last = parameter(1, 1, 1);
+    MeetPlace lower{}, upper{};
+    for (size_t k = 0; k < 3; ++k) {
+        lower[k] = std::clamp(places[k].lower, 0.0, 1.0);
+        upper[k] = std::clamp(places[k].upper, 0.0, 1.0);
+    }
+    lower = parameter(lower[0], lower[1], lower[2]);
+    upper = parameter(upper[0], upper[1], upper[2]);
+    MeetBox box{};
+    for (size_t k = 0; k < 3; ++k) {
+        const double room = 2 * eps * std::max(std::abs(first[k]), std::abs(last[k]));
+        box[k] = {std::max(lower[k] - room, first[k]), std::min(upper[k] + room, last[k])};
+    }
+    return box;
 }
 
 MeetCell::Line MeetJudge::line(int number) const noexcept {
