@@ -214,6 +214,36 @@ TEST(CurveSurfaceTraps, awkward_forms) {
     EXPECT_EQ(meets(zero, flat, 0).count(NURBS_HIT_CROSSING), 1);
 }
 
+// Crossings beside seams of both, whose near places go on across them, have parameters of the domains.
+TEST(CurveSurfaceTraps, crossings_beside_seams) {
+    const SplineData ring{{2},
+                          {6},
+                          {{-2, -1, 0, 1, 2, 3, 4, 5, 6}},
+                          3,
+                          {1, 1, 0.5, -1, 1, 0.5, -1, -1, 0.5, 1, -1, 0.5, 1, 1, 0.5, -1, 1, 0.5},
+                          {},
+                          NURBS_PERIODIC};
+    SplineData tube{{2, 1}, {6, 2}, {ring.knots[0], {0, 0, 1, 1}}, 3, {}, {}, NURBS_PERIODIC};
+    for (size_t i = 0; i < ring.points.size(); i += 3) {
+        const double x = ring.points[i], y = ring.points[i + 1];
+        tube.points.insert(tube.points.end(), {x, y, 0, x, y, 1});
+    }
+    const Handle curve = create(ring), surface = create(tube);
+    for (const double at : {1e-7, 0.5, 4 - 1e-7}) {
+        const Vec x = point_of(curve.get(), at);
+        const Handle along = create(patch(1, 1,
+                                          {x[0] / 2, x[1] / 2, 0, x[0] / 2, x[1] / 2, 1, 1.5 * x[0],
+                                           1.5 * x[1], 0, 1.5 * x[0], 1.5 * x[1], 1})),
+                     across = line({x[0] / 2, x[1] / 2, 0.5}, {1.5 * x[0], 1.5 * x[1], 0.5});
+        for (const double tolerance : {0.0, 1e-4}) {
+            expect_one(meets(curve, along, tolerance), NURBS_HIT_CROSSING, at, 1e-12);
+            const Hits hits = meets(across, surface, tolerance);
+            expect_one(hits, NURBS_HIT_CROSSING, 0.5, 1e-12);
+            EXPECT_NEAR(hits.uv[0], at, 1e-12);
+        }
+    }
+}
+
 // A limit of work: what is claimed is true, and what is not looked at is undecided.
 TEST(CurveSurfaceTraps, limits_of_work_leave_places_undecided) {
     Random random(3080000);

@@ -20,29 +20,37 @@ Vector3 vector_at(const double *x) noexcept {
     return {x[0], x[1], x[2]};
 }
 
-// The piece over a larger part of its axes.
+// The piece over a larger part of its axes. Means of both ends with one of them negative make errors grow, and weights may
+// shrink.
 pieces::BezierPiece extended(const pieces::BezierPiece &piece, const Box<2> &part) {
     std::vector<double> values(piece.record(0), piece.record(piece.coefficients())), other(values.size());
-    double growth = 1;
+    const auto width = static_cast<size_t>(piece.shape().width);
+    double growth = 1, most = 0, least = infinity;
     for (int k = 0; k < 2; ++k) {
-        const auto [lower, upper] = part[static_cast<size_t>(k)];
+        const double lower = std::min(part[static_cast<size_t>(k)].lower, 0.0),
+                     upper = (part[static_cast<size_t>(k)].upper - lower) / (1 - lower);
         const AxisLayers layers = piece.shape().along(max_axes - 2 + k);
         if (lower < 0) {
             subdivide(layers, lower, values.data(), other.data());
         }
         if (upper > 1) {
-            subdivide(layers, (upper - lower) / (1 - lower), values.data(), other.data());
+            subdivide(layers, upper, values.data(), other.data());
             values.swap(other);
         }
-        growth *= std::pow(upper - lower + std::max(upper - 1, 0.0) - std::min(lower, 0.0), layers.degree);
+        growth *= std::pow((1 - 2 * lower) * std::max(2 * upper - 1, 1.0), layers.degree);
+    }
+    for (size_t i = 0; i < values.size(); i += width) {
+        most = std::max(most, std::abs(piece.record(0)[i + width - 1]));
+        least = std::min(least, std::abs(values[i + width - 1]));
     }
     pieces::Rounding rounding = piece.rounding();
-    const double more = growth * (piece.degree(0) + piece.degree(1)) * 2 * eps;
+    const double ratio = growth * most / least,
+                 steps = 2 * eps * (piece.degree(0) + piece.degree(1)) * ratio * piece.reach();
     if (rounding.relative()) {
-        rounding.apart = growth * (growth * rounding.apart + more * piece.reach());
+        rounding.apart = 2 * ratio * (rounding.apart + steps);
     } else {
-        rounding.record = growth * (rounding.record + more);
-        rounding.weight = growth * (rounding.weight + more);
+        rounding.record = growth * (rounding.record + steps * most);
+        rounding.weight = growth * (rounding.weight + steps * most);
     }
     return {2, piece.shape(), std::move(values), {}, rounding};
 }
@@ -84,7 +92,7 @@ bool Alongside::set_region(const SlopedPatch &patch) {
         if (!(hull.lower >= -farthest && hull.upper <= 1 + farthest)) {
             return false;
         }
-        constexpr double little = 1e-9; // rounding, which the next lines put back
+        constexpr double little = 1e-9;
         region_[k] = {std::min(hull.lower, 0.0), std::max(hull.upper, 1.0)};
         beyond = beyond || region_[k].lower < -little || region_[k].upper > 1 + little;
     }
@@ -118,7 +126,8 @@ void Alongside::measure(double rounding, double near) {
     }
     largest_ += rounding;
     const auto &[rho, norm_of_m] = chart_.contraction();
-    off_ = 1.001 * (tangential_ + norm_of_m * (near + rounding)) / (1 - rho) + 64 * eps;
+    constexpr double little = 1e-6; // what as little beyond a piece makes of rho
+    off_ = 1.001 * (tangential_ + norm_of_m * (near + rounding)) / (1 - rho - little) + 64 * eps;
     for (size_t k = 0; k < 2; ++k) {
         rooms_[k] = off_ * (region_[k].upper - region_[k].lower);
     }

@@ -42,7 +42,7 @@ public:
             add_exact(cells);
         } else {
             for (const NearItem &near : items_of(cells)) {
-                add_near(near);
+                add_near(near, cells);
             }
         }
         std::ranges::sort(result_.list, {}, [](const PairHit &hit) {
@@ -85,7 +85,7 @@ private:
 
     // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
     // tolerance.
-    void add_near(const NearItem &near) {
+    void add_near(const NearItem &near, const Cells &cells) {
         if (near.is_still()) {
             add(near, near.nearest().gap <= tolerance_ ? HitKind::overlap : HitKind::undecided);
             return;
@@ -102,7 +102,7 @@ private:
             rest.cells.push_back(cell);
             const bool is_chart = cell.kind == Kind::meets || cell.kind == Kind::touches;
             if (cell.meetable) {
-                (is_chart ? exact : open).push_back(cell);
+                (is_chart ? exact : open).push_back(cells[cell.index]);
             }
         }
         const NearCells finer = search_.refine(open);
