@@ -176,9 +176,9 @@ TEST(CurveSurface, known_meets_are_found) {
                              random.between(surface.lower(1), surface.upper(1))},
                      t = random.between(curve.lower(0), curve.upper(0));
         const Vec from = point_of(before.get(), t), to = point_at(s.get(), uv);
+        const double size = std::max(size_of(curve), size_of(surface)), tolerance = 1e-7 * size;
         move(curve, {to[0] - from[0], to[1] - from[1], to[2] - from[2]});
         const Handle c = create(curve);
-        const double size = std::max(size_of(curve), size_of(surface)), tolerance = 1e-7 * size;
         const Hits hits = meets(c, s, tolerance);
         ++all;
         complete += hits.complete;
