@@ -61,7 +61,7 @@ struct Run {
     double sine;   // between the axes of S
 };
 Run run_of(const SlopedArc &arc, const SlopedPatch &patch) noexcept {
-    const double *c = arc.slopes->mean(), *u = patch.along_u->mean(), *v = patch.along_v->mean();
+    const double *c = arc.slopes->mean(), *u = patch.mean(0), *v = patch.mean(1);
     const double uu = dot(u, u, 3), uv = dot(u, v, 3), vv = dot(v, v, 3), cu = dot(c, u, 3),
                  cv = dot(c, v, 3), determinant = uu * vv - uv * uv;
     return {std::max(std::abs(cu * vv - cv * uv), std::abs(cv * uu - cu * uv)) / determinant,
@@ -78,7 +78,7 @@ double steepest(const Slopes &slopes, const double *vector) noexcept {
 
 // Whether C runs about as S does in the middle.
 bool Alongside::is_level(const SlopedArc &arc, const SlopedPatch &patch) noexcept {
-    const Vector3 normal = cross(vector_at(patch.along_u->mean()), vector_at(patch.along_v->mean())),
+    const Vector3 normal = cross(vector_at(patch.mean(0)), vector_at(patch.mean(1))),
                   c = vector_at(arc.slopes->mean());
     return std::abs(dot(normal, c)) <= most_sine * length(normal) * length(c) && length(normal) > 0;
 }
@@ -102,19 +102,17 @@ bool Alongside::set_region(const SlopedPatch &patch) {
         if (!extended_.positive()) {
             return false;
         }
-        extended_u_ = Slopes(extended_, 0);
-        extended_v_ = Slopes(extended_, 1);
-        over_region_ = {&extended_, &extended_u_, &extended_v_};
+        extended_slopes_.emplace(extended_);
+        over_region_ = {&extended_, &*extended_slopes_};
     }
-    chart_.set(*over_region_.along_u, *over_region_.along_v, 3);
+    chart_.set(over_region_.along(0), over_region_.along(1), 3);
     return chart_.proven();
 }
 
 // If something is near at t, M C(t) - M S(x) is no more than `near` makes it, and so M S(p) - M S(x) no more than that and M
 // times the difference at p.
 void Alongside::measure(double rounding, double near) {
-    const Vector3 normal =
-        unit(cross(vector_at(over_region_.along_u->mean()), vector_at(over_region_.along_v->mean())));
+    const Vector3 normal = unit(cross(vector_at(over_region_.mean(0)), vector_at(over_region_.mean(1))));
     normal_ = {normal.x, normal.y, normal.z};
     largest_ = tangential_ = 0;
     along_normal_ = {infinity, -infinity};
@@ -135,7 +133,7 @@ void Alongside::measure(double rounding, double near) {
 
 bool Alongside::is_apart(double near) const noexcept {
     const double slope =
-        steepest(*over_region_.along_u, normal_.data()) + steepest(*over_region_.along_v, normal_.data());
+        steepest(over_region_.along(0), normal_.data()) + steepest(over_region_.along(1), normal_.data());
     const double least = std::max(along_normal_.lower, -along_normal_.upper);
     return least > 1.001 * (near + slope * off_);
 }
@@ -194,7 +192,7 @@ Alongside::Verdict Alongside::cut_at(int line) {
     const auto [low, high] = std::ranges::minmax_element(inside);
     const double room = rooms_[static_cast<size_t>(axis)];
     if (*low >= -room) {
-        const Slopes &along = axis == 0 ? *over_region_.along_u : *over_region_.along_v;
+        const Slopes &along = over_region_.along(axis);
         largest_ += std::max(-*low, 0.0) * along.largest();
         set_line_at_ends(inside, room, line);
         return Verdict::along;

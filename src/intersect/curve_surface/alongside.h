@@ -48,7 +48,7 @@ private:
     FootCurve feet_;
     Box<2> region_{}; // of places on S: [0, 1]^2 and p
     pieces::BezierPiece extended_;
-    Slopes extended_u_, extended_v_;
+    std::optional<PatchSlopes> extended_slopes_;
     SlopedPatch over_region_{};
     Chart chart_; // of S over it
     std::array<double, 3> normal_{};

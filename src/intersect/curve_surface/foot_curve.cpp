@@ -86,8 +86,8 @@ double weight_ratio(const pieces::BezierPiece &piece) noexcept {
 // Newton's method for the two components of C - S in the tangent plane.
 bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2> &foot) {
     constexpr int most_steps = 12;
-    const double *u = patch.along_u->mean(), *v = patch.along_v->mean();
-    const double length = patch.along_u->largest() + patch.along_v->largest();
+    const double *u = patch.mean(0), *v = patch.mean(1);
+    const double length = norm(u, 3) + norm(v, 3);
     for (int i = 0; i < most_steps; ++i) {
         patch_point_.evaluate(*patch.piece, foot);
         std::transform(point, point + 3, patch_point_.value(), offset_.begin(), std::minus<>());
@@ -111,7 +111,7 @@ bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2
 
 // Of the last offset, which is across the mean tangent plane but for rounding.
 double FootCurve::height_of(const SlopedPatch &patch) const noexcept {
-    const double *u = patch.along_u->mean(), *v = patch.along_v->mean();
+    const double *u = patch.mean(0), *v = patch.mean(1);
     const Vector3 offset{offset_[0], offset_[1], offset_[2]};
     return std::copysign(length(offset), dot(cross({u[0], u[1], u[2]}, {v[0], v[1], v[2]}), offset));
 }

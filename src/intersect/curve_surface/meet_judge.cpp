@@ -144,7 +144,7 @@ bool MeetJudge::is_apart() {
 
 // By planes along the mean tangent plane.
 bool MeetJudge::separated() const noexcept {
-    const double *u = patch_.along_u->mean(), *v = patch_.along_v->mean();
+    const double *u = patch_.mean(0), *v = patch_.mean(1);
     const Vector3 normal = cross({u[0], u[1], u[2]}, {v[0], v[1], v[2]});
     const double size = length(normal), up[] = {normal.x, normal.y, normal.z},
                  down[] = {-normal.x, -normal.y, -normal.z};

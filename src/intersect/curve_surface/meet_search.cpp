@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ bool has_points(const closest::PairCell &cell) noexcept {
 
 // Whether its parameters cannot be halved along the axis on which it is much longer.
 bool is_exhausted(const SlopedPatch &patch) noexcept {
-    const double along[] = {patch.along_u->largest(), patch.along_v->largest()};
+    const double along[] = {norm(patch.mean(0), dim), norm(patch.mean(1), dim)};
     const size_t longer = along[0] >= along[1] ? 0 : 1;
     const double lower = patch.piece->parameter({0, 0})[longer],
                  upper = patch.piece->parameter({1, 1})[longer], middle = lower / 2 + upper / 2;
@@ -101,11 +102,10 @@ SlopedArc MeetSearch::sloped_arc(PairCell &cell) {
 
 SlopedPatch MeetSearch::sloped_patch(PairCell &cell) {
     if (cell.mark == 0) {
-        patch_slopes_.push_back({Slopes(*cell.piece, 0), Slopes(*cell.piece, 1)});
+        patch_slopes_.emplace_back(*cell.piece);
         cell.mark = patch_slopes_.size();
     }
-    const PatchSlopes &slopes = patch_slopes_[cell.mark - 1];
-    return {&*cell.piece, &slopes.u, &slopes.v};
+    return {&*cell.piece, &patch_slopes_[cell.mark - 1]};
 }
 
 void MeetSearch::add(const Pair &pair) {

@@ -32,9 +32,6 @@ private:
     struct Pair {
         PairCell *curve, *surface;
     };
-    struct PatchSlopes {
-        Slopes u, v;
-    };
 
     MeetCells run();
     void look(const Pair &pair);

@@ -58,25 +58,56 @@ bool newton_step(const double *c, const double *u, const double *v, const double
 
 void SpaceChart::set(const SlopedArc &arc, const SlopedPatch &patch) {
     contraction_ = {};
-    const Slopes &c = *arc.slopes, &u = *patch.along_u, &v = *patch.along_v;
-    const double determinant = invert(c.mean(), u.mean(), v.mean(), rows_);
+    const double determinant = invert(arc.slopes->mean(), patch.mean(0), patch.mean(1), rows_);
     turn_ = determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
     if (turn_ == 0) {
         return;
     }
+    for (const auto &row : rows_) {
+        contraction_.norm = std::max(contraction_.norm, norm(row.data(), 3));
+    }
+    contraction_.rho = least_rho(arc, patch);
+    if (contraction_.proven()) {
+        set_rho(arc, patch);
+    }
+}
+
+// What the ends of the curve and the corners of the surface make of it, which are among the vectors of the hulls.
+double SpaceChart::least_rho(const SlopedArc &arc, const SlopedPatch &patch) noexcept {
+    double most = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const double *row = rows_[k].data();
+        const auto off = [&](const double *slope, size_t column) {
+            return std::abs(dot(row, slope, 3) - (k != column ? 0 : k == 0 ? 1 : -1));
+        };
+        const double of_curve =
+            std::max(off(arc.slopes->vector(0), 0), off(arc.slopes->vector(arc.slopes->count() - 1), 0));
+        double of_u = 0, of_v = 0;
+        for (int i = 0; i < 4; ++i) {
+            of_u = std::max(of_u, off(patch.slopes->corner(0, i), 1));
+            of_v = std::max(of_v, off(patch.slopes->corner(1, i), 2));
+        }
+        if (of_curve + of_u + of_v > most) {
+            most = of_curve + of_u + of_v;
+            curve_bends_more_ = of_curve > of_u + of_v;
+        }
+    }
+    return most;
+}
+
+void SpaceChart::set_rho(const SlopedArc &arc, const SlopedPatch &patch) {
+    const Slopes &c = *arc.slopes, &u = patch.along(0), &v = patch.along(1);
+    const double errors = c.error() + u.error() + v.error(), sizes = c.largest() + u.largest() + v.largest();
     contraction_.rho = 0;
     for (size_t k = 0; k < 3; ++k) {
         const double *row = rows_[k].data();
-        const double length = norm(row, 3), errors = c.error() + u.error() + v.error(),
-                     sizes = c.largest() + u.largest() + v.largest();
         const double of_curve = deviation(row, c, k == 0 ? 1 : 0),
                      of_surface = deviation(row, u, k == 1 ? -1 : 0) + deviation(row, v, k == 2 ? -1 : 0),
-                     off = of_curve + of_surface;
+                     off = of_curve + of_surface + norm(row, 3) * (1.01 * errors + 8 * eps * sizes);
         if (off > contraction_.rho) {
+            contraction_.rho = off;
             curve_bends_more_ = of_curve > of_surface;
         }
-        contraction_.rho = std::max(contraction_.rho, off + length * (1.01 * errors + 8 * eps * sizes));
-        contraction_.norm = std::max(contraction_.norm, length);
     }
 }
 

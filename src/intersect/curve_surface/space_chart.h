@@ -3,7 +3,7 @@
 #pragma once
 
 #include "intersect/contraction.h"
-#include "intersect/pairs/slopes.h"
+#include "intersect/curve_surface/patch_slopes.h"
 
 namespace nrb::intersect {
 
@@ -14,12 +14,15 @@ struct SlopedArc {
 };
 struct SlopedPatch {
     const pieces::BezierPiece *piece;
-    const Slopes *along_u, *along_v;
+    PatchSlopes *slopes;
+    [[nodiscard]] const double *mean(int axis) const noexcept { return slopes->mean(axis); }
+    [[nodiscard]] const Slopes &along(int axis) const { return slopes->along(axis); }
 };
 
 // The contraction of F(t, u, v) = C(t) - S(u, v): M is the inverse of (c, -s_u, -s_v), with the means of the derivatives.
 class SpaceChart {
 public:
+    // The hulls of the derivatives are asked for only if the corners leave room for a proof.
     void set(const SlopedArc &arc, const SlopedPatch &patch);
 
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
@@ -35,6 +38,9 @@ public:
 
 private:
     using Rows = std::array<std::array<double, 3>, 3>;
+    [[nodiscard]] double least_rho(const SlopedArc &arc, const SlopedPatch &patch) noexcept;
+    void set_rho(const SlopedArc &arc, const SlopedPatch &patch);
+
     Rows rows_{}; // of M
     Contraction contraction_;
     int turn_ = 0;
