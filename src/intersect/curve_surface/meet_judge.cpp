@@ -44,6 +44,7 @@ MeetJudge::Verdict MeetJudge::look(const SlopedArc &arc, const SlopedPatch &patc
     if (chart_.turn() != 0 ? chart_.excludes(arc, patch, near) : separated()) {
         return Verdict::nothing;
     }
+    chart_.prove(arc, patch);
     return chart_.proven() ? by_chart() : by_tangents();
 }
 

@@ -66,6 +66,12 @@ void SpaceChart::set(const SlopedArc &arc, const SlopedPatch &patch) {
     for (const auto &row : rows_) {
         contraction_.norm = std::max(contraction_.norm, norm(row.data(), 3));
     }
+}
+
+void SpaceChart::prove(const SlopedArc &arc, const SlopedPatch &patch) {
+    if (turn_ == 0) {
+        return;
+    }
     contraction_.rho = least_rho(arc, patch);
     if (contraction_.proven()) {
         set_rho(arc, patch);

@@ -22,19 +22,21 @@ struct SlopedPatch {
 // The contraction of F(t, u, v) = C(t) - S(u, v): M is the inverse of (c, -s_u, -s_v), with the means of the derivatives.
 class SpaceChart {
 public:
-    // The hulls of the derivatives are asked for only if the corners leave room for a proof.
+    // M alone, of these pieces.
     void set(const SlopedArc &arc, const SlopedPatch &patch);
-
-    [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
-    [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
+    // Whether there is one, and which way the curve goes through the surface then: 1 or -1.
+    [[nodiscard]] int turn() const noexcept { return turn_; }
     // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: turn() != 0.
     [[nodiscard]] bool excludes(const SlopedArc &arc, const SlopedPatch &patch, double near) const noexcept;
+
+    // The contraction. The hulls of derivatives are asked for only if the corners leave room for a proof.
+    void prove(const SlopedArc &arc, const SlopedPatch &patch);
+    [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
+    [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
     // M times a difference.
     [[nodiscard]] Place<3> step(const double *difference) const noexcept;
     // Whether the curve bends more than the surface, as M has it.
     [[nodiscard]] bool curve_bends_more() const noexcept { return curve_bends_more_; }
-    // 1 or -1: the side to which the curve goes.
-    [[nodiscard]] int turn() const noexcept { return turn_; }
 
 private:
     using Rows = std::array<std::array<double, 3>, 3>;
