@@ -7,6 +7,7 @@
 
 #include "base/tolerance.h"
 #include "intersect/curve_level.h"
+#include "intersect/curve_surface/curve_surface.h"
 #include "intersect/pairs/curve_curve.h"
 #include "spline/kind.h"
 
@@ -76,6 +77,38 @@ void put_hits(const intersect::PairHits &hits, int64_t cap, const PairArrays &ou
     put(out.complete, int32_t{hits.complete});
 }
 
+struct SurfaceArrays {
+    double *params_curve, *params_surface;
+    int32_t *kinds;
+    double *ranges_curve, *ranges_surface;
+    int64_t *count;
+    int32_t *complete;
+};
+
+void put_hits(const intersect::SurfaceHits &hits, int64_t cap, const SurfaceArrays &out) {
+    const int64_t filled = checked_cap(cap, std::ssize(hits.list));
+    check_apart({memory("params_curve", out.params_curve, filled),
+                 memory("params_surface", out.params_surface, 2 * filled), memory("kinds", out.kinds, filled),
+                 memory("ranges_curve", out.ranges_curve, 2 * filled),
+                 memory("ranges_surface", out.ranges_surface, 4 * filled), memory("count", out.count, 1),
+                 memory("complete", out.complete, 1)},
+                {});
+    for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+        const intersect::SurfaceHit &hit = hits.list[i];
+        put(out.params_curve, i, hit.at[0]);
+        put(out.kinds, i, static_cast<int32_t>(hit.kind));
+        put(out.ranges_curve, 2 * i, hit.range[0].lower);
+        put(out.ranges_curve, 2 * i + 1, hit.range[0].upper);
+        for (size_t k = 0; k < 2; ++k) {
+            put(out.params_surface, 2 * i + k, hit.at[k + 1]);
+            put(out.ranges_surface, 4 * i + 2 * k, hit.range[k + 1].lower);
+            put(out.ranges_surface, 4 * i + 2 * k + 1, hit.range[k + 1].upper);
+        }
+    }
+    put(out.count, int64_t{std::ssize(hits.list)});
+    put(out.complete, int32_t{hits.complete});
+}
+
 } // namespace
 
 nurbs_status nurbs_roots(const nurbs *g, double value, double tolerance, int64_t cap, double *params,
@@ -134,5 +167,20 @@ nurbs_status nurbs_curve_self_intersections(const nurbs *g, double tolerance, in
         check_length(cap, "cap");
         put_hits(intersect::curve_itself(curve, tolerance), cap,
                  {params_a, params_b, kinds, ranges_a, ranges_b, count, complete});
+    });
+}
+
+nurbs_status nurbs_curve_surface_intersections(const nurbs *curve, const nurbs *surface, double tolerance,
+                                               int64_t cap, double *params_curve, double *params_surface,
+                                               int32_t *kinds, double *ranges_curve, double *ranges_surface,
+                                               int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &first = named(curve, "curve"), &second = named(surface, "surface");
+        check_kind(first, 1, "curve");
+        check_kind(second, 2, "surface");
+        check_tolerance(tolerance);
+        check_length(cap, "cap");
+        put_hits(intersect::curve_surface(first, second, tolerance), cap,
+                 {params_curve, params_surface, kinds, ranges_curve, ranges_surface, count, complete});
     });
 }

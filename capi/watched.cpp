@@ -208,6 +208,18 @@ nurbs_status nurbs_curve_intersections_with(const nurbs *a, const nurbs *b, doub
     });
 }
 
+nurbs_status nurbs_curve_surface_intersections_with(const nurbs *curve, const nurbs *surface,
+                                                    double tolerance, int64_t cap, double *params_curve,
+                                                    double *params_surface, int32_t *kinds,
+                                                    double *ranges_curve, double *ranges_surface,
+                                                    int64_t *count, int32_t *complete,
+                                                    const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_curve_surface_intersections(curve, surface, tolerance, cap, params_curve, params_surface,
+                                                 kinds, ranges_curve, ranges_surface, count, complete);
+    });
+}
+
 nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, double tolerance, int64_t cap,
                                                  double *params_a, double *params_b, int32_t *kinds,
                                                  double *ranges_a, double *ranges_b, int64_t *count,

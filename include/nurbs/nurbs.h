@@ -5415,6 +5415,55 @@ NURBS_API nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, doubl
                                                            double *ranges_a, double *ranges_b, int64_t *count,
                                                            int32_t *complete, const nurbs_call_options *call);
 
+/** \brief Where a curve meets a surface: all places at which they come as near as the tolerance. Parts that pass
+ * through each other are proven to meet once (a contraction by Krawczyk's operator). What is within the tolerance
+ * and hangs together is an overlap, if the curve is that near along a whole span of its own, or from a knot or an
+ * end of the one or the other to the next; otherwise it is what can be told to be in it without the tolerance:
+ * crossings; a crossing too where the curve changes its side of the surface in a range that rounding cannot look
+ * into (which may be any odd number of them); tangents; and if there is nothing a contact. An end on the surface,
+ * and a meet on its border, is a crossing to rounding; with a tolerance of 0 it is undecided, as are tangents and
+ * overlaps, unless both have the same control point there. Surfaces go on where opposite borders are one curve,
+ * and over a border that is one point if the others close round it: what is there is one hit. Neither a curve nor
+ * a surface that jumps is met between both limits. A curve that closes without being periodic has two ends, and a
+ * hit at each.
+ * \param[in] curve a curve of dimension 3.
+ * \param[in] surface a surface of dimension 3.
+ * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[in] cap length of the outputs: 0, or at least the number of hits.
+ * \param[out] params_curve [cap] or NULL: where on the curve, rising; about the middle of an overlap, elsewhere
+ *   the nearest place found.
+ * \param[out] params_surface [cap][2] or NULL: where on the surface.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
+ * \param[out] ranges_curve [cap][2] or NULL: of parameters of the curve, for a crossing or a tangent those that
+ *   hold it, for a contact those that are near. Those of an overlap end where the first of both ends, or where
+ *   they part, to within the tolerance. On periodic curves they may end in the next period.
+ * \param[out] ranges_surface [cap][2][2] or NULL: the same of the surface, lower and upper end along each axis;
+ *   where it is periodic or closes they may end in the next period.
+ * \param[out] count or NULL: number of hits.
+ * \param[out] complete or NULL: 1 if there is nothing within the tolerance beside the hits and none of them is
+ *   undecided; 0 also at the limit of work, where what was not looked at is undecided.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _INCOMPATIBLE, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
+ *   _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_surface_intersections(const nurbs *curve, const nurbs *surface,
+                                                         double tolerance, int64_t cap, double *params_curve,
+                                                         double *params_surface, int32_t *kinds,
+                                                         double *ranges_curve, double *ranges_surface,
+                                                         int64_t *count, int32_t *complete);
+
+/** \brief nurbs_curve_surface_intersections() as a call that can be watched and ended.
+ * \param[in] curve,surface,tolerance,cap as for nurbs_curve_surface_intersections().
+ * \param[out] params_curve,params_surface,kinds,ranges_curve,ranges_surface as for
+ *   nurbs_curve_surface_intersections().
+ * \param[out] count,complete as for nurbs_curve_surface_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_surface_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_surface_intersections_with(
+    const nurbs *curve, const nurbs *surface, double tolerance, int64_t cap, double *params_curve,
+    double *params_surface, int32_t *kinds, double *ranges_curve, double *ranges_surface, int64_t *count,
+    int32_t *complete, const nurbs_call_options *call);
+
 /** \name Status of a ray
  * @{ */
 #define NURBS_RAY_HIT 0x01       /**< the ray meets the surface there, if rounding is allowed for */

@@ -74,7 +74,7 @@ bool BezierPiece::set_points() noexcept {
     bool all = true;
     positive_ = true;
     least_weight_ = infinity;
-    reach_ = 0;
+    double farthest = 0; // square of the distance
     for (int64_t i = 0; i < coefficients(); ++i) {
         const double *from = record(i), w = weight(i);
         const bool nothing = rounding_.relative() &&
@@ -87,9 +87,21 @@ bool BezierPiece::set_points() noexcept {
         least_weight_ = std::min(least_weight_, w);
         double *x = points_.data() + i * dim();
         std::transform(from, from + dim(), x, [w](double value) { return value / w; });
-        reach_ = std::max(reach_, norm(x, dim()));
+        farthest = std::max(farthest, dot(x, x, dim()));
+    }
+    reach_ = std::sqrt(farthest);
+    if (!safe_square(farthest)) {
+        set_reach();
     }
     return all && std::isfinite(least_weight_);
+}
+
+// Where squares may have lost something.
+void BezierPiece::set_reach() noexcept {
+    reach_ = 0;
+    for (int64_t i = 0; i < coefficients(); ++i) {
+        reach_ = std::max(reach_, has_point(i) ? norm(point(i), dim()) : 0);
+    }
 }
 
 void BezierPiece::set_box() noexcept {

@@ -70,6 +70,7 @@ public:
 private:
     void update();
     bool set_points() noexcept;
+    void set_reach() noexcept;
     void set_box() noexcept;
     void add_rounding(double relative) noexcept;
     [[nodiscard]] double middle(int axis) const noexcept;

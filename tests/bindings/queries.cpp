@@ -118,6 +118,10 @@ static void boxes() {
     EXPECT(first.status == (std::vector{ray_hit | ray_certified, ray_certified}));
     const RayHits through = ray_hits(sphere({}, 2), {0.5, 0.25, 5}, {0, 0, -1});
     EXPECT(near({through.distances[0] + through.distances[1]}, {10}) && through.complete);
+    const SurfaceHits pierced = surface_intersections(line({0.5, 1, 3}, {0.5, 1, -1}), floor_plane());
+    EXPECT(near(pierced.params_curve, {0.75}) && near(pierced.params_surface, {0.25, 0.25}) &&
+           pierced.complete);
+    EXPECT(pierced.kinds == std::vector{hit_crossing} && pierced.ranges_surface.size() == 4);
     const Meet meet = Meet::sections(sphere({}, 2), {0, 0, 2}, {2, 0, 5}, 1e-6), same = meet;
     const MeetCounts counts = same.counts();
     EXPECT(counts.branches == 2 && counts.nodes == 4 && counts.complete);

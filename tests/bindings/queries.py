@@ -226,6 +226,17 @@ class Intersections(unittest.TestCase):
         self.assertEqual(same.kinds.tolist(), [nurbs.NURBS_HIT_OVERLAP])
         self.assertGreater(same.ranges_b[0, 0], same.ranges_b[0, 1])
 
+    def test_curves_and_surfaces(self):
+        found = nurbs.line([0.5, 1, 3], [0.5, 1, -1]).surface_intersections(nurbs.plane([2, 0, 0], [0, 4, 0]))
+        near(found.params_curve, [0.75])
+        near(found.params_surface, [[0.25, 0.25]])
+        self.assertEqual((found.kinds.tolist(), found.complete), ([nurbs.NURBS_HIT_CROSSING], True))
+        self.assertEqual((found.ranges_curve.shape, found.ranges_surface.shape), ((1, 2), (1, 2, 2)))
+        ball = nurbs.sphere(2)
+        on_it = ball.iso(0, 0.25).surface_intersections(ball, 1e-9)
+        self.assertEqual((on_it.kinds.tolist(), on_it.complete), ([nurbs.NURBS_HIT_OVERLAP], True))
+        with self.assertRaises(nurbs.ArgumentError):
+            ball.surface_intersections(ball)
 
     def test_rays(self):
         floor = nurbs.plane([2, 0, 0], [0, 4, 0])

@@ -138,6 +138,8 @@ fn boxes() -> Result<()> {
     assert_eq!(first.status, [sys::NURBS_RAY_HIT | sys::NURBS_RAY_CERTIFIED, sys::NURBS_RAY_CERTIFIED]);
     let through = floor_plane()?.ray_hits(&[0.5, 1., 3.], &[0., 0., -1.], &[])?;
     assert!(near(&through.distances, &[3.]) && through.complete);
+    let pierced = Spline::line(&[0.5, 1., 3.], &[0.5, 1., -1.])?.surface_intersections(&floor_plane()?, 0.)?;
+    assert!(pierced.complete && near(&pierced.params_curve, &[0.75]) && near(&pierced.params_surface[0], &[0.25; 2]));
     let meet = Meet::sections(&floor_plane()?, &[1., 0., 0.], &[0.5, 1.], 1e-9)?.clone();
     let counts = meet.counts()?;
     assert!(counts.branches == 2 && counts.nodes == 4 && counts.complete);

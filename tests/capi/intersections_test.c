@@ -327,10 +327,99 @@ static void two_circles(void) {
     nurbs_destroy(g);
 }
 
+/* From far above a place to far below it. */
+static nurbs *line_in_space(double x, double y) {
+    const double above[] = {x, y, 8}, below[] = {x, y, -8};
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_curve_line(3, above, below, &g));
+    return g;
+}
+
+/* The trough is (u, v, v + u^2): a line across it, one past it, one in it, and one that ends on it. */
+static void a_line_and_a_surface(void) {
+    const double on[] = {1, 0, 1}, off[] = {1, 3, 4}, up[] = {0.25, 1.5, 8}, end[] = {0.25, 1.5, 1.5625};
+    nurbs *s = make(trough()), *across = line_in_space(0.25, 1.5), *past = line_in_space(1.25, 1.5),
+          *in = NULL, *to = NULL;
+    double t[2], uv[4], ranges_curve[4], ranges_surface[8];
+    int32_t kinds[2], complete = -1;
+    int64_t count = -1;
+    CHECK_OK(nurbs_curve_line(3, on, off, &in));
+    CHECK_OK(nurbs_curve_line(3, up, end, &to));
+    CHECK_OK(nurbs_curve_surface_intersections(across, s, 0, 2, t, uv, kinds, ranges_curve, ranges_surface,
+                                               &count, &complete));
+    CHECK(count == 1 && complete == 1 && kinds[0] == NURBS_HIT_CROSSING);
+    CHECK(fabs(t[0] - (8 - 1.5625) / 16) < 1e-14);
+    CHECK(fabs(uv[0] - 0.25) < 1e-14 && fabs(uv[1] - 1.5) < 1e-14);
+    CHECK(ranges_curve[0] <= t[0] && t[0] <= ranges_curve[1] && ranges_curve[1] - ranges_curve[0] < 1e-11);
+    CHECK(ranges_surface[0] <= 0.25 && 0.25 <= ranges_surface[1]);
+    CHECK(ranges_surface[2] <= 1.5 && 1.5 <= ranges_surface[3]);
+    CHECK_OK(
+        nurbs_curve_surface_intersections(past, s, 1e-3, 0, NULL, NULL, NULL, NULL, NULL, &count, &complete));
+    CHECK(count == 0 && complete == 1);
+    CHECK_OK(nurbs_curve_surface_intersections(in, s, 1e-9, 2, t, NULL, kinds, ranges_curve, ranges_surface,
+                                               &count, NULL));
+    CHECK(count == 1 && kinds[0] == NURBS_HIT_OVERLAP && ranges_curve[0] == 0 && ranges_curve[1] == 1);
+    CHECK_OK(nurbs_curve_surface_intersections(to, s, 1e-9, 2, t, NULL, kinds, NULL, NULL, NULL, &complete));
+    CHECK(t[0] == 1 && complete == 1 && kinds[0] == NURBS_HIT_CROSSING);
+    CHECK_OK(nurbs_curve_surface_intersections(to, s, 0, 2, NULL, NULL, kinds, NULL, NULL, NULL, &complete));
+    CHECK(complete == 0 && kinds[0] == NURBS_HIT_UNDECIDED);
+    nurbs_destroy(to);
+    nurbs_destroy(in);
+    nurbs_destroy(past);
+    nurbs_destroy(across);
+    nurbs_destroy(s);
+}
+
+static void refused_surfaces(void) {
+    nurbs *c = line_in_space(0.25, 1.5), *s = make(trough()), *flat = make(arch()), *plain = NULL;
+    const double origin[] = {0, 0}, u[] = {1, 0}, v[] = {0, 1};
+    double a[2], b[4], d[4], e[8];
+    int32_t i[2], complete = 0;
+    int64_t count = 0;
+    FILL(a);
+    FILL(b);
+    FILL(d);
+    FILL(e);
+    FILL(i);
+    CHECK_OK(nurbs_surface_plane(2, origin, u, v, &plain));
+    CHECK_FAILS(nurbs_curve_surface_intersections(NULL, s, 0, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_NULL, "curve is NULL");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, NULL, 0, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_NULL, "surface is NULL");
+    CHECK_FAILS(nurbs_curve_surface_intersections(s, s, 0, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_AXES, "curve");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, c, 0, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_AXES, "surface");
+    CHECK_FAILS(nurbs_curve_surface_intersections(flat, s, 0, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_DIMENSION, "curve|dimension 2");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, plain, 0, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_INCOMPATIBLE, "dimension");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, s, -1, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_TOLERANCE, "tolerance = -1");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, s, NAN, 2, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, s, 0, -1, a, b, i, d, e, &count, &complete),
+                NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, s, 0, 2, a, b, i, d, b, &count, &complete),
+                NURBS_ERROR_OVERLAP, "ranges_surface|params_surface");
+    CHECK_FAILS(nurbs_curve_surface_intersections(c, s, 0, 2, a, a, i, d, e, &count, &complete),
+                NURBS_ERROR_OVERLAP, "params_surface|params_curve");
+    CHECK_UNTOUCHED(a);
+    CHECK_UNTOUCHED(b);
+    CHECK_UNTOUCHED(d);
+    CHECK_UNTOUCHED(e);
+    CHECK_UNTOUCHED(i);
+    nurbs_destroy(plain);
+    nurbs_destroy(flat);
+    nurbs_destroy(s);
+    nurbs_destroy(c);
+}
+
 /* The long forms answer alike, and at a limit of work with what is left open. */
 static void watched(void) {
     const double knots[] = {0, 0, 0, 1, 1, 1}, values[] = {0.75, -1.25, 0.75}, plane[] = {0, 1, -0.5};
-    nurbs *g = scalar(2, 3, knots, values, 0), *c = make(arch()), *other = NULL;
+    nurbs *g = scalar(2, 3, knots, values, 0), *c = make(arch()), *other = NULL, *s = make(trough()),
+          *space = line_in_space(0.25, 1.5);
     nurbs_call_options call;
     int64_t count = -1;
     int32_t complete = -1;
@@ -346,7 +435,13 @@ static void watched(void) {
     CHECK_OK(nurbs_curve_self_intersections_with(c, 1e-9, 0, NULL, NULL, NULL, NULL, NULL, &count, &complete,
                                                  &call));
     CHECK(count == 0 && complete == 1);
+    CHECK_OK(nurbs_curve_surface_intersections_with(space, s, 0, 0, NULL, NULL, NULL, NULL, NULL, &count,
+                                                    &complete, &call));
+    CHECK(count == 1 && complete == 1);
     call.work = 1;
+    CHECK_OK(nurbs_curve_surface_intersections_with(space, s, 0, 0, NULL, NULL, NULL, NULL, NULL, &count,
+                                                    &complete, &call));
+    CHECK(count == 1 && complete == 0);
     CHECK_OK(nurbs_roots_with(g, 0, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
     CHECK_INT(complete, 0);
     CHECK_OK(nurbs_curve_level_with(c, 1, plane, 0, 0, NULL, NULL, NULL, &count, &complete, &call));
@@ -368,6 +463,11 @@ static void watched(void) {
     CHECK_FAILS(
         nurbs_curve_self_intersections_with(c, 0, 0, NULL, NULL, NULL, NULL, NULL, &count, &complete, &call),
         NURBS_ERROR_OPTIONS, "struct_size");
+    CHECK_FAILS(nurbs_curve_surface_intersections_with(space, s, 0, 0, NULL, NULL, NULL, NULL, NULL, &count,
+                                                       &complete, &call),
+                NURBS_ERROR_OPTIONS, "struct_size");
+    nurbs_destroy(s);
+    nurbs_destroy(space);
     nurbs_destroy(other);
     nurbs_destroy(c);
     nurbs_destroy(g);
@@ -539,8 +639,10 @@ int main(void) {
     a_parabola_and_lines();
     two_circles();
     self();
+    a_line_and_a_surface();
     watched();
     refused_pairs();
+    refused_surfaces();
     refused();
     return check_summary("intersections");
 }

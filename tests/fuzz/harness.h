@@ -265,9 +265,7 @@ inline void fill_values(Input &in, Spline &s, bool rational) {
 }
 
 // Valid but for chance: a zero weight may let all weights of a place vanish, a step may round to nothing.
-inline Spline any_spline(Input &in) {
-    Spline s;
-    const int axes = std::min(3, 1 + in.below(5) / 2);
+inline void add_axes(Input &in, Spline &s, int axes) {
     static constexpr int64_t room[] = {12, 5, 3};
     for (int k = 0; k < axes; ++k) {
         const Axis axis = any_axis(in, room[axes - 1]);
@@ -277,10 +275,19 @@ inline Spline any_spline(Input &in) {
         s.flags |= axis.periodic ? NURBS_ON_AXIS(k, NURBS_PERIODIC) : 0;
         s.total *= axis.count;
     }
-    s.dim = 1 + in.below(4);
+}
+
+inline void add_values(Input &in, Spline &s, int dim) {
+    s.dim = dim;
     if (s.total <= 4096) {
         fill_values(in, s, in.coin());
     }
+}
+
+inline Spline any_spline(Input &in) {
+    Spline s;
+    add_axes(in, s, std::min(3, 1 + in.below(5) / 2));
+    add_values(in, s, 1 + in.below(4));
     return s;
 }
 

@@ -307,4 +307,24 @@ TEST(CurveTraps, a_seam_at_a_crossing) {
     }
 }
 
+// A crossing beside the seam, whose near places go on across it, has parameters of the domain.
+TEST(CurveTraps, a_crossing_beside_a_seam) {
+    const SplineData data{
+        {2}, {6},           {{-2, -1, 0, 1, 2, 3, 4, 5, 6}}, 2, {1, 1, -1, 1, -1, -1, 1, -1, 1, 1, -1, 1},
+        {},  NURBS_PERIODIC};
+    const Handle g = create(data);
+    for (const double at : {1e-7, 4 - 1e-7}) {
+        const Vec x = point_of(g.get(), at);
+        const Handle across = create(bezier(2, {x[0] / 2, x[1] / 2, 1.5 * x[0], 1.5 * x[1]}));
+        const Hits hits = meets(g, across, 1e-4), other = meets(across, g, 1e-4);
+        ASSERT_EQ(hits.size(), 1U);
+        ASSERT_EQ(other.size(), 1U);
+        EXPECT_EQ(hits.kinds[0], NURBS_HIT_CROSSING);
+        EXPECT_NEAR(hits.a[0], at, 1e-12);
+        EXPECT_NEAR(other.b[0], at, 1e-12);
+        EXPECT_LE(hits.ranges_a[0], hits.a[0]);
+        EXPECT_GE(hits.ranges_a[1], hits.a[0]);
+    }
+}
+
 } // namespace curve_traps_test

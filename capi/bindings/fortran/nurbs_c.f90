@@ -2899,6 +2899,33 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_self_intersections_with
+        !> Where a curve meets a surface: all places at which they come as near as the tolerance.
+        function nurbs_curve_surface_intersections(curve, surface, tolerance, cap, params_curve, &
+                params_surface, kinds, ranges_curve, ranges_surface, count, complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: curve, surface
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params_curve(*), params_surface(*), ranges_curve(*), &
+                ranges_surface(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_curve_surface_intersections
+        !> nurbs_curve_surface_intersections() as a call that can be watched and ended.
+        function nurbs_curve_surface_intersections_with(curve, surface, tolerance, cap, params_curve, &
+                params_surface, kinds, ranges_curve, ranges_surface, count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: curve, surface
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params_curve(*), params_surface(*), ranges_curve(*), &
+                ranges_surface(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_surface_intersections_with
         !> Where rays x = origin + t direction, t >= 0, meet a surface first.
         function nurbs_surface_rays(g, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)

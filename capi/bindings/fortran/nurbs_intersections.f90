@@ -5,14 +5,15 @@ module nurbs_intersections
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_roots, nurbs_curve_level, nurbs_curve_intersections, nurbs_curve_self_intersections, &
-        nurbs_surface_rays, nurbs_surface_ray_hits, nurbs_roots_with, nurbs_curve_level_with, &
-        nurbs_curve_intersections_with, nurbs_curve_self_intersections_with, nurbs_surface_rays_with
+        nurbs_curve_surface_intersections, nurbs_surface_rays, nurbs_surface_ray_hits, nurbs_roots_with, &
+        nurbs_curve_level_with, nurbs_curve_intersections_with, nurbs_curve_self_intersections_with, &
+        nurbs_curve_surface_intersections_with, nurbs_surface_rays_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
-    public :: roots, curve_level, curve_intersections, self_intersections, rays, ray_hits
+    public :: roots, curve_level, curve_intersections, self_intersections, surface_intersections, rays, ray_hits
 
 contains
 
@@ -176,6 +177,50 @@ contains
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine self_intersections
+
+    !> params_curve(n) in rising order and params_surface(n, 2) where a curve meets a surface, kinds(n) one NURBS_HIT_
+    !> constant each, and ranges_curve(n, 2) and ranges_surface(2, 2, n) of lower and upper ends along each axis.
+    subroutine surface_intersections(curve, surface, params_curve, params_surface, kinds, ranges_curve, &
+            ranges_surface, complete, tolerance, status, call)
+        class(nurbs_spline), intent(in) :: curve, surface
+        real(c_double), allocatable, intent(inout) :: params_curve(:), params_surface(:, :), ranges_curve(:, :)
+        real(c_double), allocatable, intent(inout) :: ranges_surface(:, :, :)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        logical, intent(inout), optional :: complete
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_surface_c(:, :), ranges_curve_c(:, :)
+        n = 0
+        answer = 0
+        if (present(call)) then
+            code = nurbs_curve_surface_intersections_with(curve%handle, surface%handle, given(tolerance, 0d0), &
+                0_c_int64_t, count=n, call=watched(call))
+        else
+            code = nurbs_curve_surface_intersections(curve%handle, surface%handle, given(tolerance, 0d0), 0_c_int64_t, &
+                count=n)
+        end if
+        if (allocated(params_curve)) deallocate (params_curve)
+        if (allocated(kinds)) deallocate (kinds)
+        if (allocated(ranges_surface)) deallocate (ranges_surface)
+        allocate (params_curve(n), params_surface_c(2, n), kinds(n), ranges_curve_c(2, n), ranges_surface(2, 2, n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_curve_surface_intersections_with(curve%handle, surface%handle, given(tolerance, 0d0), n, &
+                    params_curve, params_surface_c, kinds, ranges_curve_c, ranges_surface, complete=answer, &
+                    call=watched(call))
+            else
+                code = nurbs_curve_surface_intersections(curve%handle, surface%handle, given(tolerance, 0d0), n, &
+                    params_curve, params_surface_c, kinds, ranges_curve_c, ranges_surface, complete=answer)
+            end if
+        end if
+        params_surface = transpose(params_surface_c)
+        ranges_curve = transpose(ranges_curve_c)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine surface_intersections
 
     !> Where rays meet a surface first, with proof.
     subroutine rays(g, origins, directions, params, distances, states, status, call)

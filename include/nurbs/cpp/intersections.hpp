@@ -214,6 +214,62 @@ inline Returned<PairHits> self_intersections(const Spline &g, double tolerance, 
     return found;
 }
 
+/// Parameters on a curve, rising, and on a surface, [n][2], one hit_ constant each, and ranges of parameters
+/// of both: [n][2], and [n][2][2] of both axes of the surface.
+struct SurfaceHits {
+    std::vector<double> params_curve;   ///< On the curve, in rising order.
+    std::vector<double> params_surface; ///< [n][2] on the surface.
+    std::vector<std::int32_t> kinds;    ///< One of the hit_ constants each.
+    std::vector<double> ranges_curve;   ///< Of parameters of the curve, [n] of lower and upper ends.
+    /// Of parameters of the surface, [n][2] of lower and upper ends along each axis.
+    std::vector<double> ranges_surface;
+    bool complete; ///< Whether none of them is undecided.
+};
+
+/// Where a curve meets a surface, with proof that there are no other places.
+inline Returned<SurfaceHits> surface_intersections(const Spline &curve, const Spline &surface,
+                                                   double tolerance = 0) {
+    SurfaceHits found{};
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_curve_surface_intersections, curve.get(), surface.get(), tolerance, cap,
+                     found.params_curve.data(), found.params_surface.data(), found.kinds.data(),
+                     found.ranges_curve.data(), found.ranges_surface.data(), &count, &complete);
+    };
+    ask(0);
+    found.params_curve = detail::room(count);
+    found.params_surface = detail::room(count, 2);
+    found.kinds = detail::room<std::int32_t>(count);
+    found.ranges_curve = detail::room(count, 2);
+    found.ranges_surface = detail::room(count, 2, 2);
+    ask(count);
+    found.complete = complete != 0;
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<SurfaceHits> surface_intersections(const Spline &curve, const Spline &surface,
+                                                   double tolerance, const CallOptions &call) {
+    SurfaceHits found{};
+    const detail::Watch watch(call);
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_curve_surface_intersections_with, curve.get(), surface.get(), tolerance, cap,
+                     found.params_curve.data(), found.params_surface.data(), found.kinds.data(),
+                     found.ranges_curve.data(), found.ranges_surface.data(), &count, &complete, watch.get());
+    };
+    ask(0);
+    found.params_curve = detail::room(count);
+    found.params_surface = detail::room(count, 2);
+    found.kinds = detail::room<std::int32_t>(count);
+    found.ranges_curve = detail::room(count, 2);
+    found.ranges_surface = detail::room(count, 2, 2);
+    ask(count);
+    found.complete = complete != 0;
+    return found;
+}
+
 /// Where rays meet a surface first, at origin + t direction.
 struct Rays {
     std::vector<double> params;       ///< [n][2] on the surface, NaN without a hit or touch.

@@ -9,7 +9,7 @@ namespace nrb::closest {
 
 void PairCell::set_piece(pieces::BezierPiece made) {
     const auto dim = static_cast<size_t>(made.dim());
-    if (made.positive()) {
+    if (made.sound()) {
         box.assign(made.lower(), made.lower() + 2 * dim);
         size = made.size();
         moved = made.moved();

@@ -16,7 +16,7 @@ struct PairCell {
     int halvings = 0; // of the piece of a node
     size_t mark = 0;  // for what a search knows about it; 0: nothing
     std::optional<pieces::BezierPiece> piece;
-    std::vector<double> box; // [2][dim]; infinite where weights are not positive
+    std::vector<double> box; // [2][dim]; infinite where the piece is not sound()
     double moved = 0;        // what rounding does to a piece; 0 for other cells, whose boxes have room for it
     double size = 0;
     std::vector<std::unique_ptr<PairCell>> children;

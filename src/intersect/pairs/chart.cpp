@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/pairs/chart.h"
 
+#include "intersect/extent.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -51,22 +52,12 @@ void Chart::set(const Slopes &a, const Slopes &b, int dim) {
 
 bool Chart::excludes(const pieces::BezierPiece &a, const pieces::BezierPiece &b, double near) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
-        double least = infinity, most = -infinity, size = 0;
-        for (int64_t i = 0; i < a.coefficients(); ++i) {
-            const double x = dot(row(k), a.point(i), dim_);
-            least = std::min(least, x);
-            most = std::max(most, x);
-            size = std::max(size, std::abs(x));
-        }
-        double low = infinity, high = -infinity;
-        for (int64_t j = 0; j < b.coefficients(); ++j) {
-            const double x = dot(row(k), b.point(j), dim_);
-            low = std::min(low, x);
-            high = std::max(high, x);
-            size = std::max(size, std::abs(x));
-        }
-        if (std::max(least - high, low - most) > 1.0001 * contraction_.norm * (near + a.moved() + b.moved()) +
-                                                     4 * dim_ * eps * (size + contraction_.norm)) {
+        const Interval of_a = extent_along(a, row(k)), of_b = extent_along(b, row(k));
+        const double size = std::max(
+            {std::abs(of_a.lower), std::abs(of_a.upper), std::abs(of_b.lower), std::abs(of_b.upper)});
+        if (std::max(of_a.lower - of_b.upper, of_b.lower - of_a.upper) >
+            1.0001 * contraction_.norm * (near + a.moved() + b.moved()) +
+                4 * dim_ * eps * (size + contraction_.norm)) {
             return true;
         }
     }

@@ -27,10 +27,11 @@ using Cells = std::vector<NearCell>;
 class Meeting {
 public:
     Meeting(const Spline &a, const Spline &b, double tolerance)
-        : a_(a), b_(b), breaks_a_(a), breaks_b_(b), dim_(a.dim()), tolerance_(tolerance), search_(a, b) {}
+        : a_(a), b_(b), breaks_a_(a.axis(0)), breaks_b_(b.axis(0)), dim_(a.dim()), tolerance_(tolerance),
+          search_(a, b) {}
     Meeting(const Spline &curve, double tolerance)
-        : a_(curve), b_(curve), breaks_a_(curve), breaks_b_(curve), dim_(curve.dim()), tolerance_(tolerance),
-          closes_(closes(curve)), search_(curve) {}
+        : a_(curve), b_(curve), breaks_a_(curve.axis(0)), breaks_b_(curve.axis(0)), dim_(curve.dim()),
+          tolerance_(tolerance), closes_(closes(curve)), search_(curve) {}
 
     PairHits run() {
         const NearCells found = search_.find(tolerance_);
@@ -41,7 +42,7 @@ public:
             add_exact(cells);
         } else {
             for (const NearItem &near : items_of(cells)) {
-                add_near(near);
+                add_near(near, cells);
             }
         }
         std::ranges::sort(result_.list, {}, [](const PairHit &hit) {
@@ -84,7 +85,7 @@ private:
 
     // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
     // tolerance.
-    void add_near(const NearItem &near) {
+    void add_near(const NearItem &near, const Cells &cells) {
         if (near.is_still()) {
             add(near, near.nearest().gap <= tolerance_ ? HitKind::overlap : HitKind::undecided);
             return;
@@ -101,7 +102,7 @@ private:
             rest.cells.push_back(cell);
             const bool is_chart = cell.kind == Kind::meets || cell.kind == Kind::touches;
             if (cell.meetable) {
-                (is_chart ? exact : open).push_back(cell);
+                (is_chart ? exact : open).push_back(cells[cell.index]);
             }
         }
         const NearCells finer = search_.refine(open);

@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/extent.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -16,15 +17,6 @@ namespace {
 using pieces::BezierPiece;
 
 constexpr int64_t work_of_a_pair = 3000;
-
-Interval along(const BezierPiece &piece, const double *normal) noexcept {
-    Interval range{infinity, -infinity};
-    for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        const double x = dot(normal, piece.point(i), piece.dim());
-        range = {std::min(range.lower, x), std::max(range.upper, x)};
-    }
-    return range;
-}
 
 Interval parameters(const BezierPiece &piece, Interval places) noexcept {
     return {piece.parameter({std::clamp(places.lower, 0.0, 1.0)})[0],
@@ -187,7 +179,7 @@ bool Judge::separated() const noexcept {
 
 // By a plane between them: b is farther along the normal.
 bool Judge::separated_by(const double *normal, double length) const noexcept {
-    const Interval of_a = along(piece_a(), normal), of_b = along(piece_b(), normal);
+    const Interval of_a = extent_along(piece_a(), normal), of_b = extent_along(piece_b(), normal);
     return of_b.lower - of_a.upper >
            1.0001 * length * (near_ + piece_a().moved() + piece_b().moved() + 16 * (dim_ + 4) * eps);
 }

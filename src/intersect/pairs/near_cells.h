@@ -39,6 +39,7 @@ struct NearCell {
     bool meetable = true; // false: they are proven apart by more than rounding
     // The parts, which jumps of the curves are not in.
     int64_t segment_a = 0, segment_b = 0;
+    size_t index = 0; // of a cell of an item: in the list that it is of
     closest::PairCell *of_a = nullptr, *of_b = nullptr;
 };
 

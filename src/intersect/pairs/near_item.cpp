@@ -62,6 +62,7 @@ NearItem::NearItem(const Spline &on_a, const Spline &on_b, std::span<const NearC
     : a{}, b{} {
     for (const auto &[index, turns] : group.members) {
         cells.push_back(moved_by(all[index], turns, period_of(on_a), period_of(on_b)));
+        cells.back().index = index;
     }
     fit();
     std::ranges::sort(cells, {}, [](const NearCell &cell) { return std::pair(cell.a.lower, cell.b.lower); });

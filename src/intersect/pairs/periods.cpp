@@ -6,15 +6,21 @@
 #include "eval/frames/magnitude.h"
 #include "numeric/norm.h"
 
+#include <algorithm>
+
 namespace nrb::intersect {
 
 namespace {
 
 bool are_one(const std::vector<double> &x, const std::vector<double> &y, double size) noexcept {
-    return x == y || distance(x.data(), y.data(), static_cast<int>(x.size())) <= 64 * eps * size;
+    return are_one_point(x.data(), y.data(), static_cast<int>(x.size()), size);
 }
 
 } // namespace
+
+bool are_one_point(const double *x, const double *y, int dim, double size) noexcept {
+    return std::equal(x, x + dim, y) || distance(x, y, dim) <= 64 * eps * size;
+}
 
 bool closes(const Spline &curve) {
     return are_one(eval::end_point(curve, false), eval::end_point(curve, true), eval::active_size(curve));

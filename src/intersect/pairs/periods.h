@@ -33,6 +33,9 @@ inline Interval turned(Interval part, int turns, double period) noexcept {
     return {part.lower + turns * period, part.upper + turns * period};
 }
 
+// As far as rounding can tell, of points of something so large.
+bool are_one_point(const double *x, const double *y, int dim, double size) noexcept;
+
 // Knots of the domain at which the limits from both sides differ by more than rounding; at the seam of a periodic
 // curve those at both ends of the domain.
 std::vector<double> jumps_of(const Spline &curve);

@@ -267,17 +267,16 @@ std::vector<Strand> strands_of(const Spline &a, const Spline &b, std::span<const
     return cutting.take();
 }
 
-Breaks::Breaks(const Spline &curve) {
-    const Interval domain = curve.axis(0).domain();
-    for (const KnotGroup &group : distinct_knots(curve.axis(0).knots())) {
+Breaks::Breaks(const KnotVector &axis) {
+    const Interval domain = axis.domain();
+    for (const KnotGroup &group : distinct_knots(axis.knots())) {
         if (group.knot >= domain.lower && group.knot <= domain.upper) {
             knots_.push_back(group.knot);
         }
     }
-    const double period = period_of(curve);
     const size_t own = knots_.size();
-    for (size_t i = 1; period > 0 && i < own; ++i) {
-        knots_.push_back(knots_[i] + period);
+    for (size_t i = 1; axis.periodic() && i < own; ++i) {
+        knots_.push_back(knots_[i] + (domain.upper - domain.lower));
     }
 }
 

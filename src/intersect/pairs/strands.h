@@ -26,10 +26,10 @@ struct Strand {
 std::vector<Strand> strands_of(const Spline &a, const Spline &b, std::span<const NearCell> cells,
                                std::span<const Link> links);
 
-// The knots of a curve in its domain, and those of the next period.
+// The knots of an axis in its domain, and those of the next period.
 class Breaks {
 public:
-    explicit Breaks(const Spline &curve);
+    explicit Breaks(const KnotVector &axis);
     [[nodiscard]] bool hold(double t) const noexcept;
     [[nodiscard]] bool have_span_in(Interval range) const noexcept;
 

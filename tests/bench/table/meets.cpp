@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where curves meet each other and themselves, and where rays meet a surface, beside SISL.
+// Where curves meet each other, themselves and a surface, and where rays meet one, beside SISL.
 #include "bench/table/rows.h"
 #include "bench/table/shapes.h"
 
@@ -161,6 +161,68 @@ struct Rays {
     }
 };
 
+// A cubic of 100 control points that winds through 20 x 20 bicubic ones some 50 times.
+struct Needle {
+    Net net{2, 3, 20};
+    Handle surface = net.make(), curve;
+    std::shared_ptr<SISLSurf> sisl_surface = net.sisl_surface();
+    std::shared_ptr<SISLCurve> sisl_curve;
+    int64_t crossings = 0;
+    std::vector<double> at = std::vector<double>(most);
+
+    Needle() {
+        const int32_t degree = 3;
+        const int64_t count = 100;
+        std::vector<double> knots, points;
+        std::mt19937 engine(11);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        for (int64_t i = 0; i < count + 4; ++i) {
+            knots.push_back(static_cast<double>(std::clamp<int64_t>(i - 3, 0, count - 3)));
+        }
+        for (int64_t i = 0; i < count; ++i) {
+            const double x = 1 + 17.0 * static_cast<double>(i) / (count - 1), y = 9.5 + 8 * std::sin(0.8 * x);
+            points.insert(points.end(), {x, y, 2 * std::sin(x / 2) * std::cos(y / 3) + unit(engine)});
+        }
+        nurbs *out = nullptr;
+        require_ok(nurbs_create(1, &degree, &count, knots.data(), count + 4, 3, points.data(), 0, 0, nullptr,
+                                0, 0, &out));
+        curve.reset(out);
+        sisl_curve = {newCurve(count, 4, knots.data(), points.data(), 1, 3, 1), freeCurve};
+        int32_t complete = 0;
+        require_ok(nurbs_curve_surface_intersections(curve.get(), surface.get(), 0, most, at.data(), nullptr,
+                                                     nullptr, nullptr, nullptr, &crossings, &complete));
+    }
+    void meet() {
+        int64_t found = 0;
+        require_ok(nurbs_curve_surface_intersections(curve.get(), surface.get(), 0, most, at.data(), nullptr,
+                                                     nullptr, nullptr, nullptr, &found, nullptr));
+    }
+    std::vector<double> sisl_meet() const {
+        double *on_surface = nullptr, *on_curve = nullptr;
+        SISLIntcurve **curves = nullptr;
+        int points = 0, overlaps = 0, status = 0;
+        s1858(sisl_surface.get(), sisl_curve.get(), resolution, resolution, &points, &on_surface, &on_curve,
+              &overlaps, &curves, &status);
+        std::vector<double> found(on_curve, on_curve + points);
+        std::free(on_surface);
+        std::free(on_curve);
+        if (curves != nullptr) {
+            freeIntcrvlist(curves, overlaps);
+        }
+        std::ranges::sort(found);
+        return found;
+    }
+    double difference() {
+        meet();
+        const std::vector<double> other = sisl_meet();
+        double apart = std::cmp_equal(other.size(), crossings) ? 0 : 1;
+        for (size_t i = 0; i < other.size() && apart < 1; ++i) {
+            apart = std::max(apart, std::abs(other[i] - at[i]));
+        }
+        return apart < 1e-5 ? 0 : 1;
+    }
+};
+
 } // namespace
 
 void add_meets(Rows &rows) {
@@ -178,6 +240,9 @@ void add_meets(Rows &rows) {
               },
               theirs,
               {}});
+    const auto needle = std::make_shared<Needle>();
+    rows.add({std::to_string(needle->crossings) + " meets of a curve and a surface", "SISL", 1,
+              [=] { needle->meet(); }, [=] { needle->sisl_meet(); }, [=] { return needle->difference(); }});
     const auto beams = std::make_shared<Rays>();
     rows.add({"ray on a surface", "SISL", bench::rays, [=] { beams->cast(); },
               [=] {

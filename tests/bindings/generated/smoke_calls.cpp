@@ -2315,6 +2315,16 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("curve_surface_intersections");
+        const auto found = n::surface_intersections(in.twist, in.surface, 1e-09);
+        show("params_curve", found.params_curve);
+        show("params_surface", found.params_surface);
+        show("kinds", found.kinds);
+        show("ranges_curve", found.ranges_curve);
+        show("ranges_surface", found.ranges_surface);
+        show("complete", found.complete);
+    }
+    {
         begin("face_rays");
         const auto found = in.face.rays({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0});
         show("params", found.params);
@@ -2831,6 +2841,16 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("distances", found.distances);
         show("status", found.status);
+    }
+    {
+        begin("curve_surface_intersections_with");
+        const auto found = n::surface_intersections(in.twist, in.surface, 1e-09, watched());
+        show("params_curve", found.params_curve);
+        show("params_surface", found.params_surface);
+        show("kinds", found.kinds);
+        show("ranges_curve", found.ranges_curve);
+        show("ranges_surface", found.ranges_surface);
+        show("complete", found.complete);
     }
     {
         begin("face_rays_with");

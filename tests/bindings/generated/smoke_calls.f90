@@ -3972,6 +3972,26 @@ contains
             call show('kinds', kinds_found)
             call show('complete', complete_found)
         end block
+        call begin('curve_surface_intersections')
+        block
+            real(c_double), allocatable :: params_curve_found(:)
+            real(c_double), allocatable :: params_surface_found(:, :)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_curve_found(:, :)
+            real(c_double), allocatable :: ranges_surface_found(:, :, :)
+            logical :: complete_found
+            call surface_intersections(curve=twist, surface=surface, params_curve=params_curve_found, &
+                params_surface=params_surface_found, kinds=kinds_found, ranges_curve=ranges_curve_found, &
+                ranges_surface=ranges_surface_found, complete=complete_found, tolerance=1d-09)
+            call show('params_curve', params_curve_found)
+            call show('params_surface', flat(reshape(params_surface_found, [size(params_surface_found, 2), &
+                size(params_surface_found, 1)], order=[2, 1])))
+            call show('kinds', kinds_found)
+            call show('ranges_curve', flat(reshape(ranges_curve_found, [size(ranges_curve_found, 2), &
+                size(ranges_curve_found, 1)], order=[2, 1])))
+            call show('ranges_surface', flat(ranges_surface_found))
+            call show('complete', complete_found)
+        end block
         call begin('face_rays')
         block
             real(c_double), allocatable :: params_found(:, :)
@@ -4820,6 +4840,27 @@ contains
                 directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
                 call=watching)
             call show('distances', distances_found)
+        end block
+        call begin('curve_surface_intersections_with')
+        block
+            real(c_double), allocatable :: params_curve_found(:)
+            real(c_double), allocatable :: params_surface_found(:, :)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_curve_found(:, :)
+            real(c_double), allocatable :: ranges_surface_found(:, :, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call surface_intersections(curve=twist, surface=surface, params_curve=params_curve_found, &
+                params_surface=params_surface_found, kinds=kinds_found, ranges_curve=ranges_curve_found, &
+                ranges_surface=ranges_surface_found, complete=complete_found, tolerance=1d-09, call=watching)
+            call show('params_curve', params_curve_found)
+            call show('params_surface', flat(reshape(params_surface_found, [size(params_surface_found, 2), &
+                size(params_surface_found, 1)], order=[2, 1])))
+            call show('kinds', kinds_found)
+            call show('ranges_curve', flat(reshape(ranges_curve_found, [size(ranges_curve_found, 2), &
+                size(ranges_curve_found, 1)], order=[2, 1])))
+            call show('ranges_surface', flat(ranges_surface_found))
+            call show('complete', complete_found)
         end block
         call begin('face_rays_with')
         block

@@ -3295,6 +3295,16 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("kinds", &found.kinds);
         show("complete", &found.complete);
     }
+    begin("curve_surface_intersections");
+    {
+        let found = given.twist.surface_intersections(&given.surface, 1e-09)?;
+        show("params_curve", &found.params_curve);
+        show("params_surface", &found.params_surface);
+        show("kinds", &found.kinds);
+        show("ranges_curve", &found.ranges_curve);
+        show("ranges_surface", &found.ranges_surface);
+        show("complete", &found.complete);
+    }
     begin("face_rays");
     {
         let found = given.face.rays(
@@ -3957,6 +3967,20 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("params", &found.params);
         show("distances", &found.distances);
         show("status", &found.status);
+    }
+    begin("curve_surface_intersections_with");
+    {
+        let found = given.twist.surface_intersections_with(
+            &given.surface,
+            1e-09,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params_curve", &found.params_curve);
+        show("params_surface", &found.params_surface);
+        show("kinds", &found.kinds);
+        show("ranges_curve", &found.ranges_curve);
+        show("ranges_surface", &found.ranges_surface);
+        show("complete", &found.complete);
     }
     begin("face_rays_with");
     {

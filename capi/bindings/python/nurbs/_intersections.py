@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
     from ._meets import Meet
 
-__all__ = ["Hits", "PairHits", "RayHits", "Rays"]
+__all__ = ["Hits", "PairHits", "RayHits", "Rays", "SurfaceHits"]
 
 
 class Hits(NamedTuple):
@@ -42,6 +42,18 @@ class PairHits(NamedTuple):
     kinds: Int32s
     ranges_a: Floats
     ranges_b: Floats
+    complete: bool
+
+
+class SurfaceHits(NamedTuple):
+    """Parameters (n,) on a curve, rising, and (n, 2) on a surface, a NURBS_HIT_ constant each, ranges (n, 2) of parameters of
+    the curve and (n, 2, 2) of both axes of the surface, and whether nothing is undecided."""
+
+    params_curve: Floats
+    params_surface: Floats
+    kinds: Int32s
+    ranges_curve: Floats
+    ranges_surface: Floats
     complete: bool
 
 
@@ -68,6 +80,11 @@ def _arrays(n: int) -> Tuple[Any, ...]:
 
 def _pair_arrays(n: int) -> Tuple[Any, ...]:
     return numpy.empty(n), numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty((n, 2)), numpy.empty((n, 2))
+
+
+def _surface_arrays(n: int) -> Tuple[Any, ...]:
+    return (numpy.empty(n), numpy.empty((n, 2)), numpy.empty(n, numpy.int32), numpy.empty((n, 2)),
+            numpy.empty((n, 2, 2)))
 
 
 def cast(function: Any, handle: Any, origins: ArrayLike, directions: ArrayLike) -> Rays:
@@ -109,6 +126,12 @@ class Intersections(SplineBase):
         """Where a curve meets itself, with proof that there are no other places."""
         return listed(PairHits, _pair_arrays, watched(lib.nurbs_curve_self_intersections, progress, work, 2),
                       self._handle, tolerance)
+
+    def surface_intersections(self, surface: SplineBase, tolerance: float = 0.0, *, progress: Progress = None,
+                              work: Optional[int] = None) -> SurfaceHits:
+        """Where a curve meets a surface, with proof that there are no other places."""
+        return listed(SurfaceHits, _surface_arrays, watched(lib.nurbs_curve_surface_intersections, progress, work, 2),
+                      self._handle, handle_of(surface), tolerance)
 
     def rays(self, origins: ArrayLike, directions: ArrayLike, *, progress: Progress = None,
              work: Optional[int] = None) -> Rays:

@@ -254,6 +254,8 @@ PROTOTYPES = {
     "nurbs_curve_intersections_with": "i ppdlpppppppp",
     "nurbs_curve_self_intersections": "i pdlppppppp",
     "nurbs_curve_self_intersections_with": "i pdlpppppppp",
+    "nurbs_curve_surface_intersections": "i ppdlppppppp",
+    "nurbs_curve_surface_intersections_with": "i ppdlpppppppp",
     "nurbs_surface_rays": "i plpllpllppp",
     "nurbs_surface_rays_with": "i plpllpllpppp",
     "nurbs_surface_ray_hits": "i pppplppppp",

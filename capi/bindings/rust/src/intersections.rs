@@ -45,6 +45,25 @@ pub struct PairHits {
     pub complete: bool,
 }
 
+/// Parameters on a curve, rising, and on a surface, `[n][2]`, one `NURBS_HIT_` constant each, and ranges of
+/// parameters of both: `[n][2]`, and `[n][2][2]` of both axes of the surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct SurfaceHits {
+    /// On the curve, in rising order.
+    pub params_curve: Vec<f64>,
+    /// `[n][2]` on the surface.
+    pub params_surface: Vec<[f64; 2]>,
+    /// One of the `NURBS_HIT_` constants each.
+    pub kinds: Vec<i32>,
+    /// Of parameters of the curve, `[n]` of lower and upper ends.
+    pub ranges_curve: Vec<[f64; 2]>,
+    /// Of parameters of the surface, `[n][2]` of lower and upper ends along each axis.
+    pub ranges_surface: Vec<[f64; 2]>,
+    /// Whether none of them is undecided.
+    pub complete: bool,
+}
+
 /// Where rays meet a surface first, at origin + t direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -333,6 +352,102 @@ impl Spline {
             &mut count,
         ))?;
         Ok(PairHits { params_a, params_b, kinds, ranges_a, ranges_b, complete: complete != 0 })
+    }
+
+    /// Where a curve meets a surface, with proof that there are no other places.
+    pub fn surface_intersections(&self, surface: &Spline, tolerance: f64) -> Result<SurfaceHits> {
+        let mut complete = 0;
+        let mut fill = |cap, params_curve, params_surface, kinds, ranges_curve, ranges_surface, count| unsafe {
+            sys::nurbs_curve_surface_intersections(
+                self.raw(),
+                surface.raw(),
+                tolerance,
+                cap,
+                params_curve,
+                params_surface,
+                kinds,
+                ranges_curve,
+                ranges_surface,
+                count,
+                &mut complete,
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params_curve = vec![0.0; n];
+        let mut params_surface = vec![[0.0; 2]; n];
+        let mut kinds = vec![0; n];
+        let mut ranges_curve = vec![[0.0; 2]; n];
+        let mut ranges_surface = vec![[0.0; 2]; 2 * n];
+        check(fill(
+            count,
+            params_curve.as_mut_ptr(),
+            params_surface.as_mut_ptr().cast(),
+            kinds.as_mut_ptr(),
+            ranges_curve.as_mut_ptr().cast(),
+            ranges_surface.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(SurfaceHits {
+            params_curve,
+            params_surface,
+            kinds,
+            ranges_curve,
+            ranges_surface,
+            complete: complete != 0,
+        })
+    }
+
+    /// The same as `surface_intersections`; it can be watched and stopped.
+    pub fn surface_intersections_with(
+        &self,
+        surface: &Spline,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<SurfaceHits> {
+        let mut complete = 0;
+        let mut fill = |cap, params_curve, params_surface, kinds, ranges_curve, ranges_surface, count| unsafe {
+            sys::nurbs_curve_surface_intersections_with(
+                self.raw(),
+                surface.raw(),
+                tolerance,
+                cap,
+                params_curve,
+                params_surface,
+                kinds,
+                ranges_curve,
+                ranges_surface,
+                count,
+                &mut complete,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params_curve = vec![0.0; n];
+        let mut params_surface = vec![[0.0; 2]; n];
+        let mut kinds = vec![0; n];
+        let mut ranges_curve = vec![[0.0; 2]; n];
+        let mut ranges_surface = vec![[0.0; 2]; 2 * n];
+        check(fill(
+            count,
+            params_curve.as_mut_ptr(),
+            params_surface.as_mut_ptr().cast(),
+            kinds.as_mut_ptr(),
+            ranges_curve.as_mut_ptr().cast(),
+            ranges_surface.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(SurfaceHits {
+            params_curve,
+            params_surface,
+            kinds,
+            ranges_curve,
+            ranges_surface,
+            complete: complete != 0,
+        })
     }
 
     /// Where rays meet a surface first, with proof.

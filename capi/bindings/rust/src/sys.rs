@@ -3637,6 +3637,41 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// Where a curve meets a surface: all places at which they come as near as the tolerance.
+    ///
+    /// May be null: `params_curve`, `params_surface`, `kinds`, `ranges_curve`, `ranges_surface`, `count`,
+    /// `complete`.
+    pub fn nurbs_curve_surface_intersections(
+        curve: *const nurbs,
+        surface: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params_curve: *mut f64,
+        params_surface: *mut f64,
+        kinds: *mut i32,
+        ranges_curve: *mut f64,
+        ranges_surface: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_curve_surface_intersections() as a call that can be watched and ended.
+    ///
+    /// May be null: `params_curve`, `params_surface`, `kinds`, `ranges_curve`, `ranges_surface`, `count`,
+    /// `complete`, `call`.
+    pub fn nurbs_curve_surface_intersections_with(
+        curve: *const nurbs,
+        surface: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params_curve: *mut f64,
+        params_surface: *mut f64,
+        kinds: *mut i32,
+        ranges_curve: *mut f64,
+        ranges_surface: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Where rays x = origin + t direction, t \>= 0, meet a surface first.
     ///
     /// May be null: `params`, `distances`, `status`.

@@ -243,6 +243,11 @@ const Call group[] = {
          return nurbs_surface_ray_hits(in.surface, origin, direction, nullptr, 8, o.values, o.values + 16,
              o.states, o.spans, o.states + 8);
      }, true},
+    {"curve_surface_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_curve_surface_intersections(in.twist, in.surface, 1e-09, 16, o.values, o.values + 16,
+             o.states, o.values + 48, o.values + 80, o.spans, o.states + 16);
+     }, true},
     {"face_rays",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
@@ -726,6 +731,13 @@ const Call group[] = {
          return nurbs_surface_rays_with(in.surface, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values,
              nullptr, &call);
      }},
+    {"curve_surface_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_curve_surface_intersections_with(in.twist, in.surface, 1e-09, 16, o.values, o.values +
+             16, o.states, o.values + 48, o.values + 80, o.spans, o.states + 16, &call);
+     }, true},
     {"face_rays_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};

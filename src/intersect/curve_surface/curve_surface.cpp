@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/curve_surface/curve_surface.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "eval/curve_point.h"
+#include "intersect/curve_surface/meet_search.h"
+#include "intersect/curve_surface/overlaps.h"
+#include "intersect/curve_surface/surface_sides.h"
+#include "numeric/norm.h"
+#include "numeric/vector3.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+using Kind = MeetCell::Kind;
+using Cells = std::vector<MeetCell>;
+
+class SurfaceMeeting {
+public:
+    SurfaceMeeting(const Spline &curve, const Spline &surface, double tolerance)
+        : curve_(curve), surface_(surface), tolerance_(tolerance), seams_(curve, surface),
+          search_(curve, surface, seams_) {}
+
+    SurfaceHits run() {
+        const MeetCells found = search_.find(tolerance_);
+        noise_ = search_.noise();
+        result_.complete = found.complete;
+        const Cells cells = without_unknown(found.list);
+        if (tolerance_ <= noise_) {
+            add_exact(cells);
+        } else {
+            for (const MeetGroup &group : groups_of(cells, seams_)) {
+                add_near(group, cells);
+            }
+        }
+        std::ranges::sort(result_.list, {},
+                          [](const SurfaceHit &hit) { return std::tuple(hit.at, hit.range[0].lower); });
+        return std::move(result_);
+    }
+
+private:
+    // Which are hits of their own: those whose parts of the curve hang together. They overlap each other.
+    Cells without_unknown(const Cells &cells) {
+        Cells known, unknown;
+        for (const MeetCell &cell : cells) {
+            (cell.kind == Kind::unknown ? unknown : known).push_back(cell);
+        }
+        std::ranges::sort(unknown, {}, [](const MeetCell &cell) { return cell.box[0].lower; });
+        for (auto first = unknown.begin(); first != unknown.end();) {
+            MeetGroup group;
+            double upper = first->box[0].upper;
+            for (; first != unknown.end() && first->box[0].lower <= upper; ++first) {
+                upper = std::max(upper, first->box[0].upper);
+                group.cells.push_back(*first);
+            }
+            group.fit();
+            for (size_t k = 0; k < 3; ++k) {
+                group.cells.front().at[k] = group.box[k].lower / 2 + group.box[k].upper / 2;
+            }
+            add(group, HitKind::undecided);
+        }
+        return known;
+    }
+
+    // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
+    // tolerance.
+    void add_near(const MeetGroup &group, const Cells &cells) {
+        if (group.is_still()) {
+            add(group, group.nearest().gap <= tolerance_ ? HitKind::overlap : HitKind::undecided);
+            return;
+        }
+        const std::vector<bool> taken = add_overlaps(group);
+        Cells exact, open;
+        MeetGroup rest;
+        for (size_t i = 0; i < group.cells.size(); ++i) {
+            const MeetCell &cell = group.cells[i];
+            if (taken[i]) {
+                continue;
+            }
+            rest.cells.push_back(cell);
+            const bool is_chart = cell.kind == Kind::meets || cell.kind == Kind::touches;
+            if (cell.meetable) {
+                (is_chart ? exact : open).push_back(cells[cell.index]);
+            }
+        }
+        const MeetCells finer = search_.refine(open);
+        result_.complete = result_.complete && finer.complete;
+        exact.insert(exact.end(), finer.list.begin(), finer.list.end());
+        const bool any = add_exact(without_unknown(exact));
+        if (!any && !rest.cells.empty() && std::ranges::find(taken, true) == taken.end() && finer.complete) {
+            rest.fit();
+            add(rest, rest.nearest().gap <= tolerance_ + noise_ ? HitKind::contact : HitKind::undecided);
+        }
+    }
+
+    // Returns the cells that they and what hangs on them are made of; meets stand for themselves.
+    std::vector<bool> add_overlaps(const MeetGroup &group) {
+        std::vector<bool> taken(group.cells.size(), false);
+        std::vector<size_t> front;
+        for (const SurfaceOverlap &overlap : overlaps_of(group, seams_)) {
+            for (const size_t i : overlap.cells) {
+                taken[i] = true;
+                front.push_back(i);
+            }
+            add(group, overlap);
+        }
+        while (!front.empty()) {
+            const MeetCell &from = group.cells[front.back()];
+            front.pop_back();
+            count_work(20 * std::ssize(group.cells));
+            for (size_t i = 0; i < group.cells.size(); ++i) {
+                const MeetCell &cell = group.cells[i];
+                if (!taken[i] && hangs(cell) && touch(from, cell)) {
+                    taken[i] = true;
+                    front.push_back(i);
+                }
+            }
+        }
+        return taken;
+    }
+    // Short parts at an overlap's ends.
+    [[nodiscard]] bool hangs(const MeetCell &cell) const {
+        return cell.kind == Kind::tiny || cell.kind == Kind::touches ||
+               (cell.kind == Kind::along && extent(cell.core[0]) <= 64 * tolerance_);
+    }
+
+    // What is as near as rounding can tell. Returns whether there is anything.
+    bool add_exact(const Cells &given) {
+        Cells cells;
+        bool any = false;
+        for (const MeetCell &cell : given) {
+            if (!cell.meetable) {
+                continue;
+            }
+            any = true;
+            if (cell.kind == Kind::meets) {
+                result_.list.push_back({cell.at, cell.core, HitKind::crossing});
+                continue;
+            }
+            cells.push_back(cell);
+            if (cell.kind == Kind::touches) {
+                cells.back().box = cell.core;
+            }
+        }
+        for (const MeetGroup &group : groups_of(cells, seams_)) {
+            add(group, kind_of(group));
+        }
+        return any;
+    }
+
+    [[nodiscard]] HitKind kind_of(const MeetGroup &group) const {
+        const bool runs_beside = group.has(Kind::along) || group.has(Kind::tiny),
+                   inside = !seams_.reach_end(group.box),
+                   one_turn = std::ranges::all_of(group.cells, [&group](const MeetCell &cell) {
+                       return cell.turn != 0 && cell.turn == group.cells.front().turn;
+                   });
+        const bool crosses = !runs_beside && one_turn && group.cells.size() > 1;
+        const double reach = extent(group.box[0]);
+        if (inside && (crosses || changes_side(curve_, surface_, seams_, group, reach, noise_))) {
+            return HitKind::crossing;
+        }
+        if (tolerance_ == 0 && !hold_common_point(group, reach)) {
+            return HitKind::undecided;
+        }
+        if (group.is_still()) {
+            return HitKind::overlap;
+        }
+        if (runs_beside && reach > 0x1p-6 * search_.size()) {
+            return HitKind::undecided; // more than a touch, but no overlap
+        }
+        return runs_beside || (inside && !one_turn) ? HitKind::tangent : HitKind::crossing;
+    }
+
+    // Whether a control point of both is in a group, at one place, and no more than rounding from its ends.
+    [[nodiscard]] bool hold_common_point(const MeetGroup &group, double reach) const {
+        return reach <= 512 * noise_ && std::ranges::any_of(group.cells, [this](const MeetCell &cell) {
+                   return is_control_point(curve_.axis(0), 0, cell.at[0]) &&
+                          is_control_point(surface_.axis(0), 1, cell.at[1]) &&
+                          is_control_point(surface_.axis(1), 2, cell.at[2]) && share_point(cell.at);
+               });
+    }
+    [[nodiscard]] bool is_control_point(const KnotVector &axis, size_t k, double t) const {
+        return multiplicity(axis.knots(), seams_.in_domain(k, t)) >= axis.degree();
+    }
+    // From one side or the other.
+    [[nodiscard]] bool share_point(const MeetPlace &at) const {
+        const double params[] = {seams_.in_domain(1, at[1]), seams_.in_domain(2, at[2])};
+        for (int sides = 0; sides < 8; ++sides) {
+            const std::vector<double> x =
+                eval::curve_point(curve_, seams_.in_domain(0, at[0]), (sides & 1) != 0);
+            std::vector<double> y(3);
+            eval::AxisRules rules{};
+            rules[0].left = (sides & 2) != 0;
+            rules[1].left = (sides & 4) != 0;
+            eval::evaluate_points(surface_, rules, 0, {params, 1, 2, 2, 1}, {y.data(), 1, 3, 3, 1});
+            if (x == y) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // How far the curve goes.
+    [[nodiscard]] double extent(Interval part) const {
+        const std::vector<double> from = eval::curve_point(curve_, seams_.in_domain(0, part.lower), false);
+        double most = 0;
+        for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+            const double at = seams_.in_domain(0, part.lower + share * (part.upper - part.lower));
+            most = std::max(most, distance(from.data(), eval::curve_point(curve_, at, true).data(), 3));
+        }
+        return most;
+    }
+
+    void add(const MeetGroup &group, HitKind kind) {
+        SurfaceHit hit{group.nearest().at, {}, kind};
+        place(hit, group.box);
+        result_.complete = result_.complete && kind != HitKind::undecided;
+    }
+    // At a place about the middle on the curve.
+    void add(const MeetGroup &group, const SurfaceOverlap &overlap) {
+        const double middle = overlap.box[0].lower / 2 + overlap.box[0].upper / 2;
+        const auto apart = [&](size_t i) { return std::abs(group.cells[i].at[0] - middle); };
+        SurfaceHit hit{
+            group.cells[*std::ranges::min_element(overlap.cells, {}, apart)].at, {}, HitKind::overlap};
+        place(hit, overlap.box);
+    }
+    void place(SurfaceHit &hit, const MeetBox &box) {
+        for (size_t k = 0; k < 3; ++k) {
+            hit.at[k] = seams_.in_domain(k, hit.at[k]);
+            hit.range[k] = seams_.range(k, box[k]);
+        }
+        result_.list.push_back(hit);
+    }
+
+    const Spline &curve_, &surface_;
+    double tolerance_, noise_ = 0;
+    Seams seams_;
+    MeetSearch search_;
+    SurfaceHits result_;
+};
+
+} // namespace
+
+SurfaceHits curve_surface(const Spline &curve, const Spline &surface, double tolerance) {
+    check_dimension(curve, space_dim, space_dim, "curve");
+    check_same_dimension(curve, surface);
+    const UsualLimit usual(usual_work(curve.point_count() + surface.point_count()));
+    const LimitedSearch limited;
+    return SurfaceMeeting(curve, surface, tolerance).run();
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/curve_surface/meet_groups.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace nrb::intersect {
+
+namespace {
+
+using PeriodCounts = std::array<int, 3>;
+
+Interval moved(Interval part, double by) noexcept {
+    return {part.lower + by, part.upper + by};
+}
+
+bool overlap(Interval a, Interval b) noexcept {
+    return a.lower <= b.upper && b.lower <= a.upper;
+}
+
+// A cell that touches another one if it is moved by so many periods.
+struct Touch {
+    size_t cell;
+    PeriodCounts periods;
+};
+
+class Touches {
+public:
+    Touches(std::span<const MeetCell> cells, const Seams &seams)
+        : cells_(cells), seams_(seams), of_(cells.size()) {}
+
+    std::vector<std::vector<Touch>> run() {
+        sweep();
+        for (int turns = 14; turns < 27; ++turns) { // each way across, but not back
+            look_across({turns / 9 - 1, turns / 3 % 3 - 1, turns % 3 - 1});
+        }
+        return std::move(of_);
+    }
+
+private:
+    // Along the axis on which cells are the shortest, beside all of them.
+    [[nodiscard]] size_t sweep_axis() const noexcept {
+        std::array<double, 3> shares{};
+        for (size_t k = 0; k < 3; ++k) {
+            Interval all{infinity, -infinity};
+            for (const MeetCell &cell : cells_) {
+                shares[k] += cell.box[k].upper - cell.box[k].lower;
+                all = {std::min(all.lower, cell.box[k].lower), std::max(all.upper, cell.box[k].upper)};
+            }
+            shares[k] = all.upper > all.lower ? shares[k] / (all.upper - all.lower) : infinity;
+        }
+        return static_cast<size_t>(std::ranges::min_element(shares) - shares.begin());
+    }
+    void sweep() {
+        const size_t k = sweep_axis();
+        std::vector<size_t> order(cells_.size()), open;
+        for (size_t i = 0; i < order.size(); ++i) {
+            order[i] = i;
+        }
+        std::ranges::sort(order, {}, [&](size_t i) { return cells_[i].box[k].lower; });
+        for (const size_t i : order) {
+            std::erase_if(open, [&](size_t j) { return cells_[j].box[k].upper < cells_[i].box[k].lower; });
+            count_work(10 * std::ssize(open));
+            for (const size_t j : open) {
+                look(j, i, {});
+            }
+            open.push_back(i);
+        }
+    }
+
+    [[nodiscard]] bool is_at(const MeetCell &cell, size_t k, bool upper) const noexcept {
+        return upper ? cell.box[k].upper >= seams_.domain(k).upper
+                     : cell.box[k].lower <= seams_.domain(k).lower;
+    }
+    // The cells from which that many periods lead across seams.
+    [[nodiscard]] std::vector<size_t> cells_at(const PeriodCounts &periods) const {
+        std::vector<size_t> found;
+        for (size_t i = 0; i < cells_.size(); ++i) {
+            bool all = true;
+            for (size_t k = 0; k < 3; ++k) {
+                all = all && (periods[k] == 0 || is_at(cells_[i], k, periods[k] > 0));
+            }
+            if (all) {
+                found.push_back(i);
+            }
+        }
+        return found;
+    }
+    void look_across(const PeriodCounts &periods) {
+        const std::vector<size_t> from = cells_at(periods),
+                                  to = cells_at({-periods[0], -periods[1], -periods[2]});
+        for (size_t k = 0; k < 3; ++k) {
+            if (from.empty() || to.empty() || (periods[k] != 0 && seams_.period(k) == 0)) {
+                return;
+            }
+        }
+        for (const size_t j : from) {
+            count_work(10 * std::ssize(to));
+            for (const size_t i : to) {
+                look(j, i, periods);
+            }
+        }
+    }
+
+    // Cell i, moved by periods, after j.
+    void look(size_t j, size_t i, const PeriodCounts &periods) {
+        const MeetCell &a = cells_[j], &b = cells_[i];
+        for (size_t k = 0; k < 3; ++k) {
+            if (periods[k] == 0 && (a.segments[k] != b.segments[k] || !overlap(a.box[k], b.box[k]))) {
+                return;
+            }
+        }
+        of_[j].push_back({i, periods});
+        of_[i].push_back({j, {-periods[0], -periods[1], -periods[2]}});
+    }
+
+    std::span<const MeetCell> cells_;
+    const Seams &seams_;
+    std::vector<std::vector<Touch>> of_;
+};
+
+MeetCell moved_by(MeetCell cell, const PeriodCounts &periods, const Seams &seams) {
+    for (size_t k = 0; k < 3; ++k) {
+        if (periods[k] == 0) {
+            continue;
+        }
+        const double by = periods[k] * seams.period(k);
+        cell.box[k] = moved(cell.box[k], by);
+        cell.core[k] = moved(cell.core[k], by);
+        cell.at[k] += by;
+    }
+    return cell;
+}
+
+} // namespace
+
+void MeetGroup::fit() noexcept {
+    box.fill({infinity, -infinity});
+    for (const MeetCell &cell : cells) {
+        for (size_t k = 0; k < 3; ++k) {
+            box[k] = {std::min(box[k].lower, cell.box[k].lower), std::max(box[k].upper, cell.box[k].upper)};
+        }
+    }
+}
+
+const MeetCell &MeetGroup::nearest() const noexcept {
+    return *std::ranges::min_element(cells, {}, &MeetCell::gap);
+}
+
+bool MeetGroup::has(MeetCell::Kind kind) const noexcept {
+    return std::ranges::any_of(cells, [kind](const MeetCell &cell) { return cell.kind == kind; });
+}
+
+bool MeetGroup::is_still() const noexcept {
+    return std::ranges::all_of(cells, &MeetCell::still);
+}
+
+bool touch(const MeetCell &a, const MeetCell &b) noexcept {
+    for (size_t k = 0; k < 3; ++k) {
+        if (!overlap(a.box[k], b.box[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<MeetGroup> groups_of(std::span<const MeetCell> cells, const Seams &seams) {
+    const std::vector<std::vector<Touch>> touches = Touches(cells, seams).run();
+    std::vector<bool> seen(cells.size(), false);
+    std::vector<MeetGroup> groups;
+    for (size_t first = 0; first < cells.size(); ++first) {
+        if (seen[first]) {
+            continue;
+        }
+        std::vector<Touch> members{{first, {}}};
+        seen[first] = true;
+        MeetGroup &group = groups.emplace_back();
+        for (size_t i = 0; i < members.size(); ++i) {
+            const Touch member = members[i];
+            group.cells.push_back(moved_by(cells[member.cell], member.periods, seams));
+            group.cells.back().index = member.cell;
+            for (const auto &[next, by] : touches[member.cell]) {
+                if (!seen[next]) {
+                    seen[next] = true;
+                    const PeriodCounts &own = member.periods;
+                    members.push_back({next, {own[0] + by[0], own[1] + by[1], own[2] + by[2]}});
+                }
+            }
+        }
+        group.fit();
+        std::ranges::sort(group.cells, {}, [](const MeetCell &cell) {
+            return std::tuple(cell.box[0].lower, cell.box[1].lower, cell.box[2].lower);
+        });
+    }
+    return groups;
+}
+
+} // namespace nrb::intersect

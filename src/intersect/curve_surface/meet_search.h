@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Finds the parts of a curve and a surface that come near each other.
+#pragma once
+
+#include "closest/pair/pair_cells.h"
+#include "intersect/curve_surface/meet_judge.h"
+#include "intersect/curve_surface/seams.h"
+
+#include <deque>
+#include <span>
+
+namespace nrb::intersect {
+
+// Pairs of cells of the trees of both, down to parts for which charts, bounds from below or feet decide. A search keeps its
+// trees, so that finer ones go on where it ended.
+class MeetSearch {
+public:
+    MeetSearch(const Spline &curve, const Spline &surface, const Seams &seams);
+
+    // All that is within the tolerance, or within the noise, of each other.
+    MeetCells find(double tolerance);
+    // What is as near as rounding can tell, in the parts of some cells.
+    MeetCells refine(std::span<const MeetCell> cells);
+
+    // About half of the largest side of the box of both.
+    [[nodiscard]] double size() const noexcept { return frame_.unscaled(1); }
+    // What rounding leaves open of a distance.
+    [[nodiscard]] double noise() const noexcept { return frame_.unscaled(framed_noise()); }
+
+private:
+    using PairCell = closest::PairCell;
+    struct Pair {
+        PairCell *curve, *surface;
+    };
+
+    MeetCells run();
+    void look(const Pair &pair);
+    void add(const Pair &pair);
+    void add_unknown(const Pair &pair);
+    void divide(const Pair &pair, bool curve_is_long);
+    bool divide_one(const Pair &pair, bool of_curve);
+    SlopedArc sloped_arc(PairCell &cell);
+    SlopedPatch sloped_patch(PairCell &cell);
+    [[nodiscard]] double near() const noexcept { return std::max(tolerance_, framed_noise()); }
+    [[nodiscard]] double framed_noise() const noexcept;
+
+    pieces::Frame frame_;
+    closest::PairCells curve_cells_, surface_cells_;
+    const Seams &seams_;
+    int degrees_;
+    double tolerance_ = 0;
+    std::vector<Pair> stack_;
+    std::deque<Slopes> arc_slopes_; // by marks of cells
+    std::deque<PatchSlopes> patch_slopes_;
+    MeetJudge judge_;
+    MeetCells result_;
+};
+
+} // namespace nrb::intersect

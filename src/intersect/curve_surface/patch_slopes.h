@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The derivatives of a piece of a surface.
+#pragma once
+
+#include "intersect/pairs/slopes.h"
+
+#include <array>
+#include <optional>
+
+namespace nrb::intersect {
+
+// Hulls of both partial derivatives are made when they are first asked for: those of rational pieces have many vectors, and
+// what the corners say is often enough.
+class PatchSlopes {
+public:
+    // Precondition: piece.positive(), of two axes, in space. The piece stays where it is.
+    explicit PatchSlopes(const pieces::BezierPiece &piece);
+
+    // The derivatives along an axis at the four corners, and their mean.
+    [[nodiscard]] const double *corner(int axis, int i) const noexcept {
+        return corners_[static_cast<size_t>(axis)].data() + 3 * i;
+    }
+    [[nodiscard]] const double *mean(int axis) const noexcept { return corner(axis, 4); }
+    [[nodiscard]] const Slopes &along(int axis);
+
+private:
+    const pieces::BezierPiece *piece_;
+    std::array<std::array<double, 15>, 2> corners_{}; // the mean is the last one
+    std::array<std::optional<Slopes>, 2> along_;
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Where the parameters (t, u, v) of a curve and a surface go on, jump or end.
+#pragma once
+
+#include "intersect/curve_surface/meet_cell.h"
+#include "intersect/pairs/strands.h"
+#include "spline/spline.h"
+
+#include <optional>
+
+namespace nrb::intersect {
+
+// A surface goes on across a border of its domain that is the same as the one on the other side, and at one that is a
+// point if the border goes round it; a curve where it is periodic. Kept while the answer for one call is made.
+class Seams {
+public:
+    Seams(const Spline &curve, const Spline &surface);
+
+    [[nodiscard]] Interval domain(size_t k) const noexcept { return axis(k).domain(); }
+    // The length of a period; 0: there is none.
+    [[nodiscard]] double period(size_t k) const;
+    [[nodiscard]] bool periodic(size_t k) const noexcept { return axis(k).periodic(); }
+    // The parts between jumps.
+    [[nodiscard]] std::array<int64_t, 3> segments(const MeetPlace &at) const;
+    // Whether a box reaches an end of the curve, or a border of the surface, where nothing goes on.
+    [[nodiscard]] bool reach_end(const MeetBox &box) const;
+    // Of knots in the domain, and in the next period.
+    [[nodiscard]] const Breaks &breaks(size_t k) const noexcept { return breaks_[k]; }
+
+    // Moved by periods into the domain, or clamped.
+    [[nodiscard]] double in_domain(size_t k, double t) const;
+    // Beginning in the domain, and no longer than a period.
+    [[nodiscard]] Interval range(size_t k, Interval part) const;
+
+private:
+    [[nodiscard]] const KnotVector &axis(size_t k) const noexcept {
+        return k == 0 ? curve_.axis(0) : surface_.axis(static_cast<int>(k) - 1);
+    }
+    using Rows = std::vector<std::array<double, 3>>;
+    // Points of the surface along a line of parameters, as many as determine it.
+    [[nodiscard]] Rows line(int axis, double t, bool left) const;
+    [[nodiscard]] bool are_one_line(const Rows &x, const Rows &y) const noexcept;
+    [[nodiscard]] bool is_pole(int axis, bool upper) const;
+    [[nodiscard]] bool ends_at(size_t k, bool upper) const;
+    void set_jumps(int axis);
+
+    const Spline &curve_, &surface_;
+    std::array<Breaks, 3> breaks_;
+    std::array<std::vector<double>, 3> jumps_;
+    mutable std::array<std::optional<bool>, 3> closes_;
+    mutable std::array<std::optional<bool>, 6> ends_;
+};
+
+} // namespace nrb::intersect

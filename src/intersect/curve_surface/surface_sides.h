@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// On which side of a surface a curve lies.
+#pragma once
+
+#include "intersect/curve_surface/meet_groups.h"
+
+namespace nrb::intersect {
+
+// Whether the curve is on both sides of the surface before and after a group, where it first is farther from it than
+// rounding can tell. reach: how far the curve goes in the group.
+bool changes_side(const Spline &curve, const Spline &surface, const Seams &seams, const MeetGroup &group,
+                  double reach, double noise);
+
+} // namespace nrb::intersect

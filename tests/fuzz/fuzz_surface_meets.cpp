@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Meets of curves and surfaces: a place where they meet is in the range of a hit, whatever they are.
+#include "fuzz/harness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using fuzz::Input;
+
+constexpr int64_t most = 256;
+
+struct Hits {
+    std::array<double, most> t{};
+    std::vector<double> params = std::vector<double>(2 * most), on_curve = params,
+                        on_surface = std::vector<double>(4 * most);
+    std::array<int32_t, most> kinds{};
+    int64_t count = 0;
+    int32_t complete = -1;
+};
+
+fuzz::Spline in_space(Input &in, int axes) {
+    fuzz::Spline s;
+    fuzz::add_axes(in, s, axes);
+    fuzz::add_values(in, s, in.rarely() ? 1 + in.below(4) : 3);
+    return s;
+}
+
+void check(const Hits &h, const nurbs *curve, const nurbs *surface) {
+    double domain[3][2];
+    FUZZ_REQUIRE(nurbs_domain(curve, 0, domain[0]) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_domain(surface, 0, domain[1]) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_domain(surface, 1, domain[2]) == NURBS_OK);
+    bool undecided = false;
+    FUZZ_REQUIRE(std::is_sorted(h.t.begin(), h.t.begin() + h.count));
+    for (int64_t i = 0; i < h.count; ++i) {
+        const auto at = static_cast<size_t>(i);
+        FUZZ_REQUIRE(h.kinds[at] >= NURBS_HIT_CROSSING && h.kinds[at] <= NURBS_HIT_UNDECIDED);
+        const double places[] = {h.t[at], h.params[2 * at], h.params[2 * at + 1]};
+        const double lower[] = {h.on_curve[2 * at], h.on_surface[4 * at], h.on_surface[4 * at + 2]},
+                     upper[] = {h.on_curve[2 * at + 1], h.on_surface[4 * at + 1], h.on_surface[4 * at + 3]};
+        for (int k = 0; k < 3; ++k) {
+            FUZZ_REQUIRE(places[k] >= domain[k][0] && places[k] <= domain[k][1]);
+            FUZZ_REQUIRE(lower[k] <= upper[k] && lower[k] >= domain[k][0]);
+        }
+        undecided = undecided || h.kinds[at] == NURBS_HIT_UNDECIDED;
+    }
+    FUZZ_REQUIRE(h.complete == (undecided ? 0 : 1));
+}
+
+void meet(const nurbs *curve, const nurbs *surface, double tolerance, int64_t work) {
+    Hits h;
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = work;
+    if (FUZZ_OK(nurbs_curve_surface_intersections_with(curve, surface, tolerance, most, h.t.data(),
+                                                       h.params.data(), h.kinds.data(), h.on_curve.data(),
+                                                       h.on_surface.data(), &h.count, &h.complete, &call))) {
+        check(h, curve, surface);
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    Input in(data, size);
+    const fuzz::Handle curve(fuzz::create(in_space(in, in.rarely() ? 2 : 1))),
+        surface(fuzz::create(in_space(in, in.rarely() ? 3 : 2)));
+    if (!curve || !surface) {
+        return 0;
+    }
+    const double tolerance = std::abs(in.number()) * (in.coin() ? 0x1p-20 : 1);
+    meet(curve.get(), surface.get(), tolerance, 2000000);
+    meet(curve.get(), surface.get(), 0, in.below(1000) + 1);
+    int64_t count = 0;
+    FUZZ_OK(nurbs_curve_surface_intersections(surface.get(), surface.get(), tolerance, 0, nullptr, nullptr,
+                                              nullptr, nullptr, nullptr, &count, nullptr));
+    nurbs *side = nullptr;
+    double domain[2];
+    if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&
+        FUZZ_OK(nurbs_iso(surface.get(), 0, domain[0], 0, &side))) {
+        meet(fuzz::Handle(side).get(), surface.get(), tolerance, 2000000); // an overlap
+    }
+    return 0;
+}
