@@ -6,6 +6,7 @@
 #include "pieces/tree/piece_grid.h"
 
 #include <array>
+#include <optional>
 
 namespace nrb::intersect {
 
@@ -22,6 +23,8 @@ public:
     // Whether there may be zeros on a piece: a quick look.
     [[nodiscard]] virtual bool may_vanish(int64_t piece) const = 0;
     virtual LevelNet net(int64_t piece) = 0;
+    // f w as a linear form of (x, y, z, w), if it is one.
+    [[nodiscard]] virtual std::optional<std::array<double, 4>> form() const { return std::nullopt; }
     // Whether the zeros of a piece may end at a side behind which the surface goes on.
     [[nodiscard]] virtual bool may_jump() const noexcept = 0;
     // Weights of the surface above this are known to be positive.

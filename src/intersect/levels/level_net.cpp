@@ -114,6 +114,21 @@ LevelNet::Edge LevelNet::Edge::take_lower_half() {
     return lower;
 }
 
+double LevelNet::value(const std::array<double, 2> &place) const noexcept {
+    std::array<double, max_product_degree + 1> across, along;
+    bernstein_functions(degrees[0], place[0], across.data());
+    bernstein_functions(degrees[1], place[1], along.data());
+    double sum = 0;
+    for (size_t i = 0; i < rows(); ++i) {
+        double row = 0;
+        for (size_t j = 0; j < columns(); ++j) {
+            row += along[j] * values[i * columns() + j];
+        }
+        sum += across[i] * row;
+    }
+    return sum;
+}
+
 LevelNet::Point LevelNet::at(const std::array<double, 2> &place) const noexcept {
     constexpr size_t stride = max_product_degree + 1;
     std::array<std::array<double, 2 * stride>, 2> functions; // values, then derivatives

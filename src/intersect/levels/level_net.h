@@ -68,6 +68,7 @@ struct LevelNet {
         std::array<double, 2> slope;
     };
     [[nodiscard]] Point at(const std::array<double, 2> &place) const noexcept;
+    [[nodiscard]] double value(const std::array<double, 2> &place) const noexcept;
 };
 
 // Coefficients [degrees[0] + 1][degrees[1] + 1][width] over a part of [0, 1]^2.

@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "basis/bspline.h"
 #include "bernstein/de_casteljau.h"
 #include "intersect/levels/level_trace.h"
 #include "numeric/norm.h"
@@ -69,6 +70,7 @@ void ArcFitter::set_piece(int64_t piece) {
     piece_ = piece;
     domain_ = domain_of(grid_, piece);
     net_ = field_.net(piece);
+    form_ = field_.form();
     grid_.patch(piece, work_.data(), patch_.data());
     bounds_.set(net_, degrees_, patch_);
 }
@@ -173,7 +175,7 @@ void ArcFitter::fit(const LevelArc &arc, std::vector<LevelSegment> &segments) {
     set_piece(arc.part.piece);
     axis_ = arc.axis;
     left_ = most_segments;
-    fit_between(node(arc.first), node(arc.last), room_of(arc), segments);
+    fit_between(node(arc.first), node(arc.last), room_of(arc), nullptr, segments);
 }
 
 // Rounding is what more segments do not mend.
@@ -185,9 +187,14 @@ bool ArcFitter::is_good(const Room &room, const LevelSegment &segment) const noe
                                             : room.depth >= most_depth_without_proof;
 }
 
-void ArcFitter::fit_between(const Node &a, const Node &b, const Room &room,
+// sampled: the same one in another room, if it was looked at there.
+void ArcFitter::fit_between(const Node &a, const Node &b, const Room &room, const LevelSegment *sampled,
                             std::vector<LevelSegment> &segments) {
     LevelSegment segment = hermite(a, b, room);
+    if (sampled != nullptr && sampled->on == segment.on) {
+        segment.largest_value = sampled->largest_value;
+        segment.largest_gap = sampled->largest_gap;
+    }
     const double away = set_deviation(room, segment);
     count_work(std::ssize(samples_) * 16 * std::ssize(net_.values));
     if (is_good(room, segment)) {
@@ -208,7 +215,8 @@ void ArcFitter::fit_between(const Node &a, const Node &b, const Room &room,
                  std::max(aside.upper, place[1 - axis_] + away)};
     }
     count_work(40 * std::ssize(net_.values));
-    fit_between(a, b, part_of(room, a, b, aside), segments);
+    const LevelSegment same = segment;
+    fit_between(a, b, part_of(room, a, b, aside), &same, segments);
 }
 
 // Errors fall with the fourth power of the length.
@@ -222,7 +230,7 @@ void ArcFitter::divide(const Node &a, const Node &b, const Room &room, const Lev
     Node from = a;
     for (int i = 1; i <= parts; ++i) {
         const Node to = i == parts ? b : node_between(room, a, b, static_cast<double>(i) / parts);
-        fit_between(from, to, next, segments);
+        fit_between(from, to, next, nullptr, segments);
         from = to;
     }
 }
@@ -260,27 +268,59 @@ double ArcFitter::rounding(const PartBounds &bounds) const noexcept {
     return sum + bounds.moves[1 - axis_] * net_.noise.of(bounds.largest_weight) / bounds.least_slope;
 }
 
+// All four values at once.
+std::array<double, 4> ArcFitter::record_at(const std::array<double, 2> &place) const noexcept {
+    std::array<double, max_basis> across, along;
+    bernstein_functions(degrees_[0], place[0], across.data());
+    bernstein_functions(degrees_[1], place[1], along.data());
+    const auto rows = static_cast<size_t>(degrees_[0]) + 1, columns = static_cast<size_t>(degrees_[1]) + 1;
+    std::array<double, 4> sum{};
+    const double *record = patch_.data();
+    for (size_t i = 0; i < rows; ++i) {
+        std::array<double, 4> row{};
+        for (size_t j = 0; j < columns; ++j, record += 4) {
+            for (size_t c = 0; c < 4; ++c) {
+                row[c] += along[j] * record[c];
+            }
+        }
+        for (size_t c = 0; c < 4; ++c) {
+            sum[c] += across[i] * row[c];
+        }
+    }
+    return sum;
+}
+
+void ArcFitter::sample(LevelSegment &segment) const noexcept {
+    if (segment.largest_value >= 0) {
+        return;
+    }
+    double value = 0, gap = 0;
+    for (const std::array<double, 4> &functions : samples_) {
+        const std::array<double, 2> place = combined(segment.on, functions);
+        const std::array<double, 3> point = combined(segment.space, functions);
+        const std::array<double, 4> record = record_at(place);
+        value = std::max(value, std::abs(form_ ? dot(form_->data(), record.data(), 4) : net_.value(place)));
+        double squares = 0;
+        for (size_t c = 0; c < 3; ++c) {
+            const double apart = record[3] * point[c] - record[c];
+            squares += apart * apart;
+        }
+        gap = std::max(gap, squares);
+    }
+    segment.largest_value = value;
+    segment.largest_gap = std::sqrt(gap);
+}
+
 double ArcFitter::set_deviation(const Room &room, LevelSegment &segment) {
     const PartBounds &bounds = room.bounds;
     segment.deviation = infinity;
     if (!(bounds.least_slope > 0) || !(bounds.least_weight > net_.least_weight)) {
         return infinity;
     }
-    double most = 0, most_apart = 0;
-    for (const std::array<double, 4> &functions : samples_) {
-        const std::array<double, 2> place = combined(segment.on, functions);
-        const std::array<double, 3> point = combined(segment.space, functions);
-        most = std::max(most, std::abs(net_.at(place).value));
-        evaluate(place, 0);
-        double apart[3];
-        for (size_t c = 0; c < 3; ++c) {
-            apart[c] = record_[3] * point[c] - record_[c];
-        }
-        most_apart = std::max(most_apart, norm(apart, 3));
-    }
-    const double away = factor_ * most / bounds.least_slope;
-    segment.deviation =
-        factor_ * most_apart / bounds.least_weight + bounds.moves[1 - axis_] * away + rounding(bounds);
+    sample(segment);
+    const double away = factor_ * segment.largest_value / bounds.least_slope;
+    segment.deviation = factor_ * segment.largest_gap / bounds.least_weight + bounds.moves[1 - axis_] * away +
+                        rounding(bounds);
     return away + net_.noise.of(bounds.largest_weight) / bounds.least_slope;
 }
 

@@ -14,6 +14,8 @@ struct LevelSegment {
     std::array<std::array<double, 2>, 4> on{};
     std::array<std::array<double, 3>, 4> space{};
     double deviation = 0; // of both, in space, from the level
+    // At Chebyshev points: the largest |f w|, and |w (C - S)| of both curves; less than 0: not known.
+    double largest_value = -1, largest_gap = -1;
 };
 
 // With points, and tangents of length 1 in space, at both ends (Hermite). The function along such a piece, and the
@@ -47,7 +49,8 @@ private:
     [[nodiscard]] Room part_of(const Room &room, const Node &a, const Node &b, const Interval &aside) const;
     [[nodiscard]] Node node(const std::array<double, 2> &place);
     [[nodiscard]] Node node_between(const Room &room, const Node &a, const Node &b, double share);
-    void fit_between(const Node &a, const Node &b, const Room &room, std::vector<LevelSegment> &segments);
+    void fit_between(const Node &a, const Node &b, const Room &room, const LevelSegment *sampled,
+                     std::vector<LevelSegment> &segments);
     void divide(const Node &a, const Node &b, const Room &room, const LevelSegment &segment,
                 std::vector<LevelSegment> &segments);
     [[nodiscard]] LevelSegment hermite(const Node &a, const Node &b, const Room &room) const noexcept;
@@ -55,6 +58,8 @@ private:
     double set_deviation(const Room &room, LevelSegment &segment);
     [[nodiscard]] double rounding(const PartBounds &bounds) const noexcept;
     [[nodiscard]] bool is_good(const Room &room, const LevelSegment &segment) const noexcept;
+    void sample(LevelSegment &segment) const noexcept;
+    [[nodiscard]] std::array<double, 4> record_at(const std::array<double, 2> &place) const noexcept;
     void evaluate(const std::array<double, 2> &place, int order);
 
     LevelField &field_;
@@ -67,6 +72,7 @@ private:
     PieceDomain domain_{};
     LevelNet net_;
     PieceBounds bounds_;
+    std::optional<std::array<double, 4>> form_;
     std::vector<double> patch_, work_, record_;
     size_t axis_ = 0; // that of the present arc
     int left_ = 0;    // segments that it may still have

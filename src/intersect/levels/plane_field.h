@@ -20,6 +20,9 @@ public:
     [[nodiscard]] bool may_vanish(int64_t piece) const override;
     LevelNet net(int64_t piece) override;
     [[nodiscard]] bool may_jump() const noexcept override { return false; }
+    [[nodiscard]] std::optional<std::array<double, 4>> form() const override {
+        return std::array<double, 4>{normal_[0], normal_[1], normal_[2], -level_};
+    }
     [[nodiscard]] double resolution(double tolerance) const noexcept override { return tolerance; }
 
 private:
