@@ -7,6 +7,7 @@
 
 #include "base/checked.h"
 #include "base/tolerance.h"
+#include "face/trimmed_meet.h"
 #include "intersect/levels/sections.h"
 #include "spline/kind.h"
 
@@ -163,4 +164,18 @@ nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *leve
         }
         put(count, int64_t{std::ssize(nodes)});
     });
+}
+
+nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const intersect::Meet &whole = meet_of(meet);
+        require(face, "face");
+        *out = new nurbs_meet{std::make_shared<const intersect::Meet>(face::trimmed(*face->face, whole))};
+    });
+}
+
+nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
+                                  const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_meet_trim(meet, face, out); });
 }

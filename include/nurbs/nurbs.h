@@ -5728,6 +5728,29 @@ NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
                                         double *params, double *ranges, int64_t *count);
+
+/** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
+ * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed. Where curves
+ * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
+ * of their middles (nurbs_face_classify()); what runs along a loop, to 1e-9 of the domain, is inside; where crossings
+ * are undecided there is a node UNDECIDED. A closed branch that
+ * is cut is cut where it begins, too, in two nodes SEAM. A node TOUCH stays if its middle is in the face, a node
+ * UNDECIDED in any case. Deviations stay.
+ * \param[in] meet of the surface of the face, or one with the same parameters.
+ * \param[in] face a face.
+ * \param[out] out the new meet.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
+
+/** \brief nurbs_meet_trim() as a call that can be watched and ended.
+ * \param[in] meet,face as for nurbs_meet_trim().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_meet_trim(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
+                                            const nurbs_call_options *call, nurbs_meet **out);
 /** @} */
 
 /** \defgroup edit Weights and control points

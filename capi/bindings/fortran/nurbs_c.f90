@@ -3104,6 +3104,22 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), ranges(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
+        !> What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
+        !> BORDER on them, and the nodes of these parts.
+        function nurbs_meet_trim(meet, face, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet, face
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_trim
+        !> nurbs_meet_trim() as a call that can be watched and ended.
+        function nurbs_meet_trim_with(meet, face, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet, face
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_trim_with
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.

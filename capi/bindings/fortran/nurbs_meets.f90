@@ -7,19 +7,20 @@ module nurbs_meets
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_level, &
         nurbs_surface_level_curves, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, nurbs_meet_nodes, &
-        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_level_with, &
-        nurbs_surface_level_curves_with
+        nurbs_meet_trim, nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_level_with, &
+        nurbs_surface_level_curves_with, nurbs_meet_trim_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
     use nurbs_splines
+    use nurbs_faces
     implicit none
     private
 
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, level, level_curves, counts, branches, branch, nodes
+        procedure :: sections, contours, level, level_curves, counts, branches, branch, nodes, trimmed
     end type nurbs_meet
 
 contains
@@ -182,4 +183,22 @@ contains
         if (code == NURBS_OK) levels = levels + 1
         call settle(code, status)
     end subroutine nodes
+
+    !> What of the branches lies in a face of the surface that they are on.
+    subroutine trimmed(this, meet, face, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_meet), intent(in) :: meet
+        class(nurbs_face), intent(in) :: face
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_meet_trim_with(meet%handle, face%handle, watched(call), made)
+        else
+            code = nurbs_meet_trim(meet%handle, face%handle, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine trimmed
 end module nurbs_meets

@@ -5,6 +5,7 @@
 #ifndef NURBS_CPP_MEETS_HPP
 #define NURBS_CPP_MEETS_HPP
 
+#include <nurbs/cpp/face.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <array>
@@ -163,6 +164,15 @@ public:
         found.ranges = detail::room(count, 2, 2);
         ask(count);
         return found;
+    }
+    /// What of the branches lies in a face of the surface that they are on.
+    [[nodiscard]] static Returned<Meet> trimmed(const Meet &meet, const Face &face) {
+        return detail::made<Meet>(nurbs_meet_trim, meet.get(), face.get());
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> trimmed(const Meet &meet, const Face &face, const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_meet_trim_with, meet.get(), face.get(), watch.get());
     }
 };
 

@@ -831,6 +831,11 @@ void data(const Inputs &in) {
         const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01);
         show("out", found);
     }
+    {
+        begin("meet_trim");
+        const auto found = n::Meet::trimmed(in.meet, in.face);
+        show("out", found);
+    }
     by_hand("meet_clone");
     by_hand("meet_destroy");
     {
@@ -1095,6 +1100,11 @@ void data(const Inputs &in) {
         begin("surface_level_curves_with");
         const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
         const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("meet_trim_with");
+        const auto found = n::Meet::trimmed(in.meet, in.face, watched());
         show("out", found);
     }
 }

@@ -1698,6 +1698,12 @@ contains
             call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0)
             call show('out', found)
         end block
+        call begin('meet_trim')
+        block
+            type(nurbs_meet) :: found
+            call found%trimmed(meet=meet, face=face)
+            call show('out', found)
+        end block
         call by_hand('meet_clone')
         call by_hand('meet_destroy')
         call begin('meet_branches')
@@ -2115,6 +2121,13 @@ contains
             call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
                 3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
             call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('meet_trim_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%trimmed(meet=meet, face=face, call=watching)
             call show('out', found)
         end block
     end subroutine calls_of_data

@@ -1405,6 +1405,11 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::level_curves(&given.surface, &heights, &[0.5], 0.01)?;
         show("out", &found);
     }
+    begin("meet_trim");
+    {
+        let found = Meet::trimmed(&given.meet, &given.face)?;
+        show("out", &found);
+    }
     by_hand("meet_clone");
     by_hand("meet_destroy");
     begin("meet_branches");
@@ -1821,6 +1826,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &heights,
             &[0.5],
             0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("meet_trim_with");
+    {
+        let found = Meet::trimmed_with(
+            &given.meet,
+            &given.face,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

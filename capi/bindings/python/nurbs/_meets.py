@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING, Any, Dict, NamedTuple, NoReturn, Optional, Sup
 
 import numpy
 
+from ._calls import watched
 from ._library import call, lib
 from ._spline import Spline
 
 if TYPE_CHECKING:
     from ._arrays import Floats, Int32s, Int64s
+    from ._calls import Progress
+    from ._faces import Face
 
 __all__ = ["Meet", "MeetBranch", "MeetBranches", "MeetCounts", "MeetNodes"]
 
@@ -139,3 +142,7 @@ class Meet:
                           numpy.empty((n, 2, 2)))
         call(lib.nurbs_meet_nodes, self._handle, n, *(array.ctypes.data for array in found), None)
         return found
+
+    def trim(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:
+        """What of the branches lies in a face of the surface that they are on."""
+        return self._made(watched(lib.nurbs_meet_trim, progress, work), self._handle, face._handle)

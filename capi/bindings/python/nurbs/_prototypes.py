@@ -273,6 +273,8 @@ PROTOTYPES = {
     "nurbs_meet_branches": "i plppppp",
     "nurbs_meet_branch": "i plpp",
     "nurbs_meet_nodes": "i plppppp",
+    "nurbs_meet_trim": "i ppp",
+    "nurbs_meet_trim_with": "i pppp",
     "nurbs_pull_weight": "i plpdpp",
     "nurbs_pull_weights": "i plppdpp",
     "nurbs_set_weights": "i plppp",

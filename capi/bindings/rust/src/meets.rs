@@ -5,6 +5,7 @@
 use crate::arrays::exactly;
 use crate::call::Call;
 use crate::error::{check, Result};
+use crate::face::Face;
 use crate::meet::Meet;
 use crate::sizes::monomials;
 use crate::spline::Spline;
@@ -249,5 +250,15 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetNodes { levels, kinds, params, ranges })
+    }
+
+    /// What of the branches lies in a face of the surface that they are on.
+    pub fn trimmed(meet: &Meet, face: &Face) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_meet_trim(meet.raw(), face.raw(), out) })
+    }
+
+    /// The same as `trimmed`; it can be watched and stopped.
+    pub fn trimmed_with(meet: &Meet, face: &Face, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_meet_trim_with(meet.raw(), face.raw(), call.options(), out) })
     }
 }

@@ -3860,6 +3860,22 @@ extern "C" {
         ranges: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
+    /// BORDER on them, and the nodes of these parts.
+    pub fn nurbs_meet_trim(
+        meet: *const nurbs_meet,
+        face: *const nurbs_face,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_meet_trim() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_meet_trim_with(
+        meet: *const nurbs_meet,
+        face: *const nurbs_face,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     // --- Weights and control points
     /// Changes a weight so that the point at a parameter moves by a distance towards the control point, or
     /// away from it if the distance is negative.

@@ -888,6 +888,10 @@ const Call group[] = {
          static constexpr double values[] = {0.5};
          return nurbs_surface_level_curves(in.surface, made_heights, 1, values, 0.01, &o.meet);
      }},
+    {"meet_trim",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_trim(in.meet, in.face, &o.meet);
+     }},
     {"meet_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_clone(in.meet, &o.meet);
@@ -1310,6 +1314,12 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_level_curves_with(in.surface, made_heights, 1, values, 0.01, &call, &o.meet);
+     }},
+    {"meet_trim_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_meet_trim_with(in.meet, in.face, &call, &o.meet);
      }},
 };
 
