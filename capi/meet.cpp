@@ -123,10 +123,12 @@ nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *l
 
 nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space, nurbs **on_surface) {
     return guard([&] {
-        put(space, static_cast<nurbs *>(nullptr));
         put(on_surface, static_cast<nurbs *>(nullptr));
+        require(space, "space");
+        *space = nullptr;
+        require(on_surface, "on_surface");
         const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
-        if (space != nullptr && space == on_surface) {
+        if (space == on_surface) {
             fail(Status::overlap, "output on_surface overlaps space");
         }
         if (index < 0 || index >= std::ssize(branches)) {
@@ -135,12 +137,8 @@ nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **sp
         }
         const intersect::MeetBranch &branch = branches[static_cast<size_t>(index)];
         auto in_space = std::make_unique<nurbs>(nurbs{branch.space});
-        if (on_surface != nullptr) {
-            give(branch.on, on_surface);
-        }
-        if (space != nullptr) {
-            *space = in_space.release();
-        }
+        give(branch.on, on_surface);
+        *space = in_space.release();
     });
 }
 

@@ -5254,9 +5254,10 @@ NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *refere
  * nurbs_surface_sections(surface, up, 3, heights, 1e-6, &meet); // curves to within 1e-6
  * nurbs_meet_counts(meet, &branches, NULL, &complete);
  * for (int64_t i = 0; i < branches; ++i) {
- *     nurbs *space = NULL;
- *     nurbs_meet_branch(meet, i, &space, NULL);
+ *     nurbs *space = NULL, *on_surface = NULL;
+ *     nurbs_meet_branch(meet, i, &space, &on_surface);
  *     nurbs_destroy(space);
+ *     nurbs_destroy(on_surface);
  * }
  * nurbs_meet_destroy(meet);
  * \endcode
@@ -5540,27 +5541,29 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
 /** @} */
 
 /** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
- * until normal . S changes strictly along one parameter, so that the section is a graph over the other one, in which
- * neither a loop nor an end can hide; curves of neighbours end in the same places. Every branch has normal . S >
- * offset on its left in the parameter domain. In space it runs along normal x N with N = S_u x S_v: seen from the
- * tip of the normal, around a body whose N points outwards, with the body on its left. Branches end in nodes:
- * borders of the surface, seams, and
- * - TOUCH: all of the part is within the tolerance of the plane (or what rounding makes of it), and the section is
- *   not simple in it: a peak, a pit, a saddle or a pole at the offset, a place of the border that the plane
- *   touches, or a piece in the plane. A loop that fits into the tolerance is such a node, too.
- * - UNDECIDED: where the limit of work came first, or the surface is too nearly singular for double precision.
- *   Outside of nodes the branches are all there is.
+ * until normal . S changes strictly along one parameter, so that the section is a graph over the other one, in
+ * which neither a loop nor an end can hide; curves of neighbours end in the same places. Every branch has
+ * normal . S > offset on its left in the parameter domain. In space it runs along normal x N with N = S_u x S_v:
+ * around a body whose N points outwards it runs anticlockwise, as seen from the tip of the normal. Branches
+ * close, or end in nodes: at borders of the surface, at seams, and in
+ * - TOUCH: all of the part is within the tolerance of the plane, or what rounding makes of it, and the section
+ *   is not told apart in it: a peak, a pit, a saddle or a pole at the offset, a place where a border, a corner
+ *   or a crease touches the plane, a piece in the plane. A loop that fits into the tolerance may be one, too,
+ *   and a small branch may begin and end in one.
+ * - UNDECIDED: the limit of work came first, or the surface is too nearly singular for double precision.
  *
- * A border in the plane is a branch, unless it has the surface on its right and no branch is beside it: f > 0 on the
- * left, where f is 0 counts as above. Costs: a few microseconds a piece that is cut, and some ten a piece of a curve.
+ * Outside of these the branches are all there is, to within their deviations. Where f = normal . S - offset is 0
+ * to rounding along a border or a crease it counts as above: a border in the plane is a branch where f < 0 or
+ * f > 0 beside it; a crease with f > 0 on both sides is a TOUCH, and with f < 0 on both sides two branches, there
+ * and back. Costs: a few microseconds for each piece that is cut, and for each piece of a curve.
  * \param[in] g a surface of dimension 3.
  * \param[in] normal [3] of the planes, of any length but 0.
  * \param[in] n number of planes.
  * \param[in] offsets [n] in any order, in units of the length of the normal.
  * \param[in] tolerance > 0: the largest distance of the curves from the section.
  * \param[out] out the new meet; branches in the order of the planes.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _TOLERANCE,
- *   _NOT_REPRESENTABLE; _DIRECTION if the normal is not finite or 0, _POINT_NOT_FINITE if an offset is not finite.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE;
+ *   _DIRECTION if the normal is not finite or 0, _POINT_NOT_FINITE if an offset is not finite.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_t n,
                                               const double *offsets, double tolerance, nurbs_meet **out);
@@ -5707,9 +5710,9 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 /** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
  * \param[in] meet a meet.
  * \param[in] index 0-based.
- * \param[out] space or NULL: the curve in space.
- * \param[out] on_surface or NULL: the curve in the parameter domain, of dimension 2, normal . S > offset on its left.
- *   On a periodic axis it may run into neighbouring periods.
+ * \param[out] space the curve in space.
+ * \param[out] on_surface the curve in the parameter domain, of dimension 2, normal . S > offset on its left.
+ *   Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space,
@@ -5722,7 +5725,7 @@ NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, 
  * \param[out] kinds [cap] or NULL: one of the NURBS_NODE_ constants each.
  * \param[out] params [cap][2] or NULL: parameters of the surface; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis. Where the surface
- *   closes, a part on both sides of the seam has the range of both.
+ *   closes, that of a part on both sides of the seam runs beyond the upper end of the domain.
  * \param[out] count or NULL: number of nodes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */

@@ -268,7 +268,7 @@ contains
         integer(c_int32_t) :: status
         real(c_double) :: turn
         logical :: complete
-        call meet%sections(ball, [0d0, 0d0, 1d0], [0d0, 9d0], 1d-6)
+        call meet%sections(ball, [0d0, 0d0, 1d0], [3d0, 9d0], 1d-6)
         copy = meet
         call meet%destroy()
         call copy%counts(branches, nodes, complete)

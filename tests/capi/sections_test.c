@@ -56,11 +56,6 @@ static void a_ramp(void) {
     CHECK(from[1] == 1 && to[1] == 0); /* z > 1/2, at larger u, is on the left */
     nurbs_destroy(on);
     nurbs_destroy(space);
-    CHECK_OK(nurbs_meet_branch(meet, 1, NULL, &on));
-    nurbs_destroy(on);
-    CHECK_OK(nurbs_meet_branch(meet, 1, &space, NULL));
-    nurbs_destroy(space);
-    CHECK_OK(nurbs_meet_branch(meet, 1, NULL, NULL));
     nurbs_meet_destroy(meet);
 }
 
@@ -210,8 +205,11 @@ static void refused_by_meets(void) {
         CHECK_FAILS(nurbs_meet_branch(meet, index, &space, &on), NURBS_ERROR_INDEX, "index");
         CHECK(space == NULL && on == NULL);
     }
-    nurbs *both = check_poison();
-    CHECK_FAILS(nurbs_meet_branch(NULL, 0, &both, NULL), NURBS_ERROR_NULL, "meet");
+    nurbs *both = check_poison(), *other = check_poison();
+    CHECK_FAILS(nurbs_meet_branch(NULL, 0, &both, &other), NURBS_ERROR_NULL, "meet");
+    CHECK(both == NULL && other == NULL);
+    CHECK_FAILS(nurbs_meet_branch(meet, 0, &both, NULL), NURBS_ERROR_NULL, "on_surface");
+    CHECK_FAILS(nurbs_meet_branch(meet, 0, NULL, &other), NURBS_ERROR_NULL, "space");
     CHECK_FAILS(nurbs_meet_branch(meet, 0, &both, &both), NURBS_ERROR_OVERLAP, "on_surface|space");
     CHECK(both == NULL);
     nurbs_meet_destroy(meet);

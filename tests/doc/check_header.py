@@ -18,10 +18,10 @@ sys.path.insert(0, str(TOP / "cmake/interface"))
 import header  # noqa: E402 - from the project
 
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("against", "angle", "area", "at_least", "at_most", "axes", "bound", "cells", "complete", "content",
+SINGLE_RESULTS = ("against", "angle", "area", "at_least", "at_most", "axes", "bound", "branches", "cells", "complete", "content",
                   "convexity", "count", "curvature_gap", "degree", "deviation", "dim", "distance", "edges",
                   "entity_type", "entries", "error", "faces", "factor", "form", "gap", "geometric", "homogeneous",
-                  "in_void", "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "openness",
+                  "in_void", "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "nodes", "openness",
                   "optimality", "order", "parent", "part", "parts", "periodic", "position_gap", "proven", "rank",
                   "ratio", "rational", "reason", "removed", "residual", "result", "shape", "size", "slots", "solid", "status",
                   "tolerance", "type", "uses", "value", "vertices", "volume", "weight")

@@ -3091,7 +3091,7 @@ module nurbs_c
             import
             type(c_ptr), value :: meet
             integer(c_int64_t), value :: index
-            type(c_ptr), intent(out), optional :: space, on_surface
+            type(c_ptr), intent(out) :: space, on_surface
             integer(c_int32_t) :: r
         end function nurbs_meet_branch
         !> The nodes of a meet: where branches end, and where there may be more than they tell.

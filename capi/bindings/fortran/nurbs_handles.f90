@@ -6,9 +6,10 @@ module nurbs_handles
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_face_to_bytes, nurbs_fit_options, &
         nurbs_fit_options_init, nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, &
-        nurbs_list_write_with, nurbs_meet_clone, nurbs_meet_destroy, nurbs_model_clone, nurbs_model_destroy, nurbs_model_to_bytes, nurbs_model_write, &
-        nurbs_model_write_with, nurbs_read_options, nurbs_read_options_init, &
-        nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, nurbs_to_bytes, &
+        nurbs_list_write_with, nurbs_meet_clone, nurbs_meet_destroy, nurbs_model_clone, nurbs_model_destroy, &
+        nurbs_model_to_bytes, nurbs_model_write, nurbs_model_write_with, nurbs_read_options, &
+        nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, &
+        nurbs_to_bytes, &
         nurbs_write_options, nurbs_write_options_init
     use nurbs_calls, only: nurbs_call, watched
     use nurbs_support

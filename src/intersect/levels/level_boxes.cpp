@@ -25,7 +25,8 @@ bool has_roots(const LevelBorder &border) noexcept {
 struct PlacedRoot {
     int32_t root;
     std::array<double, 2> place;
-    bool enters; // what has f > 0 on its left comes into the box there
+    bool enters;  // what has f > 0 on its left comes into the box there
+    size_t order; // a stable sort would take memory that nobody can refuse
 };
 
 // All of them, by their places along an axis. Anticlockwise around a box f changes to below where the level comes in.
@@ -41,11 +42,13 @@ std::vector<PlacedRoot> roots_along(const LevelBorder &border, const LevelPart &
                 placed.place[k] = part.lower[k] + static_cast<double>(end) * part.length[k];
                 placed.place[1 - k] = root.place;
                 placed.enters = above == anticlockwise;
+                placed.order = all.size();
                 above = !above;
             }
         }
     }
-    std::ranges::stable_sort(all, {}, [axis](const PlacedRoot &root) { return root.place[axis]; });
+    std::ranges::sort(all, {},
+                      [axis](const PlacedRoot &root) { return std::pair(root.place[axis], root.order); });
     return all;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where curves meet each other, themselves and a surface, and where rays meet one, beside SISL.
+// Where curves meet each other, themselves and a surface, and where rays and planes meet one, beside SISL.
 #include "bench/table/rows.h"
 #include "bench/table/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -13,7 +14,7 @@ namespace bench {
 
 namespace {
 
-constexpr int64_t most = 1000, rays = 256;
+constexpr int64_t most = 1000, rays = 256, planes = 100;
 constexpr double resolution = 1e-6;
 
 // Two cubics of the plane with 97 pieces each that cross some 45 times.
@@ -223,6 +224,55 @@ struct Needle {
     }
 };
 
+// Curves in planes across 20 x 20 bicubic control points.
+struct Planes {
+    Net net{2, 3, 20};
+    Handle surface = net.make();
+    std::shared_ptr<SISLSurf> sisl = net.sisl_surface();
+    std::array<double, 3> normal{0.6, 0.64, 0.48};
+    std::vector<double> offsets;
+
+    Planes() {
+        for (int64_t i = 0; i < planes; ++i) {
+            offsets.push_back(2 + 0.2 * static_cast<double>(i));
+        }
+    }
+    int64_t cut() {
+        nurbs_meet *meet = nullptr;
+        int64_t branches = 0;
+        require_ok(
+            nurbs_surface_sections(surface.get(), normal.data(), planes, offsets.data(), resolution, &meet));
+        require_ok(nurbs_meet_counts(meet, &branches, nullptr, nullptr));
+        nurbs_meet_destroy(meet);
+        return branches;
+    }
+    // Topology, then each curve by marching.
+    int64_t sisl_cut() {
+        int64_t branches = 0;
+        for (const double offset : offsets) {
+            std::array<double, 3> point{};
+            for (size_t c = 0; c < 3; ++c) {
+                point[c] = offset * normal[c];
+            }
+            double *points = nullptr;
+            SISLIntcurve **curves = nullptr;
+            int count = 0, others = 0, status = 0;
+            s1851(sisl.get(), point.data(), normal.data(), 3, resolution, resolution, &count, &points,
+                  &others, &curves, &status);
+            std::free(points);
+            for (int i = 0; i < others; ++i) {
+                s1314(sisl.get(), point.data(), normal.data(), 3, resolution, resolution, 0.0, curves[i], 2,
+                      0, &status);
+            }
+            branches += others;
+            if (curves != nullptr) {
+                freeIntcrvlist(curves, others);
+            }
+        }
+        return branches;
+    }
+};
+
 } // namespace
 
 void add_meets(Rows &rows) {
@@ -257,6 +307,9 @@ void add_meets(Rows &rows) {
               [=] { beams->cast_at_face(); },
               [=] { beams->cast(); },
               {}});
+    const auto slices = std::make_shared<Planes>();
+    rows.add({"plane through a surface", "SISL", bench::planes, [=] { slices->cut(); },
+              [=] { slices->sisl_cut(); }, [=] { return slices->cut() == slices->sisl_cut() ? 0.0 : 1.0; }});
 }
 
 } // namespace bench

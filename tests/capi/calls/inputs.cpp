@@ -39,8 +39,9 @@ std::vector<nurbs *> splines_of(const Inputs &in) {
         CHECK_OK(nurbs_model_edge(in.*model, 0, nullptr, nullptr, nullptr, &all.emplace_back(nullptr)));
     }
     for (const auto meet : meets) {
-        CHECK_OK(nurbs_meet_branch(in.*meet, 0, &all.emplace_back(nullptr), nullptr));
-        CHECK_OK(nurbs_meet_branch(in.*meet, 0, nullptr, &all.emplace_back(nullptr)));
+        nurbs *space = nullptr, *on_surface = nullptr;
+        CHECK_OK(nurbs_meet_branch(in.*meet, 0, &space, &on_surface));
+        all.insert(all.end(), {space, on_surface});
     }
     return all;
 }

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, NamedTuple, NoReturn, Optional, Sup
 
 import numpy
 
+from ._arrays import addresses
 from ._calls import watched
 from ._library import call, lib
 from ._spline import Spline
@@ -125,7 +126,7 @@ class Meet:
         n = self.counts.branches
         found = MeetBranches(numpy.empty(n, numpy.int64), numpy.empty((n, 2), numpy.int64), numpy.empty(n, numpy.int64),
                              numpy.empty(n))
-        call(lib.nurbs_meet_branches, self._handle, n, *(array.ctypes.data for array in found), None)
+        call(lib.nurbs_meet_branches, self._handle, n, *addresses(*found), None)
         return found
 
     def branch(self, index: int) -> MeetBranch:
@@ -140,7 +141,7 @@ class Meet:
         n = self.counts.nodes
         found = MeetNodes(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int32), numpy.empty((n, 2)),
                           numpy.empty((n, 2, 2)))
-        call(lib.nurbs_meet_nodes, self._handle, n, *(array.ctypes.data for array in found), None)
+        call(lib.nurbs_meet_nodes, self._handle, n, *addresses(*found), None)
         return found
 
     def trim(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:

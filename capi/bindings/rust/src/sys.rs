@@ -3840,8 +3840,6 @@ extern "C" {
         count: *mut i64,
     ) -> nurbs_status;
     /// A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
-    ///
-    /// May be null: `space`, `on_surface`.
     pub fn nurbs_meet_branch(
         meet: *const nurbs_meet,
         index: i64,
