@@ -179,7 +179,7 @@ TEST(CurveSurface, known_meets_are_found) {
         const double size = std::max(size_of(curve), size_of(surface)), tolerance = 1e-7 * size;
         move(curve, {to[0] - from[0], to[1] - from[1], to[2] - from[2]});
         const Handle c = create(curve);
-        const Hits hits = meets(c, s, tolerance);
+        const Hits hits = meets(c.get(), s.get(), tolerance, 50000000);
         ++all;
         complete += hits.complete;
         bool holds = false;
@@ -198,7 +198,7 @@ TEST(CurveSurface, known_meets_are_found) {
         ASSERT_TRUE(holds) << t << where(seed, curve) << where(seed, surface);
     });
     std::cout << "complete " << complete << " of " << all << '\n';
-    EXPECT_GE(complete, of_whole_run(all / 2));
+    EXPECT_GE(complete, of_whole_run(all - all / 10));
 }
 
 // A line meets a surface where a ray along it does.
