@@ -179,7 +179,7 @@ TEST(CurveSurface, known_meets_are_found) {
         const double size = std::max(size_of(curve), size_of(surface)), tolerance = 1e-7 * size;
         move(curve, {to[0] - from[0], to[1] - from[1], to[2] - from[2]});
         const Handle c = create(curve);
-        const Hits hits = meets(c, s, tolerance);
+        const Hits hits = meets(c.get(), s.get(), tolerance, 50000000);
         ++all;
         complete += hits.complete;
         bool holds = false;
@@ -187,7 +187,7 @@ TEST(CurveSurface, known_meets_are_found) {
             const double lower = hits.ranges_curve[2 * i], upper = hits.ranges_curve[2 * i + 1];
             const double period = curve.upper(0) - curve.lower(0);
             holds = holds || (t >= lower && t <= upper) || (t + period >= lower && t + period <= upper) ||
-                    distance(point_of(c.get(), hits.t[i]), to) <= 1e-3 * size;
+                    distance(point_of(c.get(), hits.t[i]), to) <= 1e-3 * size + noise_of(curve);
             if (hits.kinds[i] != NURBS_HIT_UNDECIDED && has_even_weights(curve) &&
                 has_even_weights(surface)) {
                 ASSERT_LE(gap_of(c.get(), hits.t[i], s.get(), &hits.uv[2 * i]),
@@ -198,7 +198,7 @@ TEST(CurveSurface, known_meets_are_found) {
         ASSERT_TRUE(holds) << t << where(seed, curve) << where(seed, surface);
     });
     std::cout << "complete " << complete << " of " << all << '\n';
-    EXPECT_GE(complete, of_whole_run(all / 2));
+    EXPECT_GE(complete, of_whole_run(all - all / 10));
 }
 
 // A line meets a surface where a ray along it does.

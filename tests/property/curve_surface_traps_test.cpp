@@ -132,6 +132,32 @@ TEST(CurveSurfaceTraps, ends_and_borders) {
     EXPECT_EQ(meets(beside, flat, 1e-4).size(), 0U);
 }
 
+// The apex of a cone is touched from outside and crossed from there to inside; a generator ends there.
+TEST(CurveSurfaceTraps, an_apex) {
+    const Handle cone = made([](nurbs **out) {
+        return nurbs_surface_cone(nullptr, nullptr, nullptr, 1, 0, 1, 0, 2 * std::numbers::pi,
+                                  NURBS_ARC_QUARTERS, out);
+    });
+    for (const double y : {0.0, 0.25, 1.0}) {
+        const Hits hits = meets(line({-1, -y, 1}, {1, y, 1}), cone, 1e-9);
+        expect_one(hits, NURBS_HIT_TANGENT, 0.5, 1e-8);
+        const Hits none = meets(line({-1, -y, 1.0625}, {1, y, 1.0625}), cone, 1e-9);
+        EXPECT_EQ(none.size(), 0U);
+        EXPECT_EQ(none.complete, 1);
+    }
+    expect_overlap(meets(line({-1, 0, 0}, {1, 0, 2}), cone, 1e-9), 0, 0.5, 1e-8);
+}
+
+// A line past the fold of a surface that runs back on itself meets both sheets; on the fold that cannot be told.
+TEST(CurveSurfaceTraps, a_fold) {
+    const Handle folded = create(patch(2, 1, {0, 0, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0, 0, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(meets(line({0.5, 0.5, 1}, {0.5, 0.5, -1}), folded, 0).count(NURBS_HIT_CROSSING), 2);
+    EXPECT_EQ(meets(line({1.25, 0.5, 1}, {1.25, 0.5, -1}), folded, 0).size(), 0U);
+    const Hits on_fold = meets(line({1, 0.5, 1}, {1, 0.5, -1}), folded, 0);
+    EXPECT_EQ(on_fold.complete, 0);
+    EXPECT_EQ(on_fold.count(NURBS_HIT_UNDECIDED), 1);
+}
+
 TEST(CurveSurfaceTraps, curves_in_surfaces_are_one_overlap) {
     const Handle ball = sphere();
     for (const double tolerance : {1e-11, 1e-9, 1e-3}) {

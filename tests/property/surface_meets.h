@@ -22,20 +22,26 @@ struct Hits {
     [[nodiscard]] int64_t count(int32_t kind) const { return std::count(kinds.begin(), kinds.end(), kind); }
 };
 
-inline Hits meets(const nurbs *curve, const nurbs *surface, double tolerance) {
+// `work`: the limit; 0: none of its own.
+inline Hits meets(const nurbs *curve, const nurbs *surface, double tolerance, int64_t work = 0) {
     Hits h;
     int64_t count = -1;
-    require_ok(nurbs_curve_surface_intersections(curve, surface, tolerance, 0, nullptr, nullptr, nullptr,
-                                                 nullptr, nullptr, &count, &h.complete));
+    nurbs_call_options call;
+    require_ok(nurbs_call_options_init(&call, sizeof call));
+    call.work = work;
+    const auto ask = [&](int64_t cap) {
+        require_ok(nurbs_curve_surface_intersections_with(
+            curve, surface, tolerance, cap, h.t.data(), h.uv.data(), h.kinds.data(), h.ranges_curve.data(),
+            h.ranges_surface.data(), &count, &h.complete, &call));
+    };
+    ask(0);
     const auto n = static_cast<size_t>(count);
     h.t.resize(n);
     h.uv.resize(2 * n);
     h.ranges_curve.resize(2 * n);
     h.ranges_surface.resize(4 * n);
     h.kinds.resize(n);
-    require_ok(nurbs_curve_surface_intersections(curve, surface, tolerance, count, h.t.data(), h.uv.data(),
-                                                 h.kinds.data(), h.ranges_curve.data(),
-                                                 h.ranges_surface.data(), &count, &h.complete));
+    ask(count);
     EXPECT_TRUE(std::is_sorted(h.t.begin(), h.t.end()));
     return h;
 }

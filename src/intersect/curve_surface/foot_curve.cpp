@@ -81,6 +81,15 @@ double weight_ratio(const pieces::BezierPiece &piece) noexcept {
     return most / least;
 }
 
+// The distance of a control point.
+double farthest(const pieces::BezierPiece &piece, const std::array<double, 3> &centre) noexcept {
+    double most = 0;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        most = std::max(most, distance(piece.point(i), centre.data(), 3));
+    }
+    return most;
+}
+
 } // namespace
 
 // Newton's method for the two components of C - S in the tangent plane.
@@ -116,7 +125,7 @@ double FootCurve::height_of(const SlopedPatch &patch) const noexcept {
     return std::copysign(length(offset), dot(cross({u[0], u[1], u[2]}, {v[0], v[1], v[2]}), offset));
 }
 
-bool FootCurve::interpolate(const SlopedArc &arc, const SlopedPatch &patch, double near, double far) {
+bool FootCurve::interpolate(const SlopedPiece &arc, const SlopedPatch &patch, double near, double far) {
     const int degrees = patch.piece->degree(0) + patch.piece->degree(1);
     degree_ = std::min(most_degree, (max_product_degree - arc.piece->degree(0)) / std::max(degrees, 1));
     if (degree_ < 1) {
@@ -216,27 +225,18 @@ void FootCurve::compose(const pieces::BezierPiece &patch) {
     }
 }
 
-// Each coefficient is a sum of products, of as many factors as there are powers and of sums of some terms each; their
-// magnitudes add up to `spread` times what they are where no place is outside [0, 1].
-double FootCurve::compare(const SlopedArc &arc, const SlopedPatch &patch) {
-    const pieces::BezierPiece &c = *arc.piece, &s = *patch.piece;
-    compose(s);
-    const int n = c.degree(0), degrees = s.degree(0) + s.degree(1);
-    std::vector<double> points, weights, of_arc, of_image, image_weights;
-    double local = 0;
-    for (int i = 0; i <= n; ++i) {
-        const double w = binomial(n, i) * c.weight(i);
+// Returns whether the weights are positive.
+bool FootCurve::set_differences(const pieces::BezierPiece &arc) {
+    std::vector<double> points, weights, image_weights, of_arc, of_image;
+    for (int i = 0; i <= arc.degree(0); ++i) {
+        const double w = binomial(arc.degree(0), i) * arc.weight(i);
         weights.push_back(w);
         for (size_t k = 0; k < 3; ++k) {
-            points.push_back(w * (c.point(i)[k] - centre_[k]));
+            points.push_back(w * (arc.point(i)[k] - centre_[k]));
         }
-        local = std::max(local, distance(c.point(i), centre_.data(), 3));
     }
     for (size_t i = 3; i < image_.size(); i += 4) {
         image_weights.push_back(image_[i]);
-    }
-    for (int64_t i = 0; i < s.coefficients(); ++i) {
-        local = std::max(local, distance(s.point(i), centre_.data(), 3));
     }
     multiply(points, 3, image_weights, of_arc);
     multiply(image_, 4, weights, of_image);
@@ -249,12 +249,23 @@ double FootCurve::compare(const SlopedArc &arc, const SlopedPatch &patch) {
             differences_[3 * i + k] = (of_arc[3 * i + k] - of_image[4 * i + k]) / w;
         }
     }
-    const double by_u = largest_sum(places_[0]), by_v = largest_sum(places_[1]);
-    double spread = std::pow(by_u, s.degree(0)) * std::pow(by_v, s.degree(1));
+    return positive;
+}
+
+// Each coefficient is a sum of products, of as many factors as there are powers and of sums of some terms each; their
+// magnitudes add up to `spread` times what they are where no place is outside [0, 1].
+double FootCurve::compare(const SlopedPiece &arc, const SlopedPatch &patch) {
+    const pieces::BezierPiece &c = *arc.piece, &s = *patch.piece;
+    compose(s);
+    const bool positive = set_differences(c);
+    double spread =
+        std::pow(largest_sum(places_[0]), s.degree(0)) * std::pow(largest_sum(places_[1]), s.degree(1));
     if (spread > 1) {
         spread *= spread * weight_ratio(s); // of the weights too
     }
-    const double steps = degrees * (degree_ + 4) + degrees * degree_ + n + 16;
+    const int degrees = s.degree(0) + s.degree(1);
+    const double steps = degrees * (degree_ + 4) + degrees * degree_ + c.degree(0) + 16,
+                 local = std::max(farthest(c, centre_), farthest(s, centre_));
     const double rounding =
         eps * (2 * (c.reach() + s.reach()) + steps * spread * local) + c.moved() + spread * s.moved();
     return positive && spread < 1e9 ? rounding : infinity;

@@ -5,6 +5,7 @@
 #include "base/watch.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace nrb::intersect {
@@ -33,16 +34,21 @@ public:
         : cells_(cells), seams_(seams), of_(cells.size()) {}
 
     std::vector<std::vector<Touch>> run() {
-        sweep();
-        for (int turns = 14; turns < 27; ++turns) { // each way across, but not back
+        for (int turns = 13; turns < 27; ++turns) { // none, and each way across, but not back
             look_across({turns / 9 - 1, turns / 3 % 3 - 1, turns % 3 - 1});
         }
         return std::move(of_);
     }
 
 private:
-    // Along the axis on which cells are the shortest, beside all of them.
-    [[nodiscard]] size_t sweep_axis() const noexcept {
+    // Of a sweep: a cell, or one that may touch it if it is moved.
+    struct Item {
+        size_t cell;
+        bool moves;
+    };
+
+    // Along the axis on which cells are the shortest, beside all of them, and are not moved.
+    [[nodiscard]] size_t sweep_axis(const PeriodCounts &periods) const noexcept {
         std::array<double, 3> shares{};
         for (size_t k = 0; k < 3; ++k) {
             Interval all{infinity, -infinity};
@@ -50,24 +56,26 @@ private:
                 shares[k] += cell.box[k].upper - cell.box[k].lower;
                 all = {std::min(all.lower, cell.box[k].lower), std::max(all.upper, cell.box[k].upper)};
             }
-            shares[k] = all.upper > all.lower ? shares[k] / (all.upper - all.lower) : infinity;
+            shares[k] =
+                periods[k] == 0 && all.upper > all.lower ? shares[k] / (all.upper - all.lower) : infinity;
         }
         return static_cast<size_t>(std::ranges::min_element(shares) - shares.begin());
     }
-    void sweep() {
-        const size_t k = sweep_axis();
-        std::vector<size_t> order(cells_.size()), open;
-        for (size_t i = 0; i < order.size(); ++i) {
-            order[i] = i;
-        }
-        std::ranges::sort(order, {}, [&](size_t i) { return cells_[i].box[k].lower; });
-        for (const size_t i : order) {
-            std::erase_if(open, [&](size_t j) { return cells_[j].box[k].upper < cells_[i].box[k].lower; });
-            count_work(10 * std::ssize(open));
-            for (const size_t j : open) {
-                look(j, i, {});
+    void sweep(std::vector<Item> items, const PeriodCounts &periods) {
+        const size_t k = sweep_axis(periods);
+        const auto box = [&](size_t i) {
+            return periods[k] == 0 ? cells_[i].box[k] : Interval{0, 0}; // all beside each other
+        };
+        std::ranges::stable_sort(items, {}, [&](const Item &item) { return box(item.cell).lower; });
+        std::array<std::vector<size_t>, 2> open; // of those that move, and of those that do not
+        for (const Item &item : items) {
+            std::vector<size_t> &others = open[item.moves ? 1 : 0];
+            std::erase_if(others, [&](size_t i) { return box(i).upper < box(item.cell).lower; });
+            count_work(10 * std::ssize(others));
+            for (const size_t i : others) {
+                look(item.moves ? i : item.cell, item.moves ? item.cell : i, periods);
             }
-            open.push_back(i);
+            open[item.moves ? 0 : 1].push_back(item.cell);
         }
     }
 
@@ -97,16 +105,17 @@ private:
                 return;
             }
         }
-        for (const size_t j : from) {
-            count_work(10 * std::ssize(to));
-            for (const size_t i : to) {
-                look(j, i, periods);
-            }
-        }
+        std::vector<Item> items;
+        std::ranges::transform(from, std::back_inserter(items), [](size_t i) { return Item{i, false}; });
+        std::ranges::transform(to, std::back_inserter(items), [](size_t i) { return Item{i, true}; });
+        sweep(std::move(items), periods);
     }
 
     // Cell i, moved by periods, after j.
     void look(size_t j, size_t i, const PeriodCounts &periods) {
+        if (periods == PeriodCounts{} && i <= j) {
+            return; // as (i, j), or one cell
+        }
         const MeetCell &a = cells_[j], &b = cells_[i];
         for (size_t k = 0; k < 3; ++k) {
             if (periods[k] == 0 && (a.segments[k] != b.segments[k] || !overlap(a.box[k], b.box[k]))) {

@@ -92,7 +92,7 @@ void MeetSearch::look(const Pair &pair) {
     }
 }
 
-SlopedArc MeetSearch::sloped_arc(PairCell &cell) {
+SlopedPiece MeetSearch::sloped_arc(PairCell &cell) {
     if (cell.mark == 0) {
         arc_slopes_.emplace_back(*cell.piece);
         cell.mark = arc_slopes_.size();

@@ -39,7 +39,7 @@ private:
     void add_unknown(const Pair &pair);
     void divide(const Pair &pair, bool curve_is_long);
     bool divide_one(const Pair &pair, bool of_curve);
-    SlopedArc sloped_arc(PairCell &cell);
+    SlopedPiece sloped_arc(PairCell &cell);
     SlopedPatch sloped_patch(PairCell &cell);
     [[nodiscard]] double near() const noexcept { return std::max(tolerance_, framed_noise()); }
     [[nodiscard]] double framed_noise() const noexcept;

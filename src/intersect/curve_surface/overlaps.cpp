@@ -28,6 +28,9 @@ public:
         whole_ = {std::min(whole_.lower, t.lower), std::max(whole_.upper, t.upper)};
         if (cell.kind == Kind::along) {
             add_along(cell, t);
+        } else if (holds_line(cell)) {
+            first_line_ = std::min(first_line_, t.lower);
+            last_line_ = std::max(last_line_, t.upper);
         }
     }
     [[nodiscard]] bool is_overlap() const noexcept {
@@ -59,6 +62,10 @@ private:
             last_ = cell.last;
         }
     }
+    // Whether a line of the surface that a piece ends at is in it.
+    [[nodiscard]] bool holds_line(const MeetCell &cell) const noexcept {
+        return seams_.breaks(1).hold_any_in(cell.box[1]) || seams_.breaks(2).hold_any_in(cell.box[2]);
+    }
     [[nodiscard]] bool is_knot(const MeetCell::Line &line) const noexcept {
         return line.axis >= 0 && seams_.breaks(static_cast<size_t>(line.axis) + 1).hold(line.at);
     }
@@ -70,9 +77,11 @@ private:
         return is_knot(last_) || seams_.breaks(0).hold(along_.upper);
     }
     [[nodiscard]] bool begins() const noexcept {
-        return begins_along() || seams_.breaks(0).hold(whole_.lower);
+        return begins_along() || seams_.breaks(0).hold(whole_.lower) || first_line_ == whole_.lower;
     }
-    [[nodiscard]] bool ends() const noexcept { return ends_along() || seams_.breaks(0).hold(whole_.upper); }
+    [[nodiscard]] bool ends() const noexcept {
+        return ends_along() || seams_.breaks(0).hold(whole_.upper) || last_line_ == whole_.upper;
+    }
     [[nodiscard]] Interval range() const noexcept {
         return {begins_along() ? along_.lower : whole_.lower, ends_along() ? along_.upper : whole_.upper};
     }
@@ -83,6 +92,7 @@ private:
     double reach_ = -infinity;
     Interval whole_{infinity, -infinity}, along_{infinity, -infinity};
     MeetCell::Line first_{}, last_{};
+    double first_line_ = infinity, last_line_ = -infinity; // ends of what is tiny on a line of the surface
     bool is_along_ = false;
 };
 

@@ -69,21 +69,21 @@ double Seams::period(size_t k) const {
     return *closes_[k] ? upper - lower : 0;
 }
 
-bool Seams::is_pole(int axis, bool upper) const {
-    const Interval domain = surface_.axis(axis).domain();
-    const Rows rows = line(axis, upper ? domain.upper : domain.lower, upper);
-    const double size = eval::active_size(surface_);
-    return period(static_cast<size_t>(1 - axis) + 1) > 0 &&
-           std::all_of(rows.begin(), rows.end(),
-                       [&](const auto &x) { return are_one_point(x.data(), rows.front().data(), 3, size); });
+bool Seams::is_pole(size_t k, bool upper) const {
+    std::optional<bool> &pole = poles_[2 * k + (upper ? 1 : 0)];
+    if (!pole) {
+        const Interval domain = this->domain(k);
+        const Rows rows = line(static_cast<int>(k) - 1, upper ? domain.upper : domain.lower, upper);
+        const double size = eval::active_size(surface_);
+        pole = period(3 - k) > 0 && std::all_of(rows.begin(), rows.end(), [&](const auto &x) {
+                   return are_one_point(x.data(), rows.front().data(), 3, size);
+               });
+    }
+    return *pole;
 }
 
 bool Seams::ends_at(size_t k, bool upper) const {
-    std::optional<bool> &ends = ends_[2 * k + (upper ? 1 : 0)];
-    if (!ends) {
-        ends = period(k) == 0 && (k == 0 || !is_pole(static_cast<int>(k) - 1, upper));
-    }
-    return *ends;
+    return period(k) == 0 && (k == 0 || !is_pole(k, upper));
 }
 
 bool Seams::reach_end(const MeetBox &box) const {

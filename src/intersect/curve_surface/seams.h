@@ -24,6 +24,8 @@ public:
     [[nodiscard]] std::array<int64_t, 3> segments(const MeetPlace &at) const;
     // Whether a box reaches an end of the curve, or a border of the surface, where nothing goes on.
     [[nodiscard]] bool reach_end(const MeetBox &box) const;
+    // Whether a border of the surface, at an end of axis k > 0, is one point that the surface goes round.
+    [[nodiscard]] bool is_pole(size_t k, bool upper) const;
     // Of knots in the domain, and in the next period.
     [[nodiscard]] const Breaks &breaks(size_t k) const noexcept { return breaks_[k]; }
 
@@ -40,7 +42,6 @@ private:
     // Points of the surface along a line of parameters, as many as determine it.
     [[nodiscard]] Rows line(int axis, double t, bool left) const;
     [[nodiscard]] bool are_one_line(const Rows &x, const Rows &y) const noexcept;
-    [[nodiscard]] bool is_pole(int axis, bool upper) const;
     [[nodiscard]] bool ends_at(size_t k, bool upper) const;
     void set_jumps(int axis);
 
@@ -48,7 +49,7 @@ private:
     std::array<Breaks, 3> breaks_;
     std::array<std::vector<double>, 3> jumps_;
     mutable std::array<std::optional<bool>, 3> closes_;
-    mutable std::array<std::optional<bool>, 6> ends_;
+    mutable std::array<std::optional<bool>, 6> poles_;
 };
 
 } // namespace nrb::intersect

@@ -7,11 +7,7 @@
 
 namespace nrb::intersect {
 
-// A piece of a curve whose weights are positive, and the same of a surface.
-struct SlopedArc {
-    const pieces::BezierPiece *piece;
-    const Slopes *slopes;
-};
+// A piece of a surface whose weights are positive.
 struct SlopedPatch {
     const pieces::BezierPiece *piece;
     PatchSlopes *slopes;
@@ -23,14 +19,14 @@ struct SlopedPatch {
 class SpaceChart {
 public:
     // M alone, of these pieces.
-    void set(const SlopedArc &arc, const SlopedPatch &patch);
+    void set(const SlopedPiece &arc, const SlopedPatch &patch);
     // Whether there is one, and which way the curve goes through the surface then: 1 or -1.
     [[nodiscard]] int turn() const noexcept { return turn_; }
     // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: turn() != 0.
-    [[nodiscard]] bool excludes(const SlopedArc &arc, const SlopedPatch &patch, double near) const noexcept;
+    [[nodiscard]] bool excludes(const SlopedPiece &arc, const SlopedPatch &patch, double near) const noexcept;
 
     // The contraction. The hulls of derivatives are asked for only if the corners leave room for a proof.
-    void prove(const SlopedArc &arc, const SlopedPatch &patch);
+    void prove(const SlopedPiece &arc, const SlopedPatch &patch);
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
     [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
     // M times a difference.
@@ -40,8 +36,8 @@ public:
 
 private:
     using Rows = std::array<std::array<double, 3>, 3>;
-    [[nodiscard]] double least_rho(const SlopedArc &arc, const SlopedPatch &patch) noexcept;
-    void set_rho(const SlopedArc &arc, const SlopedPatch &patch);
+    [[nodiscard]] double least_rho(const SlopedPiece &arc, const SlopedPatch &patch) noexcept;
+    void set_rho(const SlopedPiece &arc, const SlopedPatch &patch);
 
     Rows rows_{}; // of M
     Contraction contraction_;

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "closest/locator.h"
 #include "eval/curve_point.h"
+#include "eval/frames/magnitude.h"
 #include "numeric/norm.h"
 #include "numeric/vector3.h"
 
@@ -24,69 +25,105 @@ struct SpaceWay {
     double width;       // how far from the place on the surface its foot may be to begin with
 };
 
+// A side, and the normal that points to the upper one.
+struct Side {
+    int sign = 0; // 1 or -1; 0: not known
+    Vector3 normal;
+};
+
 class SideOfSurface {
 public:
     SideOfSurface(const Spline &curve, const Spline &surface, const Seams &seams, double noise)
         : curve_(curve), surface_(surface), seams_(seams), noise_(noise) {}
 
-    // 1 or -1: above or below; 0 where the curve ends before, or the surface does, or it goes too far.
-    [[nodiscard]] int along(const SpaceWay &way) const {
+    // None where the curve ends before, or the surface does, or it goes too far.
+    [[nodiscard]] Side along(const SpaceWay &way) const {
         const Interval domain = seams_.domain(0);
         const std::vector<double> from = point(way.from);
         for (double step = way.first; step <= way.most; step *= 4) {
             const double t = way.up ? way.from + step : way.from - step;
             if (seams_.period(0) == 0 && (t < domain.lower || t > domain.upper)) {
-                return 0;
+                return {};
             }
             const std::vector<double> x = point(t);
             const double reach = way.width + 4 * distance(from.data(), x.data(), 3) + 8 * noise_;
-            if (const int side = at(x.data(), way.on_surface, reach)) {
+            const Side side = at(x.data(), way.on_surface, reach);
+            if (side.sign != 0) {
                 return side;
             }
         }
-        return 0;
+        return {};
     }
 
 private:
+    using Params = std::array<double, 2>;
+
     [[nodiscard]] std::vector<double> point(double t) const {
         return eval::curve_point(curve_, seams_.in_domain(0, t), false);
     }
-    struct Tangent {
-        Vector3 point, normal; // of no length, if there is none
-    };
-    [[nodiscard]] Tangent tangent(const std::array<double, 2> &params) const {
+    [[nodiscard]] std::array<Vector3, 3> jet(const Params &params) const {
         std::array<double, 9> values{};
         eval::evaluate_points(surface_, {}, 1, {params.data(), 1, 2, 2, 1}, {values.data(), 1, 9, 9, 1});
         const auto vector = [&](size_t i) {
             return Vector3{values[3 * i], values[3 * i + 1], values[3 * i + 2]};
         };
-        const Vector3 u = vector(1), v = vector(2), normal = cross(scaled_to_one(u), scaled_to_one(v));
-        const double size = length(scaled_to_one(u)) * length(scaled_to_one(v));
-        return {vector(0), length(normal) > 1e-6 * size ? unit(normal) : Vector3{}};
+        return {vector(0), vector(1), vector(2)};
     }
-    // At a pole the one that is a little way off.
-    [[nodiscard]] Vector3 normal(const std::array<double, 2> &params) const {
-        std::array<double, 2> off = params;
+    static constexpr double little = 0x1p-16;
+
+    // Of no length where the surface is folded or has a point for a line, as far as that can be told.
+    [[nodiscard]] Vector3 normal(const Params &params) const {
         for (size_t k = 0; k < 2; ++k) {
             const auto [lower, upper] = seams_.domain(k + 1);
-            off[k] += (lower / 2 + upper / 2 - off[k]) * 0x1p-16;
+            const double room = little * (upper - lower);
+            for (const bool last : {false, true}) {
+                if (std::abs(params[k] - (last ? upper : lower)) < room && seams_.is_pole(k + 1, last)) {
+                    return normal_of_pole(k, last ? upper - room : lower + room);
+                }
+            }
         }
-        const Tangent here = tangent(params), there = tangent(off);
-        return length(here.normal) > 0 ? here.normal : there.normal;
+        return regular_normal(params, little * eval::active_size(surface_));
+    }
+    // No derivative is shorter than `least`, as it goes over the whole domain.
+    [[nodiscard]] Vector3 regular_normal(const Params &params, double least) const {
+        const std::array<Vector3, 3> here = jet(params);
+        const Vector3 across = cross(unit(here[1]), unit(here[2]));
+        bool regular = length(across) > little;
+        for (size_t k = 0; k < 2; ++k) {
+            const auto [lower, upper] = seams_.domain(k + 1);
+            regular = regular && length(here[k + 1]) * (upper - lower) > least;
+        }
+        return regular ? unit(across) : Vector3{};
+    }
+    // From all around it; the apex of a cone has none.
+    [[nodiscard]] Vector3 normal_of_pole(size_t k, double beside) const {
+        constexpr int samples = 8;
+        const auto [lower, upper] = seams_.domain(2 - k);
+        Vector3 first{};
+        for (int i = 0; i < samples; ++i) {
+            Params params{beside, beside};
+            params[1 - k] = lower + (upper - lower) * (i + 0.5) / samples;
+            const Vector3 up = regular_normal(params, 0);
+            first = i == 0 ? up : first;
+            if (!(dot(first, up) > 0.99)) {
+                return {};
+            }
+        }
+        return first;
     }
     // The foot of a perpendicular tells the side; a border and an edge do not, nor a foot that is elsewhere.
-    [[nodiscard]] int at(const double *x, const std::array<double, 2> &guess, double reach) const {
-        const std::array<double, 2> start{seams_.in_domain(1, guess[0]), seams_.in_domain(2, guess[1])};
+    [[nodiscard]] Side at(const double *x, const Params &guess, double reach) const {
+        const Params start{seams_.in_domain(1, guess[0]), seams_.in_domain(2, guess[1])};
         const closest::Foot foot = closest::locator_of(surface_).local(x, start.data());
-        const std::array<double, 2> params{foot.params[0], foot.params[1]};
-        const Vector3 point = tangent(params).point;
-        if (length(point - tangent(start).point) > reach) {
-            return 0;
+        const Params params{foot.params[0], foot.params[1]};
+        const Vector3 point = jet(params)[0];
+        if (length(point - jet(start)[0]) > reach) {
+            return {};
         }
-        const Vector3 offset = Vector3{x[0], x[1], x[2]} - point;
-        const double away = length(offset), height = dot(normal(params), offset);
+        const Vector3 offset = Vector3{x[0], x[1], x[2]} - point, up = normal(params);
+        const double away = length(offset), height = dot(up, offset);
         const bool perpendicular = std::abs(height) > 0.5 * away;
-        return !perpendicular || !(away > 2 * noise_) ? 0 : height > 0 ? 1 : -1;
+        return {!perpendicular || !(away > 2 * noise_) ? 0 : height > 0 ? 1 : -1, up};
     }
 
     const Spline &curve_, &surface_;
@@ -108,7 +145,8 @@ bool changes_side(const Spline &curve, const Spline &surface, const Seams &seams
     const SpaceWay down{part.lower, {at_first[1], at_first[2]}, false, first, most, reach},
         up{part.upper, {at_last[1], at_last[2]}, true, first, most, reach};
     const SideOfSurface side(curve, surface, seams, noise);
-    return side.along(down) * side.along(up) < 0;
+    const Side before = side.along(down), after = side.along(up);
+    return before.sign * after.sign < 0 && dot(before.normal, after.normal) > 0;
 }
 
 } // namespace nrb::intersect

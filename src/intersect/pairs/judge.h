@@ -11,12 +11,6 @@
 
 namespace nrb::intersect {
 
-// A piece whose weights are positive.
-struct SlopedPiece {
-    const pieces::BezierPiece *piece;
-    const Slopes *slopes;
-};
-
 // Near is what is within `near` of each other, and `noise` what rounding leaves open of a distance. Cells may hold
 // what is farther apart by slack(), because bounds from below are no sharper.
 class Judge {

@@ -36,4 +36,10 @@ private:
     double error_ = 0;
 };
 
+// A piece of a curve whose weights are positive.
+struct SlopedPiece {
+    const pieces::BezierPiece *piece;
+    const Slopes *slopes;
+};
+
 } // namespace nrb::intersect

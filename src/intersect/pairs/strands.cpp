@@ -284,6 +284,11 @@ bool Breaks::hold(double t) const noexcept {
     return std::ranges::binary_search(knots_, t);
 }
 
+bool Breaks::hold_any_in(Interval range) const noexcept {
+    const auto first = std::ranges::lower_bound(knots_, range.lower);
+    return first != knots_.end() && *first <= range.upper;
+}
+
 bool Breaks::have_span_in(Interval range) const noexcept {
     const auto first = std::ranges::lower_bound(knots_, range.lower);
     return first != knots_.end() && first + 1 != knots_.end() && *(first + 1) <= range.upper;

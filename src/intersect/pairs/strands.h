@@ -31,6 +31,7 @@ class Breaks {
 public:
     explicit Breaks(const KnotVector &axis);
     [[nodiscard]] bool hold(double t) const noexcept;
+    [[nodiscard]] bool hold_any_in(Interval range) const noexcept;
     [[nodiscard]] bool have_span_in(Interval range) const noexcept;
 
 private:
