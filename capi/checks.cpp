@@ -46,6 +46,17 @@ void check_factor(double factor, const char *name) {
     }
 }
 
+void check_points(const char *name, const ConstRecords &points) {
+    for (int64_t i = 0; i < points.count; ++i) {
+        for (int64_t c = 0; c < points.width; ++c) {
+            if (!std::isfinite(points(i, c))) {
+                fail(Status::point_not_finite, "%s[%lld][%lld] = %s, expected a number", name,
+                     static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
+            }
+        }
+    }
+}
+
 void check_place(double t, Interval domain, const char *name, int axis) {
     if (!std::isfinite(t)) {
         fail(Status::parameter_not_finite, "%s = %s on axis %d is not finite", name, Number(t).text, axis);

@@ -47,6 +47,8 @@ void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
 // Throws NURBS_ERROR_FACTOR unless it is finite.
 void check_factor(double factor, const char *name);
+// Throws NURBS_ERROR_POINT_NOT_FINITE unless all numbers are finite.
+void check_points(const char *name, const ConstRecords &points);
 // Checks a parameter of an axis: finite, and inside its domain.
 void check_place(double t, Interval domain, const char *name, int axis);
 // The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name. Throws NURBS_ERROR_FLAGS for flags

@@ -27,17 +27,6 @@ bool check_flag(uint32_t flags) {
     return flags != 0;
 }
 
-void check_finite(const char *name, const ConstRecords &points) {
-    for (int64_t i = 0; i < points.count; ++i) {
-        for (int64_t c = 0; c < points.width; ++c) {
-            if (!std::isfinite(points(i, c))) {
-                fail(Status::point_not_finite, "%s[%lld][%lld] = %s, expected a number", name,
-                     static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
-            }
-        }
-    }
-}
-
 void check_guesses(const Spline &spline, const ConstRecords &guesses) {
     for (int64_t i = 0; i < guesses.count; ++i) {
         for (int k = 0; k < spline.axes(); ++k) {
@@ -56,7 +45,7 @@ struct PointBatch {
 
     void check_values() const {
         if (!allow_nan) {
-            check_finite("points", points);
+            check_points("points", points);
         }
     }
 };
@@ -136,7 +125,7 @@ struct CriticalOutputs {
 
     void check(const PointQuery &query) const {
         check_length(cap, "cap");
-        check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
+        check_points("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
     }
     void write(const PointQuery &query, const closest::CriticalSet &found) const {
         const int64_t filled = checked_cap(cap, std::ssize(found.points)), dim = query.spline.dim();

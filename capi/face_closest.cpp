@@ -5,8 +5,6 @@
 #include "outputs.h"
 #include "watched.h"
 
-#include "base/error.h"
-#include "base/numbers.h"
 #include "base/tolerance.h"
 #include "eval/evaluate.h"
 #include "face/face_locator.h"
@@ -39,17 +37,6 @@ void settle(const Spline &surface, const double *point, double tolerance, closes
     }
     foot.distance = distance;
     foot.status |= static_cast<int32_t>(foot.left) * closest::closest_left;
-}
-
-void check_points(const ConstRecords &points) {
-    for (int64_t i = 0; i < points.count; ++i) {
-        for (int64_t c = 0; c < points.width; ++c) {
-            if (!std::isfinite(points(i, c))) {
-                fail(Status::point_not_finite, "points[%lld][%lld] = %s, expected a number",
-                     static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
-            }
-        }
-    }
 }
 
 void put_feet(const face::Face &own, const ConstRecords &points, double tolerance, const Records &params,
@@ -91,7 +78,7 @@ nurbs_status nurbs_face_closest_points(const nurbs_face *face, int64_t n, const 
                       on = outputs.add({"feet", feet, dim, 0, 0}),
                       away = outputs.add({"distances", distances, 1, 0, 0});
         outputs.check("points", from);
-        check_points(from);
+        check_points("points", from);
         const StagedRecords staged_params(at), staged_feet(on), staged_distances(away);
         StagedStatus staged_status(status, n);
         put_feet(own, from, tolerance, staged_params.view(), staged_feet.view(), staged_distances.view(),

@@ -75,8 +75,8 @@ nurbs_status nurbs_model_rays(const nurbs_model *model, int64_t n, const double 
         check_apart({memory("params", params, 2 * n), memory("distances", distances, n),
                      memory("status", status, n), memory("places", places, 2 * n)},
                     {memory("origins", origins, 3 * n), memory("directions", directions, 3 * n)});
-        check_rays("origins", Status::point_not_finite, from);
-        check_rays("directions", Status::direction, along);
+        check_points("origins", from);
+        check_directions("directions", along);
         const std::vector<model::ModelAnswer> found = first_answers(own, from, along);
         for (size_t i = 0; i < found.size(); ++i) {
             const intersect::RayAnswer &answer = found[i].answer;
@@ -131,7 +131,7 @@ nurbs_status nurbs_model_classify(const nurbs_model *model, int64_t n, const dou
         }
         check_tolerance(tolerance);
         check_apart({memory("sides", sides, n)}, {memory("points", places.data, places.extent())});
-        check_rays("points", Status::point_not_finite, places);
+        check_points("points", places);
         StagedStatus staged(sides, n);
         const LimitedSearch search;
         model::Classifier classifier(own, tolerance);

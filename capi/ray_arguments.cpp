@@ -13,18 +13,18 @@ namespace nrb::capi {
 namespace {
 
 // `index` < 0: there is one only.
-void check_ray(const char *name, Status status, const double *x, int64_t index) {
+void check_direction(const char *name, const double *x, int64_t index) {
     char row[32] = "";
     if (index >= 0) {
         std::snprintf(row, sizeof row, "[%lld]", static_cast<long long>(index));
     }
     for (int c = 0; c < 3; ++c) {
         if (!std::isfinite(x[c])) {
-            fail(status, "%s%s[%d] = %s, expected a number", name, row, c, Number(x[c]).text);
+            fail(Status::direction, "%s%s[%d] = %s, expected a number", name, row, c, Number(x[c]).text);
         }
     }
-    if (status == Status::direction && x[0] == 0 && x[1] == 0 && x[2] == 0) {
-        fail(status, "%s%s is 0, expected a direction", name, row);
+    if (x[0] == 0 && x[1] == 0 && x[2] == 0) {
+        fail(Status::direction, "%s%s is 0, expected a direction", name, row);
     }
 }
 
@@ -41,10 +41,10 @@ Interval checked_range(const double *range) {
 
 } // namespace
 
-void check_rays(const char *name, Status status, const ConstRecords &rows) {
+void check_directions(const char *name, const ConstRecords &rows) {
     for (int64_t i = 0; i < rows.count; ++i) {
         const std::array<double, 3> x{rows(i, 0), rows(i, 1), rows(i, 2)};
-        check_ray(name, status, x.data(), i);
+        check_direction(name, x.data(), i);
     }
 }
 
@@ -52,8 +52,8 @@ intersect::RayQuery checked_ray(const double *origin, const double *direction, c
     require(origin, "origin");
     require(direction, "direction");
     const Interval limits = checked_range(range);
-    check_ray("origin", Status::point_not_finite, origin, -1);
-    check_ray("direction", Status::direction, direction, -1);
+    check_points("origin", {origin, 1, 3, 3, 1});
+    check_direction("direction", direction, -1);
     return {{origin[0], origin[1], origin[2]}, {direction[0], direction[1], direction[2]}, limits};
 }
 

@@ -4,15 +4,14 @@
 
 #include "checks.h"
 
-#include "base/status.h"
 #include "intersect/rays/ray.h"
 
 namespace nrb::capi {
 
 constexpr int64_t work_of_a_ray = 200;
 
-// Rows of numbers; those with Status::direction may not be 0.
-void check_rays(const char *name, Status status, const ConstRecords &rows);
+// Throws NURBS_ERROR_DIRECTION for one that is not finite or 0.
+void check_directions(const char *name, const ConstRecords &rows);
 
 // One ray, over all t >= 0 where the range is NULL.
 intersect::RayQuery checked_ray(const double *origin, const double *direction, const double *range);

@@ -66,8 +66,8 @@ void cast_rays(const RayArrays &a, const Make &make_caster) {
                   at = outputs.add({"distances", a.distances, 1, 0, 0});
     outputs.check("origins", from);
     outputs.check("directions", along);
-    check_rays("origins", Status::point_not_finite, from);
-    check_rays("directions", Status::direction, along);
+    check_points("origins", from);
+    check_directions("directions", along);
     const StagedRecords staged_params(on), staged_distances(at);
     StagedStatus staged_status(a.status, a.n);
     put_rays(*make_caster(), from, along, staged_params.view().data, staged_distances.view().data,

@@ -40,30 +40,14 @@ private:
     // Pieces near the other end of a closed axis are as near.
     [[nodiscard]] bool near(const Point2 &x, const Metric &metric) const {
         const Point2 reach = metric.reach();
-        const Covering &covering = face_.covering();
-        for (const double i : {0.0, -1.0, 1.0}) {
-            for (const double j : {0.0, -1.0, 1.0}) {
-                const bool copy = (i == 0 || covering.closed(0)) && (j == 0 || covering.closed(1));
-                const Point2 at{x[0] + i * covering.period(0), x[1] + j * covering.period(1)};
-                if (copy && near_copy(at, reach, metric)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-    [[nodiscard]] bool near_copy(const Point2 &x, const Point2 &reach, const Metric &metric) const {
-        const Covering &covering = face_.covering();
         const Point2 lower{x[0] - reach[0], x[1] - reach[1]}, upper{x[0] + reach[0], x[1] + reach[1]};
-        for (const int k : {0, 1}) {
-            const auto at = static_cast<size_t>(k);
-            if (upper[at] < covering.domain(k).lower || lower[at] > covering.domain(k).upper) {
-                return false;
-            }
-        }
         const TrimMap &trims = face_.trims();
-        return trims.any_in(
-            lower, upper, [&](const TrimPiece &piece) { return is_near(trims.pieces(), piece, x, metric); });
+        return face_.covering().any_move(lower, upper, [&](const Point2 &move) {
+            const Point2 at = moved(x, move);
+            return trims.any_in(moved(lower, move), moved(upper, move), [&](const TrimPiece &piece) {
+                return is_near(trims.pieces(), piece, at, metric);
+            });
+        });
     }
 
     const Face &face_;

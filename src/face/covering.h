@@ -11,6 +11,10 @@ namespace nrb::face {
 
 using Point2 = std::array<double, 2>;
 
+inline Point2 moved(const Point2 &x, const Point2 &by) noexcept {
+    return {x[0] + by[0], x[1] + by[1]};
+}
+
 // On a closed axis the two ends of the domain are one curve: curves in the domain may run on over an end into the next copy of
 // the domain, in the plane that is covered by all copies. A collapsed end is a single point of space, the pole of a globe.
 class Covering {
@@ -33,6 +37,25 @@ public:
     [[nodiscard]] Point2 in_domain(Point2 x) const noexcept;
     // The copy of a place nearest to another one.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
+    // Calls visit(move) for the moves by periods of closed axes, none of them among these, that bring a box of the plane into
+    // the domain, until it is true: what lies at one end of a closed axis lies at the other one, too.
+    template <class Visit>
+    bool any_move(const Point2 &lower, const Point2 &upper, Visit &&visit) const {
+        const auto inside = [&](int k, double move) {
+            const auto at = static_cast<size_t>(k);
+            return (move == 0 || closed(k)) && upper[at] + move >= domain(k).lower &&
+                   lower[at] + move <= domain(k).upper;
+        };
+        for (const double i : {0.0, -1.0, 1.0}) {
+            for (const double j : {0.0, -1.0, 1.0}) {
+                const Point2 move{i * period(0), j * period(1)};
+                if (inside(0, move[0]) && inside(1, move[1]) && visit(move)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
     [[nodiscard]] bool has_poles() const noexcept { return !poles_.empty(); }
     [[nodiscard]] std::vector<std::vector<double>> pole_points() const; // of space [dim]
     // The pole within a distance of a point of space [dim], as axis and end; axis -1: none.

@@ -163,10 +163,7 @@ private:
         push(std::move(cell));
     }
     [[nodiscard]] bool is_cut(const Part &part) const {
-        const TrimMap &trims = face_.trims();
-        const Point2 lower{part[0].lower, part[1].lower}, upper{part[0].upper, part[1].upper};
-        return trims.any_in(
-            lower, upper, [&](const TrimPiece &piece) { return trims.pieces().meets(piece, lower, upper); });
+        return face_.trims().cuts({part[0].lower, part[1].lower}, {part[0].upper, part[1].upper});
     }
     void push(FaceCell cell) {
         bool matters = false;

@@ -36,6 +36,11 @@ public:
     [[nodiscard]] int value_at_top(double u) const noexcept;
     // Of each loop: whether it was turned.
     [[nodiscard]] const std::vector<bool> &turned() const noexcept { return turned_; }
+    // Whether a piece comes into a box of the domain, to rounding.
+    [[nodiscard]] bool cuts(const Point2 &lower, const Point2 &upper) const {
+        return any_in(lower, upper,
+                      [&](const TrimPiece &piece) { return pieces_.meets(piece, lower, upper); });
+    }
     // Calls visit(piece) for the pieces whose boxes meet a box of the domain, some of them more than once, until it is true.
     template <class Visit>
     bool any_in(const Point2 &lower, const Point2 &upper, Visit &&visit) const {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr size_t most_instances = 1 << 20;
 using Rows = std::array<double, 12>;
+using Matrix = std::array<std::array<double, 3>, 3>;
 
 // First b, then a.
 Rows product(const Rows &a, const Rows &b) noexcept {
@@ -30,7 +31,7 @@ Rows product(const Rows &a, const Rows &b) noexcept {
 
 // Lengths grow by no more: by the root of the largest eigenvalue of M^T M, which row sums of its magnitudes bound. Where M is a
 // motion, or one with a scale, that is its scale.
-double growth_of(const std::array<std::array<double, 3>, 3> &m) noexcept {
+double growth_of(const Matrix &m) noexcept {
     double scale = 0, most = 0;
     for (const auto &row : m) {
         for (const double x : row) {
@@ -49,6 +50,32 @@ double growth_of(const std::array<std::array<double, 3>, 3> &m) noexcept {
         most = std::max(most, sum);
     }
     return (1 + 32 * eps) * scale * std::sqrt(most);
+}
+
+Matrix matrix_of(const Rows &rows) noexcept {
+    Matrix m{};
+    for (size_t i = 0; i < 3; ++i) {
+        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, m[i].begin());
+    }
+    return m;
+}
+
+// By cofactors; not finite if there is none.
+Matrix inverse_of(const Matrix &m) noexcept {
+    Matrix inverse{};
+    for (size_t i = 0; i < 3; ++i) {
+        for (size_t j = 0; j < 3; ++j) {
+            const size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+            inverse[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+    }
+    const double determinant = m[0][0] * inverse[0][0] + m[0][1] * inverse[1][0] + m[0][2] * inverse[2][0];
+    for (auto &row : inverse) {
+        for (double &x : row) {
+            x /= determinant;
+        }
+    }
+    return inverse;
 }
 
 } // namespace
@@ -90,24 +117,8 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
     if (identity_) {
         return;
     }
-    const Rows &p = placement_;
-    std::array<std::array<double, 3>, 3> m{};
-    for (size_t i = 0; i < 3; ++i) {
-        std::copy_n(p.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, m[i].begin());
-        reach_ += std::abs(p[4 * i + 3]);
-    }
-    for (size_t i = 0; i < 3; ++i) {
-        for (size_t j = 0; j < 3; ++j) {
-            const size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-            inverse_[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-        }
-    }
-    const double determinant = m[0][0] * inverse_[0][0] + m[0][1] * inverse_[1][0] + m[0][2] * inverse_[2][0];
-    for (auto &row : inverse_) {
-        for (double &x : row) {
-            x /= determinant;
-        }
-    }
+    const Matrix m = matrix_of(placement_);
+    inverse_ = inverse_of(m);
     norm_ = growth_of(m);
     inverse_norm_ = growth_of(inverse_);
     const double condition = norm_ * inverse_norm_;
@@ -115,11 +126,11 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
         fail(Status::matrix, "the placement of use %lld has no inverse to rounding",
              static_cast<long long>(instances[index].use));
     }
-    int depth = 1;
-    for (int64_t at = instances[index].parent; at >= 0; at = instances[static_cast<size_t>(at)].parent) {
+    int depth = 0;
+    for (int64_t at = static_cast<int64_t>(index); at >= 0; ++depth) {
         const Instance &above = instances[static_cast<size_t>(at)];
         reach_ += std::abs(above.placement[3]) + std::abs(above.placement[7]) + std::abs(above.placement[11]);
-        ++depth;
+        at = above.parent;
     }
     error_ = 32 * depth * eps * condition;
 }
