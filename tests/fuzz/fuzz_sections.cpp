@@ -2,6 +2,7 @@
 // Sections: what is told of curves and nodes holds, whatever the surface; all of it is counted and released.
 #include "fuzz/harness.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -75,6 +76,37 @@ void release(nurbs_meet *meet) {
     nurbs_meet_destroy(copy);
 }
 
+// Contours, levels of a polynomial, and those of a coordinate of the surface itself; each trimmed to the whole surface as a face.
+void look_at_others(Input &in, const nurbs *g, const Point &normal, const Point &values, double tolerance,
+                    const nurbs_call_options &call) {
+    nurbs_meet *meet = nullptr, *trimmed = nullptr;
+    const int32_t kind = in.below(6);
+    const int64_t n = kind == NURBS_CONTOUR_ISOPHOTE || in.rarely() ? in.below(3) : 0;
+    const std::array<double, 10> form{normal[0], normal[1], normal[2], values[0], values[1],
+                                      values[2], normal[0], 1,         values[0], values[1]};
+    const int which = in.below(3);
+    const bool found =
+        which == 0 ? FUZZ_OK(nurbs_surface_contours_with(g, kind, normal.data(), n, values.data(), tolerance,
+                                                         &call, &meet))
+        : which == 1
+            ? FUZZ_OK(nurbs_surface_level_with(g, 1 + in.below(2), form.data(), tolerance, &call, &meet))
+            : FUZZ_OK(nurbs_surface_level_curves_with(g, g, n, values.data(), tolerance, &call, &meet));
+    if (!found) {
+        FUZZ_REQUIRE(meet == nullptr);
+        return;
+    }
+    look(meet, std::max<int64_t>(n, 1));
+    nurbs_face *face = nullptr;
+    if (FUZZ_OK(nurbs_face_create(g, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0, nullptr, &face))) {
+        if (FUZZ_OK(nurbs_meet_trim_with(meet, face, &call, &trimmed))) {
+            sizes_of(trimmed);
+            nurbs_meet_destroy(trimmed);
+        }
+        nurbs_face_destroy(face);
+    }
+    release(meet);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -104,6 +136,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     } else {
         FUZZ_REQUIRE(meet == nullptr);
     }
+    look_at_others(in, g.get(), normal, offsets, tolerance, call);
     if (in.rarely() &&
         FUZZ_OK(nurbs_surface_sections(g.get(), normal.data(), 1, offsets.data(), tolerance, &meet))) {
         look(meet, 1);

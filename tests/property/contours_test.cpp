@@ -42,16 +42,6 @@ Point3 random_vector(Random &random) {
     return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
 }
 
-double length_of(const Found &found) {
-    double length = 0;
-    for (const Branch &branch : found.branches) {
-        double own = 0;
-        require_ok(nurbs_curve_length(branch.space.get(), nullptr, 1e-9, &own, nullptr));
-        length += own;
-    }
-    return length;
-}
-
 struct Sphere {
     Point3 centre, axis, x;
     double radius;
@@ -161,7 +151,8 @@ TEST(Levels, of_a_sphere_and_a_cylinder_through_its_centre_are_the_curve_of_vivi
     const Handle sphere(made);
     const Found found = level_of(sphere.get(), 2, {1, 0, 0, -2, 1, 0, 0, 0, 0, 0}, 1e-7);
     EXPECT_TRUE(found.complete);
-    EXPECT_EQ(found.count(NURBS_NODE_TOUCH), 3); // where it crosses itself, and both poles, through which it runs
+    EXPECT_EQ(found.count(NURBS_NODE_TOUCH),
+              3); // where it crosses itself, and both poles, through which it runs
     for (const Branch &branch : found.branches) {
         for (const Point3 &x : points_on(branch.space.get(), branch.params(100))) {
             EXPECT_NEAR(std::hypot(x[0] - 1, x[1]), 1, branch.deviation + 1e-12);

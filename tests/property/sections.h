@@ -119,6 +119,17 @@ inline Found sections_of(const nurbs *g, const Point3 &normal, const std::vector
     return found_in(MeetHandle(meet).get());
 }
 
+// Of all branches together.
+inline double length_of(const Found &found) {
+    double length = 0;
+    for (const Branch &branch : found.branches) {
+        double own = 0;
+        require_ok(nurbs_curve_length(branch.space.get(), nullptr, 1e-10, &own, nullptr));
+        length += own;
+    }
+    return length;
+}
+
 inline std::vector<Point3> points_on(const nurbs *curve, const std::vector<double> &t) {
     std::vector<Point3> points(t.size());
     require_ok(

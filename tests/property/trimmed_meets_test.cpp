@@ -25,16 +25,6 @@ Found trimmed_sections(const nurbs *g, const nurbs_face *face, const Point3 &nor
     return surface_sections::found_in(MeetHandle(meet).get());
 }
 
-double length_of(const Found &found) {
-    double length = 0;
-    for (const auto &branch : found.branches) {
-        double own = 0;
-        require_ok(nurbs_curve_length(branch.space.get(), nullptr, 1e-10, &own, nullptr));
-        length += own;
-    }
-    return length;
-}
-
 Handle unit_plane() {
     const double origin[] = {0, 0, 0}, u[] = {1, 0, 0}, v[] = {0, 1, 0};
     return made([&](nurbs **out) { return nurbs_surface_plane(3, origin, u, v, out); });
