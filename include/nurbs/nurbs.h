@@ -5424,9 +5424,9 @@ NURBS_API nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, doubl
  * into (which may be any odd number of them); tangents; and if there is nothing a contact. An end on the surface,
  * and a meet on its border, is a crossing to rounding; with a tolerance of 0 it is undecided, as are tangents and
  * overlaps, unless both have the same control point there. Surfaces go on where opposite borders are one curve,
- * and over a border that is one point if the others close round it: what is there is one hit. Neither a curve nor
- * a surface that jumps is met between both limits. A curve that closes without being periodic has two ends, and a
- * hit at each.
+ * and over a border that is one point if the others close round it: what is there is one hit. Overlaps where S_u
+ * and S_v are parallel, or all but so, are undecided. Neither a curve nor a surface that jumps is met between both
+ * limits. A curve that closes without being periodic has two ends, and a hit at each.
  * \param[in] curve a curve of dimension 3.
  * \param[in] surface a surface of dimension 3.
  * \param[in] tolerance the largest distance that counts as none, >= 0.

@@ -73,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     }
     const double tolerance = std::abs(in.number()) * (in.coin() ? 0x1p-20 : 1);
-    meet(curve.get(), surface.get(), tolerance, 2000000);
+    meet(curve.get(), surface.get(), tolerance, 500000);
     meet(curve.get(), surface.get(), 0, in.below(1000) + 1);
     int64_t count = 0;
     FUZZ_OK(nurbs_curve_surface_intersections(surface.get(), surface.get(), tolerance, 0, nullptr, nullptr,
@@ -82,7 +82,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     double domain[2];
     if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&
         FUZZ_OK(nurbs_iso(surface.get(), 0, domain[0], 0, &side))) {
-        meet(fuzz::Handle(side).get(), surface.get(), tolerance, 2000000); // an overlap
+        meet(fuzz::Handle(side).get(), surface.get(), tolerance, 500000); // an overlap
     }
     return 0;
 }

@@ -313,6 +313,38 @@ TEST(CurveSurface, curves_on_surfaces_are_one_overlap) {
     });
 }
 
+// There is something within a tolerance if, and only if, the smallest distance is no larger; where it is larger by 1/64 or
+// less that may be left open.
+TEST(CurveSurface, what_is_near_is_what_the_distance_says) {
+    int64_t compared = 0, complete = 0;
+    for_each_case(3090000, 80, [&](Random &random, uint64_t seed) {
+        Recipe on_curve = in_space(random, 1, 3), on_surface = in_space(random, 2, 3);
+        on_curve.weights = on_surface.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        SplineData curve = random_spline(random, on_curve);
+        const SplineData surface = scaled(random_spline(random, on_surface), 1);
+        curve = scaled(curve, 0.3 * size_of(surface) / size_of(curve));
+        move(curve, {size_of(surface) * random.between(-1, 1), size_of(surface) * random.between(-1, 1),
+                     size_of(surface) * random.between(0.5, 2)});
+        const Handle c = create(curve), s = create(surface);
+        double least = 0, most = 0;
+        int32_t certified = 0;
+        require_ok(nurbs_distance(c.get(), s.get(), 1e-6 * size_of(surface), 0, &least, &most, nullptr,
+                                  nullptr, &certified));
+        if ((certified & NURBS_CLOSEST_CERTIFIED) == 0 || least < 1e-3 * size_of(surface)) {
+            return;
+        }
+        ++compared;
+        const Hits none = meets(c.get(), s.get(), 0.97 * least), some = meets(c.get(), s.get(), 1.05 * most);
+        complete += none.complete;
+        ASSERT_EQ(none.size() == 0, none.complete == 1) << where(seed, curve) << where(seed, surface);
+        ASSERT_GE(some.size(), 1U) << where(seed, curve) << where(seed, surface);
+        ASSERT_EQ(some.count(NURBS_HIT_CROSSING), 0) << where(seed, curve) << where(seed, surface);
+        ASSERT_EQ(some.count(NURBS_HIT_TANGENT), 0) << where(seed, curve) << where(seed, surface);
+    });
+    EXPECT_GE(compared, of_whole_run(50));
+    EXPECT_GE(complete, of_whole_run(compared - compared / 10));
+}
+
 // Other axes, directions, knots, degrees and places: the same hits.
 TEST(CurveSurface, meets_do_not_depend_on_how_shapes_are_given) {
     int64_t found = 0;
