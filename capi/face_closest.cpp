@@ -39,26 +39,29 @@ void settle(const Spline &surface, const double *point, double tolerance, closes
     foot.status |= static_cast<int32_t>(foot.left) * closest::closest_left;
 }
 
-void put_feet(const face::Face &own, const ConstRecords &points, double tolerance, const Records &params,
-              const Records &feet, const Records &distances, int32_t *status) {
+struct Feet {
+    std::vector<closest::Foot> places;
+    std::vector<double> points; // [n][dim]
+};
+
+// All of them before the first is written: any of them may want memory.
+Feet feet_of(const face::Face &own, const ConstRecords &points, double tolerance) {
     const Spline &surface = *own.surface();
     std::vector<double> point(static_cast<size_t>(surface.dim())), x(point.size());
     face::FaceLocator locator(own);
     const LimitedSearch search;
     Steps steps(points.count);
+    Feet feet;
     for (int64_t i = 0; i < points.count; ++i, steps.next(work_of_a_point)) {
         for (size_t c = 0; c < point.size(); ++c) {
             point[c] = points(i, static_cast<int64_t>(c));
         }
         closest::Foot foot = locator.nearest(point.data(), tolerance);
         settle(surface, point.data(), tolerance, foot, x.data());
-        const auto at = static_cast<size_t>(i);
-        put(params.data, 2 * at, foot.params[0]);
-        put(params.data, 2 * at + 1, foot.params[1]);
-        put_all(feet.data == nullptr ? nullptr : feet.data + at * x.size(), x);
-        put(distances.data, at, foot.distance);
-        put(status, at, foot.status);
+        feet.places.push_back(foot);
+        feet.points.insert(feet.points.end(), x.begin(), x.end());
     }
+    return feet;
 }
 
 } // namespace
@@ -79,14 +82,15 @@ nurbs_status nurbs_face_closest_points(const nurbs_face *face, int64_t n, const 
                       away = outputs.add({"distances", distances, 1, 0, 0});
         outputs.check("points", from);
         check_points("points", from);
-        const StagedRecords staged_params(at), staged_feet(on), staged_distances(away);
-        StagedStatus staged_status(status, n);
-        put_feet(own, from, tolerance, staged_params.view(), staged_feet.view(), staged_distances.view(),
-                 staged_status.data());
-        staged_params.commit();
-        staged_feet.commit();
-        staged_distances.commit();
-        staged_status.commit();
+        const Feet found = feet_of(own, from, tolerance);
+        for (size_t i = 0; i < found.places.size(); ++i) {
+            const closest::Foot &foot = found.places[i];
+            put(at.data, 2 * i, foot.params[0]);
+            put(at.data, 2 * i + 1, foot.params[1]);
+            put(away.data, i, foot.distance);
+            put(status, i, foot.status);
+        }
+        put_all(on.data, found.points);
     });
 }
 

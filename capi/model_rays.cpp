@@ -3,13 +3,13 @@
 #include "guard.h"
 #include "outputs.h"
 #include "ray_arguments.h"
-#include "watched.h"
 
 #include "base/error.h"
 #include "base/tolerance.h"
 #include "base/watch.h"
 #include "model/rays/classify.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -38,6 +38,18 @@ std::vector<model::ModelAnswer> first_answers(const model::Model &model, const C
                                        : caster.first({row(origins, i), row(directions, i)}));
     }
     return answers;
+}
+
+// All of them before the first is written: any of them may want memory.
+std::vector<int32_t> sides_of(const model::Model &model, const ConstRecords &points, double tolerance) {
+    const LimitedSearch search;
+    model::Classifier classifier(model, tolerance);
+    Steps steps(points.count);
+    std::vector<int32_t> sides;
+    for (int64_t i = 0; i < points.count; ++i, steps.next(work_of_a_ray)) {
+        sides.push_back(work_ended() ? model::side_undecided : classifier.side(row(points, i)));
+    }
+    return sides;
 }
 
 } // namespace
@@ -132,13 +144,7 @@ nurbs_status nurbs_model_classify(const nurbs_model *model, int64_t n, const dou
         check_tolerance(tolerance);
         check_apart({memory("sides", sides, n)}, {memory("points", places.data, places.extent())});
         check_points("points", places);
-        StagedStatus staged(sides, n);
-        const LimitedSearch search;
-        model::Classifier classifier(own, tolerance);
-        Steps steps(n);
-        for (int64_t i = 0; i < n; ++i, steps.next(work_of_a_ray)) {
-            staged.data()[i] = work_ended() ? model::side_undecided : classifier.side(row(places, i));
-        }
-        staged.commit();
+        const std::vector<int32_t> found = sides_of(own, places, tolerance);
+        std::copy(found.begin(), found.end(), sides);
     });
 }
