@@ -13,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;

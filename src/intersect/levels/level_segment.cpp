@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "basis/bspline.h"
 #include "bernstein/de_casteljau.h"
 #include "intersect/levels/level_trace.h"
 #include "numeric/norm.h"
@@ -256,6 +257,24 @@ double ArcFitter::rounding(const PartBounds &bounds) const noexcept {
     return sum + bounds.moves[1 - axis_] * noise_.of(bounds.largest_weight) / bounds.least_slope;
 }
 
+ArcFitter::Sample ArcFitter::sample(const std::array<double, 2> &place) const noexcept {
+    std::array<double, max_basis> across, along;
+    bernstein_functions(net_.degrees[0], place[0], across.data());
+    bernstein_functions(net_.degrees[1], place[1], along.data());
+    Sample sum{};
+    const double *value = net_.values.data(), *record = patch_.data();
+    for (size_t i = 0; i < net_.rows(); ++i) {
+        for (size_t j = 0; j < net_.columns(); ++j, ++value, record += 4) {
+            const double factor = across[i] * along[j];
+            sum.value += factor * *value;
+            for (size_t c = 0; c < 4; ++c) {
+                sum.record[c] += factor * record[c];
+            }
+        }
+    }
+    return sum;
+}
+
 double ArcFitter::set_deviation(const Room &room, LevelSegment &segment) {
     const PartBounds &bounds = room.bounds;
     segment.deviation = infinity;
@@ -266,14 +285,16 @@ double ArcFitter::set_deviation(const Room &room, LevelSegment &segment) {
     for (const std::array<double, 4> &functions : samples_) {
         const std::array<double, 2> place = combined(segment.on, functions);
         const std::array<double, 3> point = combined(segment.space, functions);
-        most = std::max(most, std::abs(net_.at(place).value));
-        evaluate(place, 0);
-        double apart[3];
+        const Sample there = sample(place);
+        most = std::max(most, std::abs(there.value));
+        double square = 0;
         for (size_t c = 0; c < 3; ++c) {
-            apart[c] = record_[3] * point[c] - record_[c];
+            const double apart = there.record[3] * point[c] - there.record[c];
+            square += apart * apart;
         }
-        most_apart = std::max(most_apart, norm(apart, 3));
+        most_apart = std::max(most_apart, square);
     }
+    most_apart = std::sqrt(most_apart);
     const double away = factor_ * most / bounds.least_slope;
     segment.deviation =
         factor_ * most_apart / bounds.least_weight + bounds.moves[1 - axis_] * away + rounding(bounds);

@@ -56,6 +56,11 @@ private:
     [[nodiscard]] double rounding(const PartBounds &bounds) const noexcept;
     [[nodiscard]] bool is_good(const Room &room, const LevelSegment &segment) const noexcept;
     void evaluate(const std::array<double, 2> &place, int order);
+    struct Sample {
+        double value;                 // of the function
+        std::array<double, 4> record; // of the surface
+    };
+    [[nodiscard]] Sample sample(const std::array<double, 2> &place) const noexcept;
 
     LevelField &field_;
     const pieces::PieceGrid &grid_;
