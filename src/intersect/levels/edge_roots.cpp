@@ -73,7 +73,7 @@ private:
     }
 
     // Of signs that are known.
-    [[nodiscard]] int changes_of(const Edge &edge, bool start, bool end) const noexcept {
+    static int changes_of(const Edge &edge, bool start, bool end) noexcept {
         int changes = 0;
         bool last = start;
         for (size_t i = 0; i < edge.values.size(); ++i) {

@@ -250,6 +250,7 @@ private:
     [[nodiscard]] Interval range_of(const std::vector<size_t> &members, const std::vector<Ranges> &ranges,
                                     size_t k) const {
         std::vector<Interval> all;
+        all.reserve(members.size());
         for (const size_t i : members) {
             all.push_back(ranges[i][k]);
         }
