@@ -37,15 +37,16 @@ static int64_t branches_of(const nurbs_meet *meet) {
 /* Points [SAMPLES][3] along a branch. */
 static void sample_branch(const nurbs_meet *meet, int64_t i, double *points) {
     double domain[2], params[SAMPLES];
-    nurbs *curve;
+    nurbs *curve, *on_surface;
     int k;
-    check(nurbs_meet_branch(meet, i, &curve, NULL));
+    check(nurbs_meet_branch(meet, i, &curve, &on_surface));
     check(nurbs_domain(curve, 0, domain));
     for (k = 0; k < SAMPLES; ++k) {
         const double t = (double)k / (SAMPLES - 1);
         params[k] = k + 1 == SAMPLES ? domain[1] : (1 - t) * domain[0] + t * domain[1];
     }
     check(nurbs_eval(curve, SAMPLES, params, 0, 0, points, 0, 0, 0));
+    nurbs_destroy(on_surface);
     nurbs_destroy(curve);
 }
 

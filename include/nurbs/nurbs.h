@@ -5594,8 +5594,8 @@ NURBS_API nurbs_status nurbs_surface_sections_with(const nurbs *g, const double 
  * in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose zeros are followed as
  * nurbs_surface_sections() does, with f > 0 on the left of branches. As f is no distance, zeros are told apart as far as
  * double precision allows: a saddle or a peak of f at 0 is a node TOUCH, and so is all of a surface on which f
- * vanishes, a cylinder seen along its axis. A mirror's reflection of parallel light strips are isophotes of the
- * bisectors. Costs: some ten microseconds a piece, a hundred for parabolic curves.
+ * vanishes, a cylinder seen along its axis. A crease at which f jumps from one sign to the other is no zero and not
+ * told; branches end there. Costs: some ten microseconds a piece, a hundred for parabolic curves.
  * \param[in] g a surface of dimension 3.
  * \param[in] kind one of the NURBS_CONTOUR_ constants.
  * \param[in] d [3] or NULL: the direction of any length but 0, or the point; not used by parabolic curves.

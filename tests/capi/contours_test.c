@@ -21,15 +21,16 @@ static void check_heights(nurbs_meet *meet, int64_t branches, const double *heig
     CHECK(count == branches && complete == 1);
     CHECK_OK(nurbs_meet_branches(meet, 8, levels, NULL, NULL, deviations, NULL));
     for (int64_t i = 0; i < branches; ++i) {
-        nurbs *space = NULL;
+        nurbs *space = NULL, *on = NULL;
         double domain[2], x[3];
-        CHECK_OK(nurbs_meet_branch(meet, i, &space, NULL));
+        CHECK_OK(nurbs_meet_branch(meet, i, &space, &on));
         CHECK_OK(nurbs_domain(space, 0, domain));
         for (int j = 0; j <= 10; ++j) {
             const double t = j == 10 ? domain[1] : domain[0] + (domain[1] - domain[0]) * j / 10;
             CHECK_OK(nurbs_eval(space, 1, &t, 0, 0, x, 0, 0, 0));
             CHECK(fabs(x[2] - heights[levels[i]]) <= deviations[i] + 1e-12 && deviations[i] <= 1e-6);
         }
+        nurbs_destroy(on);
         nurbs_destroy(space);
     }
     nurbs_meet_destroy(meet);

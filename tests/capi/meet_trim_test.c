@@ -29,11 +29,12 @@ static void beside_a_hole(void) {
     CHECK_OK(nurbs_meet_nodes(meet, 8, NULL, kinds, NULL, NULL, NULL));
     double length = 0;
     for (int i = 0; i < 3; ++i) {
-        nurbs *space = NULL;
+        nurbs *space = NULL, *on = NULL;
         double domain[2];
-        CHECK_OK(nurbs_meet_branch(meet, i, &space, NULL));
+        CHECK_OK(nurbs_meet_branch(meet, i, &space, &on));
         CHECK_OK(nurbs_domain(space, 0, domain));
         length += domain[1] - domain[0];
+        nurbs_destroy(on);
         nurbs_destroy(space);
         CHECK_INT(kinds[2 * i], NURBS_NODE_BORDER);
     }

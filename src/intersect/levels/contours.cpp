@@ -3,10 +3,8 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "eval/curve_point.h"
 #include "intersect/levels/piece_field.h"
 #include "intersect/levels/surface_levels.h"
-#include "numeric/vector3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,22 +107,15 @@ int degree_of(ContourKind kind, bool weighted, int p) noexcept {
     return 2 * (normal + p);
 }
 
-// Of the two signs of N . d the squares do not tell, a branch has one.
-bool has_sign(const Spline &surface, const MeetBranch &branch, const Vector &d, double cosine) {
-    const Interval domain = branch.on->axis(0).domain();
-    std::vector<double> at = eval::curve_point(*branch.on, domain.lower / 2 + domain.upper / 2, false);
-    for (size_t k = 0; k < 2; ++k) {
-        const Interval of = surface.axis(static_cast<int>(k)).domain();
-        const double period = of.upper - of.lower;
-        at[k] -= surface.axis(static_cast<int>(k)).periodic()
-                     ? period * std::floor((at[k] - of.lower) / period)
-                     : 0;
-        at[k] = std::clamp(at[k], of.lower, of.upper);
+// Of the two signs of N . d that the squares do not tell, zeros have that of the cosine.
+PieceField::Function sign_of(const Vector &d, double cosine) {
+    if (cosine == 0) {
+        return {};
     }
-    std::array<double, 9> jet{}; // the point and both derivatives
-    eval::evaluate_points(surface, {}, 1, {at.data(), 1, 2, 2, 1}, {jet.data(), 1, 9, 9, 1});
-    const Vector3 u{jet[3], jet[4], jet[5]}, v{jet[6], jet[7], jet[8]};
-    return dot(nrb::cross(u, v), Vector3{d[0], d[1], d[2]}) * cosine > 0;
+    const double sign = cosine > 0 ? 1 : -1;
+    return [d = Vector{sign * d[0], sign * d[1], sign * d[2]}](const HomogeneousPiece &piece) {
+        return dot(pieces::normal_numerator(piece), row_of(d));
+    };
 }
 
 } // namespace
@@ -132,20 +123,17 @@ bool has_sign(const Spline &surface, const MeetBranch &branch, const Vector &d, 
 Meet surface_contours(const Spline &surface, ContourKind kind, const Vector &d,
                       std::span<const double> cosines, double tolerance) {
     check_function_degree(surface, [&](int p) { return degree_of(kind, surface.rational(), p); });
-    const UsualLimit usual(usual_work(surface.point_count() + 1000 * std::ssize(cosines), 200000));
-    const LimitedSearch limited;
+    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
     const size_t levels = kind == ContourKind::isophote ? cosines.size() : 1;
     Meet all;
     Steps steps(static_cast<int64_t>(levels));
     for (size_t i = 0; i < levels; ++i, steps.next()) {
         const double cosine = kind == ContourKind::isophote ? cosines[i] : 0;
-        PieceField field(surface, grid, function_of(kind, d, cosine));
-        Meet meet = SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i));
-        if (cosine != 0) {
-            meet.keep([&](const MeetBranch &branch) { return has_sign(surface, branch, d, cosine); });
-        }
-        all.append(std::move(meet));
+        const UsualLimit usual(usual_work(surface.point_count(), 200000));
+        const LimitedSearch limited;
+        PieceField field(surface, grid, function_of(kind, d, cosine), sign_of(d, cosine));
+        all.append(SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i)));
     }
     return all;
 }

@@ -85,11 +85,7 @@ private:
         return changes + (last != end ? 1 : 0);
     }
 
-    [[nodiscard]] double value(double t) const {
-        std::vector<double> b = whole_.values;
-        evaluate(static_cast<int>(b.size()) - 1, 1, t, b.data());
-        return b.front();
-    }
+    [[nodiscard]] double value(double t) const { return whole_.value(t); }
 
     // Regula falsi with halved weights of the end that stays (Illinois).
     [[nodiscard]] double root(double a, double b, bool above_at_end) const {

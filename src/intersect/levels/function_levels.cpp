@@ -72,14 +72,14 @@ Meet implicit_level(const Spline &surface, const ImplicitForm &form, double tole
 Meet scalar_levels(const SplinePtr &surface, const SplinePtr &scalar, std::span<const double> values,
                    double tolerance) {
     check_domains(*surface, *scalar);
-    const UsualLimit usual(
-        usual_work(surface->point_count() + scalar->point_count() + 1000 * std::ssize(values), 200000));
-    const LimitedSearch limited;
+    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
     const SplinePtr on = with_breaks_of(surface, *scalar), of = with_breaks_of(scalar, *surface);
     const pieces::PieceGrid &grid = pieces::piece_grid_of(*on);
     Meet all;
     Steps steps(std::ssize(values));
     for (size_t i = 0; i < values.size(); ++i, steps.next()) {
+        const UsualLimit usual(usual_work(on->point_count(), 200000));
+        const LimitedSearch limited;
         PieceField field(*of, grid, [&](const HomogeneousPiece &piece) { return above(piece, values[i]); });
         all.append(SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i)));
     }

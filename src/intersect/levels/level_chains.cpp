@@ -229,6 +229,10 @@ private:
             for (const int32_t of : clusters_[i]->roots) {
                 node_[root(of)] = node;
             }
+            for (const auto &[corner, of] : found_.corners) {
+                node_[root(of)] =
+                    node_[root(of)] == none && is_in(corner, ranges[i]) ? node : node_[root(of)];
+            }
         }
     }
 

@@ -21,10 +21,12 @@ public:
     // Of all nets.
     [[nodiscard]] virtual std::array<int, 2> degrees() const = 0;
     // Whether there may be zeros on a piece: a quick look.
-    [[nodiscard]] virtual bool may_vanish(int64_t piece) const = 0;
+    [[nodiscard]] virtual bool may_vanish(int64_t piece) = 0;
     virtual LevelNet net(int64_t piece) = 0;
     // f w as a linear form of (x, y, z, w), if it is one.
     [[nodiscard]] virtual std::optional<std::array<double, 4>> form() const { return std::nullopt; }
+    // Whether a zero counts, at a place on a piece.
+    [[nodiscard]] virtual bool counts(int64_t, const std::array<double, 2> &) { return true; }
     // Whether the zeros of a piece may end at a side behind which the surface goes on.
     [[nodiscard]] virtual bool may_jump() const noexcept = 0;
     // Weights of the surface above this are known to be positive.

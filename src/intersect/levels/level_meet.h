@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace nrb::intersect {
@@ -42,8 +41,6 @@ struct Meet {
 
     // That of other levels.
     void append(Meet other);
-    // Only some branches, and the nodes that are theirs or more than ends of others.
-    void keep(const std::function<bool(const MeetBranch &)> &wanted);
 };
 
 } // namespace nrb::intersect

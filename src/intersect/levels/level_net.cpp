@@ -104,6 +104,20 @@ bool LevelNet::Edge::is_hidden() const noexcept {
     return true;
 }
 
+double LevelNet::Edge::largest_known() const noexcept {
+    double largest = 0;
+    for (size_t i = 0; i < values.size(); ++i) {
+        largest = std::max(largest, known(i));
+    }
+    return largest;
+}
+
+double LevelNet::Edge::value(double place) const {
+    std::vector<double> b = values;
+    evaluate(static_cast<int>(b.size()) - 1, 1, place, b.data());
+    return b.front();
+}
+
 LevelNet::Edge LevelNet::Edge::take_lower_half() {
     Edge lower = *this;
     const int degree = static_cast<int>(values.size()) - 1;

@@ -54,6 +54,8 @@ struct LevelNet {
         }
         [[nodiscard]] bool is_known(size_t i) const noexcept { return std::abs(values[i]) > known(i); }
         [[nodiscard]] bool is_hidden() const noexcept; // no sign is known
+        [[nodiscard]] double largest_known() const noexcept;
+        [[nodiscard]] double value(double place) const;
         // This becomes the upper half.
         Edge take_lower_half();
     };

@@ -243,10 +243,15 @@ LevelSegment ArcFitter::hermite(const Node &a, const Node &b, const Room &room) 
     LevelSegment segment;
     segment.length = still ? std::hypot(a.place[0] - b.place[0], a.place[1] - b.place[1])
                            : chord * (1 + (1 - cosine) / 12);
-    const double third = segment.length / 3;
-    segment.on = {a.place, moved(a.place, third, a.tangent_on), moved(b.place, -third, b.tangent_on),
-                  b.place};
-    segment.space = {a.point, moved(a.point, third, a.tangent), moved(b.point, -third, b.tangent), b.point};
+    // Where the surface all but stands still tangents are no measure: legs are no longer than the chord.
+    const double step = std::hypot(a.place[0] - b.place[0], a.place[1] - b.place[1]);
+    const auto leg = [&](const Node &node) {
+        const double full = segment.length / 3 * std::hypot(node.tangent_on[0], node.tangent_on[1]);
+        return full > step ? segment.length / 3 * (step / full) : segment.length / 3;
+    };
+    const double first = leg(a), last = leg(b);
+    segment.on = {a.place, moved(a.place, first, a.tangent_on), moved(b.place, -last, b.tangent_on), b.place};
+    segment.space = {a.point, moved(a.point, first, a.tangent), moved(b.point, -last, b.tangent), b.point};
     std::array<Interval, 2> box = room.box;
     box[axis_] = {std::min(a.place[axis_], b.place[axis_]), std::max(a.place[axis_], b.place[axis_])};
     for (size_t i = 1; i < 3; ++i) {

@@ -78,11 +78,12 @@ LevelBorder LevelTrace::border(int64_t piece, const PieceDomain &domain, const L
 
 namespace {
 
-// Roots of one function that both sides see differ by rounding.
-bool are_one(const std::vector<EdgeRoot> &a, const std::vector<double> &b) {
-    constexpr double near = 1e-6;
-    return std::ranges::equal(a, b,
-                              [](const EdgeRoot &x, double y) { return std::abs(x.place - y) <= near; });
+// Whether the roots that one side sees are those of the other, as far as rounding can tell.
+bool are_one(const std::vector<EdgeRoot> &a, const std::vector<double> &b, const LevelNet::Edge &edge) {
+    const double known = 16 * edge.largest_known();
+    return std::ranges::equal(a, b, [&](const EdgeRoot &x, double y) {
+        return std::abs(x.place - y) <= 64 * eps || std::abs(edge.value(x.place)) <= known;
+    });
 }
 
 } // namespace
@@ -100,12 +101,13 @@ std::vector<EdgeRoot> LevelTrace::edge(const Side &side, const PieceDomain &doma
     }
     const bool from = side.axis == 0 ? border.above[at_end][0] : border.above[0][at_end],
                to = side.axis == 0 ? border.above[at_end][1] : border.above[1][at_end];
-    const std::vector<double> places = edge_roots(net.edge(side.axis, side.end), from, to);
+    const LevelNet::Edge own_edge = net.edge(side.axis, side.end);
+    const std::vector<double> places = edge_roots(own_edge, from, to);
     if (is_new) {
         shared.roots = add_roots(side, domain, places);
         return shared.roots;
     }
-    if (are_one(shared.roots, places)) {
+    if (are_one(shared.roots, places, own_edge)) {
         return shared.roots;
     }
     border.sides[2 * side.axis + at_end] = LevelSide::open;
@@ -141,7 +143,7 @@ void LevelTrace::end_at_jump(const SharedEdge &edge) {
     const int64_t count = grid.count(static_cast<int>(axis));
     index[axis] = (index[axis] + (end == 1 ? 1 : count - 1)) % count;
     if (borders_.goes_on(axis, grid.index(piece)[axis], end == 1) &&
-        field_.net(grid.piece(index)).side(4) != 0) {
+        (!field_.may_vanish(grid.piece(index)) || field_.net(grid.piece(index)).side(4) != 0)) {
         end_at(edge.roots);
     }
 }

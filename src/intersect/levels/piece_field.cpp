@@ -29,10 +29,10 @@ void check_function_degree(const Spline &surface, const std::function<int(int p)
     }
 }
 
-PieceField::PieceField(const Spline &surface, const pieces::PieceGrid &grid, Function function)
+PieceField::PieceField(const Spline &surface, const pieces::PieceGrid &grid, Function function, Function sign)
     : LevelField(grid), borders_(grid),
       maker_(surface, {surface.axis(0).domain(), surface.axis(1).domain(), {}}),
-      function_(std::move(function)) {
+      function_(std::move(function)), sign_(std::move(sign)) {
     const pieces::HomogeneousPiece first = maker_.piece(0);
     degrees_ = degrees_of(first, function_(first));
 }
@@ -48,10 +48,10 @@ void PieceField::divide_at_poles(const pieces::HomogeneousPiece &made, const pie
     }
 }
 
-LevelNet PieceField::net(int64_t piece) {
+LevelNet PieceField::net_of(int64_t piece, const Function &function) const {
     const pieces::PieceGrid::Index index = grid().index(piece);
     const pieces::HomogeneousPiece made = maker_.piece(index[0] * maker_.count(1) + index[1]);
-    RoundedPolynomial f = function_(made);
+    RoundedPolynomial f = function(made);
     divide_at_poles(made, index, f);
     count_work(64 * std::ssize(f.values));
     LevelNet net;
@@ -62,6 +62,23 @@ LevelNet PieceField::net(int64_t piece) {
     }
     net.values = f.values;
     return net;
+}
+
+LevelNet PieceField::net(int64_t piece) {
+    return net_of(piece, function_);
+}
+
+const LevelNet &PieceField::sign_net(int64_t piece) {
+    if (piece != sign_piece_) {
+        sign_net_ = net_of(piece, sign_);
+        sign_piece_ = piece;
+    }
+    return sign_net_;
+}
+
+// What rounding hides counts.
+bool PieceField::counts(int64_t piece, const std::array<double, 2> &place) {
+    return !sign_ || sign_net(piece).value(place) >= -sign_net(piece).noise.absolute;
 }
 
 } // namespace nrb::intersect

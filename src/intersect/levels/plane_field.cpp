@@ -45,7 +45,7 @@ void PlaneField::set_level(double level, double error) noexcept {
     }
 }
 
-bool PlaneField::may_vanish(int64_t piece) const {
+bool PlaneField::may_vanish(int64_t piece) {
     const Interval range = ranges_[static_cast<size_t>(piece)];
     const double room = 4 * noise_.relative;
     return range.lower - room <= level_ && level_ <= range.upper + room;

@@ -17,7 +17,7 @@ public:
     void set_level(double level, double error) noexcept;
 
     [[nodiscard]] std::array<int, 2> degrees() const override { return degrees_; }
-    [[nodiscard]] bool may_vanish(int64_t piece) const override;
+    [[nodiscard]] bool may_vanish(int64_t piece) override;
     LevelNet net(int64_t piece) override;
     [[nodiscard]] bool may_jump() const noexcept override { return false; }
     [[nodiscard]] std::optional<std::array<double, 4>> form() const override {

@@ -46,8 +46,7 @@ private:
 
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
                     std::span<const double> offsets, double tolerance) {
-    const UsualLimit usual(usual_work(surface.point_count() + 1000 * std::ssize(offsets)));
-    const LimitedSearch limited;
+    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
     const Planes planes(normal);
     PlaneField field(grid, planes.normal());
@@ -62,6 +61,8 @@ Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
             size += std::abs(part);
         }
         if (std::isfinite(size)) { // else it is farther away than numbers reach
+            const UsualLimit usual(usual_work(surface.point_count()));
+            const LimitedSearch limited;
             field.set_level(grid.scaled(level), 8 * eps * grid.scaled(size));
             meet.append(levels.find(static_cast<int64_t>(i)));
         }

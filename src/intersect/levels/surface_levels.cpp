@@ -3,7 +3,34 @@
 
 #include "intersect/levels/level_curve.h"
 
+#include <algorithm>
+
 namespace nrb::intersect {
+
+namespace {
+
+std::array<double, 2> middle_of(const LevelPart &part) noexcept {
+    return {part.lower[0] + part.length[0] / 2, part.lower[1] + part.length[1] / 2};
+}
+
+// What goes on from there ends.
+void drop_what_does_not_count(LevelField &field, LevelPieces &found) {
+    std::erase_if(found.arcs, [&](const LevelArc &arc) {
+        const bool counts = field.counts(arc.part.piece, arc.first) && field.counts(arc.part.piece, arc.last);
+        if (!counts) {
+            found.roots[static_cast<size_t>(arc.from)].is_end = true;
+            found.roots[static_cast<size_t>(arc.to)].is_end = true;
+        }
+        return !counts;
+    });
+    std::erase_if(found.clusters, [&](const LevelCluster &cluster) {
+        constexpr double small = 0x1p-8;
+        const bool one_place = std::max(cluster.part.length[0], cluster.part.length[1]) <= small;
+        return one_place && !field.counts(cluster.part.piece, middle_of(cluster.part));
+    });
+}
+
+} // namespace
 
 SurfaceLevels::SurfaceLevels(LevelField &field, double tolerance)
     : field_(field), borders_(field.grid()), tolerance_(field.grid().scaled(tolerance)) {}
@@ -15,7 +42,8 @@ Meet SurfaceLevels::find(int64_t level) {
             trace.add(piece);
         }
     }
-    const LevelPieces found = trace.take();
+    LevelPieces found = trace.take();
+    drop_what_does_not_count(field_, found);
     const LevelChains chains = chains_of(field_.grid(), borders_, found);
     Meet meet;
     for (const MeetNode &node : chains.nodes) {
