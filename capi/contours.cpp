@@ -149,9 +149,9 @@ nurbs_status nurbs_surface_level_curves(const nurbs *g, const nurbs *scalar, int
         require_out(out);
         surface_in_space(g);
         const Spline &function = named(scalar, "scalar");
+        const std::span<const double> all = checked_values(n, values);
         check_kind(function, 2, "scalar");
         check_dimension(function, 1, 1, "scalar");
-        const std::span<const double> all = checked_values(n, values);
         check_positive_tolerance(tolerance);
         give_meet(intersect::scalar_levels(g->spline, scalar->spline, all, tolerance), out);
     });

@@ -84,13 +84,27 @@ void look_at_others(Input &in, const nurbs *g, const Point &normal, const Point 
     const int64_t n = kind == NURBS_CONTOUR_ISOPHOTE || in.rarely() ? in.below(3) : 0;
     const std::array<double, 10> form{normal[0], normal[1], normal[2], values[0], values[1],
                                       values[2], normal[0], 1,         values[0], values[1]};
-    const int which = in.below(3);
-    const bool found =
-        which == 0 ? FUZZ_OK(nurbs_surface_contours_with(g, kind, normal.data(), n, values.data(), tolerance,
-                                                         &call, &meet))
-        : which == 1
-            ? FUZZ_OK(nurbs_surface_level_with(g, 1 + in.below(2), form.data(), tolerance, &call, &meet))
-            : FUZZ_OK(nurbs_surface_level_curves_with(g, g, n, values.data(), tolerance, &call, &meet));
+    const bool plain = in.rarely();
+    bool found = false;
+    switch (in.below(3)) {
+    case 0:
+        found =
+            plain
+                ? FUZZ_OK(nurbs_surface_contours(g, kind, normal.data(), n, values.data(), tolerance, &meet))
+                : FUZZ_OK(nurbs_surface_contours_with(g, kind, normal.data(), n, values.data(), tolerance,
+                                                      &call, &meet));
+        break;
+    case 1:
+        found =
+            plain
+                ? FUZZ_OK(nurbs_surface_level(g, 1, form.data(), tolerance, &meet))
+                : FUZZ_OK(nurbs_surface_level_with(g, 1 + in.below(2), form.data(), tolerance, &call, &meet));
+        break;
+    default:
+        found =
+            plain ? FUZZ_OK(nurbs_surface_level_curves(g, g, n, values.data(), tolerance, &meet))
+                  : FUZZ_OK(nurbs_surface_level_curves_with(g, g, n, values.data(), tolerance, &call, &meet));
+    }
     if (!found) {
         FUZZ_REQUIRE(meet == nullptr);
         return;
@@ -98,7 +112,8 @@ void look_at_others(Input &in, const nurbs *g, const Point &normal, const Point 
     look(meet, std::max<int64_t>(n, 1));
     nurbs_face *face = nullptr;
     if (FUZZ_OK(nurbs_face_create(g, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0, nullptr, &face))) {
-        if (FUZZ_OK(nurbs_meet_trim_with(meet, face, &call, &trimmed))) {
+        if (plain ? FUZZ_OK(nurbs_meet_trim(meet, face, &trimmed))
+                  : FUZZ_OK(nurbs_meet_trim_with(meet, face, &call, &trimmed))) {
             sizes_of(trimmed);
             nurbs_meet_destroy(trimmed);
         }

@@ -1674,7 +1674,8 @@ contains
         call begin('surface_contours along a direction')
         block
             type(nurbs_meet) :: found
-            call found%contours(g=surface, kind=1, d=[0.2d0, 0.1d0, 1.0d0], tolerance=0.01d0)
+            call found%contours(g=surface, kind=1, d=[0.2d0, 0.1d0, 1.0d0], cosines=[real(c_double) ::], &
+                tolerance=0.01d0)
             call show('out', found)
         end block
         call begin('surface_contours')
@@ -2094,7 +2095,8 @@ contains
         block
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
-            call found%contours(g=surface, kind=1, d=[0.2d0, 0.1d0, 1.0d0], tolerance=0.01d0, call=watching)
+            call found%contours(g=surface, kind=1, d=[0.2d0, 0.1d0, 1.0d0], cosines=[real(c_double) ::], &
+                tolerance=0.01d0, call=watching)
             call show('out', found)
         end block
         call begin('surface_contours_with')
@@ -4097,7 +4099,7 @@ contains
             real(c_double), allocatable :: distances_found(:)
             integer(c_int64_t), allocatable :: places_found(:, :)
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             allocate (distances_found(1))
@@ -4139,7 +4141,7 @@ contains
             integer(c_int64_t), allocatable :: places_found(:, :)
             logical :: complete_found
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             call ball%ray_hits(origin=[0.1d0, 0.2d0, 5.0d0], direction=[0.0d0, 0.0d0, -1.0d0], params=params_found, &
@@ -4160,7 +4162,7 @@ contains
             type(nurbs_face) :: faces_given(1)
             integer(c_int32_t), allocatable :: sides_found(:)
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             allocate (sides_found(2))
@@ -4176,7 +4178,7 @@ contains
             type(nurbs_face) :: faces_given(1)
             integer(c_int32_t), allocatable :: sides_found(:)
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             allocate (sides_found(2))
@@ -4962,7 +4964,7 @@ contains
             integer(c_int64_t), allocatable :: places_found(:, :)
             type(nurbs_call) :: watching
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             allocate (distances_found(1))
@@ -5006,7 +5008,7 @@ contains
             logical :: complete_found
             type(nurbs_call) :: watching
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             call ball%ray_hits(origin=[0.1d0, 0.2d0, 5.0d0], direction=[0.0d0, 0.0d0, -1.0d0], params=params_found, &
@@ -5029,7 +5031,7 @@ contains
             integer(c_int32_t), allocatable :: sides_found(:)
             type(nurbs_call) :: watching
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             allocate (sides_found(2))
@@ -5046,7 +5048,7 @@ contains
             integer(c_int32_t), allocatable :: sides_found(:)
             type(nurbs_call) :: watching
             call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call ball_face%create(surface=sphere, tolerance=1d-09, flags=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
             allocate (sides_found(2))
