@@ -273,6 +273,24 @@ class Sections(unittest.TestCase):
         near(ends, [[0.25, 1], [0.25, 0]])
         near(meet.branch(0).space.length().value, 4)
 
+    def test_of_a_face(self):
+        ground = nurbs.plane([2, 0, 0], [0, 4, 0])
+        ring = nurbs.circle(0.25, center=[0.5, 0.5])
+        face = nurbs.Face.create(ground, [1], [ring], tolerance=1e-9)
+        meet = ground.sections([1, 0, 0], [0.5, 1], 1e-9).trim(face)
+        self.assertEqual((meet.counts, meet.branches.levels.tolist()), ((1, 2, True), [1]))
+        near(meet.branch(0).space.length().value, 2, by=1e-8)
+
+    def test_contours(self):
+        ball = nurbs.sphere(2)
+        self.assertEqual(ball.contours(nurbs.NURBS_CONTOUR_SILHOUETTE, [0, 0, 1], tolerance=1e-6).counts.branches, 1)
+        lit = ball.contours(nurbs.NURBS_CONTOUR_ISOPHOTE, [0, 0, 1], [0.5, -0.5], tolerance=1e-6)
+        self.assertEqual(lit.branches.levels.tolist(), [0, 1])
+        self.assertEqual(ball.surface_level(1, [0, 0, 1, -1], 1e-6).counts.branches, 1)
+        floor = nurbs.plane([1, 0, 0], [0, 1, 0])
+        slope = nurbs.Spline([1, 1], floor.knots, [[[0], [0]], [[1], [1]]])
+        near(floor.level_curves(slope, [0.25], 1e-9).branch(0).space.length().value, 1)
+
     def test_are_constant(self):
         meet = copy.deepcopy(nurbs.sphere().sections([0, 0, 1], [2], 1e-3))
         self.assertEqual(meet.counts, (0, 0, True))
