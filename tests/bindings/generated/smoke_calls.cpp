@@ -2326,7 +2326,9 @@ void query(const Inputs &in) {
     }
     {
         begin("curve_surface_intersections");
-        const auto found = n::surface_intersections(in.twist, in.surface, 1e-09);
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::surface_intersections(in.twist, sphere, 1e-09);
         show("params_curve", found.params_curve);
         show("params_surface", found.params_surface);
         show("kinds", found.kinds);
@@ -2854,7 +2856,9 @@ void query(const Inputs &in) {
     }
     {
         begin("curve_surface_intersections_with");
-        const auto found = n::surface_intersections(in.twist, in.surface, 1e-09, watched());
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::surface_intersections(in.twist, sphere, 1e-09, watched());
         show("params_curve", found.params_curve);
         show("params_surface", found.params_surface);
         show("kinds", found.kinds);

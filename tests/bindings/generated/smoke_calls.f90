@@ -3989,13 +3989,15 @@ contains
         end block
         call begin('curve_surface_intersections')
         block
+            type(nurbs_spline) :: sphere
             real(c_double), allocatable :: params_curve_found(:)
             real(c_double), allocatable :: params_surface_found(:, :)
             integer(c_int32_t), allocatable :: kinds_found(:)
             real(c_double), allocatable :: ranges_curve_found(:, :)
             real(c_double), allocatable :: ranges_surface_found(:, :, :)
             logical :: complete_found
-            call surface_intersections(curve=twist, surface=surface, params_curve=params_curve_found, &
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call surface_intersections(curve=twist, surface=sphere, params_curve=params_curve_found, &
                 params_surface=params_surface_found, kinds=kinds_found, ranges_curve=ranges_curve_found, &
                 ranges_surface=ranges_surface_found, complete=complete_found, tolerance=1d-09)
             call show('params_curve', params_curve_found)
@@ -4858,6 +4860,7 @@ contains
         end block
         call begin('curve_surface_intersections_with')
         block
+            type(nurbs_spline) :: sphere
             real(c_double), allocatable :: params_curve_found(:)
             real(c_double), allocatable :: params_surface_found(:, :)
             integer(c_int32_t), allocatable :: kinds_found(:)
@@ -4865,7 +4868,8 @@ contains
             real(c_double), allocatable :: ranges_surface_found(:, :, :)
             logical :: complete_found
             type(nurbs_call) :: watching
-            call surface_intersections(curve=twist, surface=surface, params_curve=params_curve_found, &
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call surface_intersections(curve=twist, surface=sphere, params_curve=params_curve_found, &
                 params_surface=params_surface_found, kinds=kinds_found, ranges_curve=ranges_curve_found, &
                 ranges_surface=ranges_surface_found, complete=complete_found, tolerance=1d-09, call=watching)
             call show('params_curve', params_curve_found)

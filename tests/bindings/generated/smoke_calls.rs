@@ -3311,7 +3311,14 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_surface_intersections");
     {
-        let found = given.twist.surface_intersections(&given.surface, 1e-09)?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = given.twist.surface_intersections(&sphere, 1e-09)?;
         show("params_curve", &found.params_curve);
         show("params_surface", &found.params_surface);
         show("kinds", &found.kinds);
@@ -3984,8 +3991,15 @@ fn query(given: &Given) -> nurbs::Result<()> {
     }
     begin("curve_surface_intersections_with");
     {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
         let found = given.twist.surface_intersections_with(
-            &given.surface,
+            &sphere,
             1e-09,
             &mut Call::new().progress(|_| true),
         )?;

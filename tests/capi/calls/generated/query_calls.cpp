@@ -245,7 +245,11 @@ const Call group[] = {
      }, true},
     {"curve_surface_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         return nurbs_curve_surface_intersections(in.twist, in.surface, 1e-09, 16, o.values, o.values + 16,
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         return nurbs_curve_surface_intersections(in.twist, made_sphere, 1e-09, 16, o.values, o.values + 16,
              o.states, o.values + 48, o.values + 80, o.spans, o.states + 16);
      }, true},
     {"face_rays",
@@ -733,9 +737,13 @@ const Call group[] = {
      }},
     {"curve_surface_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_curve_surface_intersections_with(in.twist, in.surface, 1e-09, 16, o.values, o.values +
+         return nurbs_curve_surface_intersections_with(in.twist, made_sphere, 1e-09, 16, o.values, o.values +
              16, o.states, o.values + 48, o.values + 80, o.spans, o.states + 16, &call);
      }, true},
     {"face_rays_with",
