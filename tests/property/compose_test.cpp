@@ -66,6 +66,35 @@ TEST(Compose, curves_may_touch_knot_lines_and_turn_back) {
     });
 }
 
+// Many control points between the same three knots, whose arguments are given out in hundreds of ways; and lines, across which many
+// knots of one axis lie between two of the other.
+TEST(Compose, of_high_degrees_over_many_spans) {
+    constexpr std::array<std::array<int, 3>, 8> degrees = {
+        {{13, 2, 2}, {2, 13, 2}, {15, 0, 2}, {8, 7, 2}, {25, 4, 1}, {29, 1, 1}, {5, 5, 3}, {14, 16, 1}}};
+    WorstErrors worst("high degrees of g and f, unit the bound");
+    for_each_case(960000, 8, [&](Random &random, uint64_t seed) {
+        const auto [p, r, q] = degrees[seed % degrees.size()];
+        const SplineData data = whole_knots(random, {p, r}, 8);
+        SplineData f;
+        f.degrees = {q};
+        f.dim = 2;
+        f.knots = {std::vector<double>(static_cast<size_t>(q) + 1, 0)};
+        f.knots[0].insert(f.knots[0].end(), static_cast<size_t>(q) + 1, 1);
+        f.counts = {q + 1};
+        for (int i = 0; i <= q; ++i) {
+            for (int k = 0; k < 2; ++k) {
+                const double place = i == 0 || i == q ? i / q : (i + random.unit() / 2) / q;
+                f.points.push_back(data.lower(k) +
+                                   std::floor(4 * place * (data.upper(k) - data.lower(k))) / 4);
+            }
+        }
+        const auto g = create(data), curve = create(f);
+        const auto made = compose(g.get(), curve.get());
+        expect_composed({homogeneous(g.get()), f, homogeneous(made.get())}, random, 1, worst,
+                        where(seed, data) + where(seed, f));
+    });
+}
+
 TEST(Compose, where_f_is_exact_control_points_are_within_2_eps) {
     WorstErrors worst("points for exact f by degree, unit eps * hull");
     for_each_case(930000, 500, [&](Random &random, uint64_t seed) {

@@ -301,17 +301,28 @@ inline void expect_frame(const MonotoneCase &made, const SplineData &h) {
 
 // An outer spline over whole numbers, and inner curves whose control points are multiples of 1/4: they touch
 // knot lines, run along them and pass through their corners.
-inline SplineData whole_knots(Random &random, int axes, int degree) {
-    Recipe recipe = random_recipe(random, axes, degree);
+inline SplineData with_whole_knots(Random &random, Recipe recipe, int spans) {
     for (AxisRecipe &axis : recipe.axes) {
         axis.spacing = Spacing::integers;
         axis.placement = Placement::origin;
         axis.form = random.chance(50) ? KnotForm::clamped : KnotForm::unclamped;
-        axis.spans = 3;
+        axis.spans = spans;
     }
     recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
     recipe.dim = 2;
     return random_spline(random, recipe);
+}
+
+inline SplineData whole_knots(Random &random, int axes, int degree) {
+    return with_whole_knots(random, random_recipe(random, axes, degree), 3);
+}
+
+inline SplineData whole_knots(Random &random, const std::vector<int> &degrees, int spans) {
+    Recipe recipe = random_recipe(random, static_cast<int>(degrees.size()), 1);
+    for (size_t k = 0; k < degrees.size(); ++k) {
+        recipe.axes[k].degree = degrees[k];
+    }
+    return with_whole_knots(random, recipe, spans);
 }
 
 // The polar values of f lie in the box of its control points, R shortest spans long: then both coefficients

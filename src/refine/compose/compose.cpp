@@ -4,7 +4,6 @@
 #include "base/watch.h"
 #include "refine/algebra/product.h"
 #include "refine/compose/axes_under.h"
-#include "refine/compose/composed_cell.h"
 #include "refine/compose/composed_layer.h"
 #include "refine/compose/span_cells.h"
 #include "refine/forms/homogeneous.h"
@@ -61,13 +60,13 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
 }
 
 using Window = CommonKnots::Window;
+using Knots = std::array<double, max_basis>;
 
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
         : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
-          cells_(span_cells(axes_, pieces_)), whole_(axes_, f.axis(0).degree(), g.width()),
-          layer_(g, f, pieces_, axes_) {
+          cells_(span_cells(axes_, pieces_)), layer_(g, f, pieces_, axes_) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
         for (size_t i = 1; i < cells_.size(); ++i) {
@@ -86,8 +85,10 @@ public:
         const auto layers = std::ssize(knots_) - degree_ - 1;
         records.reserve(static_cast<size_t>(layers * g_.width()) + Spline::padding);
         Steps steps(layers);
-        for (int64_t layer = 0; layer < layers; ++layer, steps.next()) {
-            append_layer(layer, records);
+        for (int64_t layer = 0; layer < layers;) {
+            for (const int64_t end = append_layers(layer, layers, records); layer < end; ++layer) {
+                steps.next();
+            }
         }
         const Form form = has_negative_weight(records) ? Form::homogeneous : g_.form();
         return from_records({make_knot_vector(degree_, knots_)}, g_.dim(), form, std::move(records));
@@ -124,73 +125,44 @@ private:
     }
 
     // Distinct knots among the arguments of a layer.
-    [[nodiscard]] Window window(int64_t layer) noexcept {
+    [[nodiscard]] Window window(int64_t layer, Knots &distinct) const noexcept {
         Window window{};
         for (int64_t i = layer + 1; i <= layer + degree_; ++i) {
             const double knot = knots_[static_cast<size_t>(i)];
-            if (window.size == 0 || window_knots_[static_cast<size_t>(window.size - 1)] != knot) {
-                window_knots_[static_cast<size_t>(window.size++)] = knot;
+            if (window.size == 0 || distinct[static_cast<size_t>(window.size - 1)] != knot) {
+                distinct[static_cast<size_t>(window.size++)] = knot;
             }
             ++window.copies[static_cast<size_t>(window.size - 1)];
         }
         return window;
     }
 
-    void append_layer(int64_t layer, std::vector<double> &records) {
+    // A layer, and those after it that lie between the same knots. Returns where they end.
+    int64_t append_layers(int64_t layer, int64_t layers, std::vector<double> &records) {
         cell_ = &cell_for(layer);
-        const Window around = window(layer);
-        if (f_.axis(0).degree() > 1 && around.size == 2 && is_cell(window_knots_[0], window_knots_[1])) {
-            return append_coefficient(around.copies[1], records);
+        windows_.assign(1, window(layer, window_knots_));
+        const Window &around = windows_.front();
+        const std::span knots = std::span(window_knots_).first(static_cast<size_t>(around.size));
+        int64_t end = layer + 1;
+        for (Knots of_next; end < layers && &cell_for(end) == cell_; ++end) {
+            const Window next = window(end, of_next);
+            if (!std::ranges::equal(knots, std::span(of_next).first(static_cast<size_t>(next.size)))) {
+                break;
+            }
+            windows_.push_back(next);
         }
         load_block(0, 0, block_.data());
-        const std::span knots = std::span(window_knots_).first(static_cast<size_t>(around.size));
-        append_record(layer_.make(around, knots, *cell_, block_.data()).data(), records);
+        layer_.begin(windows_, knots, *cell_, block_.data());
+        for (const Window &window : windows_) {
+            append_record(layer_.make(window).data(), records);
+        }
+        return end;
     }
     void append_record(const double *record, std::vector<double> &records) const {
         records.insert(records.end(), record, record + g_.width());
         if (!std::all_of(record, record + g_.width(), [](double x) { return std::isfinite(x); })) {
             fail(Status::not_representable, "a new control point overflows double precision");
         }
-    }
-
-    // Whether the present cell is that between two knots of the result.
-    [[nodiscard]] bool is_cell(double start, double end) const noexcept {
-        const SpanCell *const next = cell_ + 1;
-        const bool last = next == cells_.data() + cells_.size();
-        return cell_->start == start && (last ? f_.axis(0).domain().upper : next->start) == end;
-    }
-
-    // Most layers are Bernstein coefficients of their cell, all of which are made at once. Those at the ends of the cell
-    // are values of the composition.
-    void append_coefficient(int i, std::vector<double> &records) {
-        if (made_ != cell_) {
-            make_cell();
-        }
-        append_record(coefficients_->data() + int64_t{i} * g_.width(), records);
-    }
-
-    void make_cell() {
-        const auto q = static_cast<size_t>(f_.axis(0).degree());
-        const double start = window_knots_[0], end = window_knots_[1];
-        const CurvePiece &piece = pieces_[cell_->piece];
-        Coefficients weights;
-        weights.fill(1);
-        if (weighted_) {
-            weights = piece.weights_between(start, end);
-        }
-        CellArguments arguments;
-        for (int k = 0; k < g_.axes(); ++k) {
-            const auto at = static_cast<size_t>(k);
-            arguments.weights[at] = weights;
-            arguments.values[at] = piece.coefficients_between(k, start, end);
-            for (const auto &[j, t] : {std::pair(size_t{0}, start), std::pair(q, end)}) {
-                double &value = arguments.values[at][j];
-                value = snapped_value(*axes_[at], value, pieces_, cell_->piece, k, t);
-            }
-        }
-        load_block(0, 0, block_.data());
-        coefficients_ = &whole_.make(block_.data(), cell_->spans, arguments);
-        made_ = cell_;
     }
 
     // The control points of g that are active in the cell; they repeat with the periods of an axis.
@@ -210,22 +182,17 @@ private:
     const Spline &g_;
     const Spline &f_;
     int degree_;
-    bool weighted_ = f_.rational();
     std::vector<CurvePiece> pieces_;
     Spline::Axes axes_; // of g, with the periods that f runs through
     std::vector<SpanCell> cells_;
     std::vector<double> knots_;      // of the result
     std::vector<size_t> cell_after_; // of each knot
 
-    // All of a cell.
-    ComposedCell whole_;
-    const SpanCell *made_ = nullptr;
-    const std::vector<double> *coefficients_ = nullptr;
-
-    // Data of the layer that is being made.
+    // Data of the layers that are being made.
     ComposedLayer layer_;
     const SpanCell *cell_ = nullptr;
-    std::array<double, max_basis> window_knots_{};
+    std::vector<Window> windows_;
+    Knots window_knots_{};
     std::vector<double> block_;
 };
 

@@ -32,14 +32,15 @@ namespace nrb::refine {
 // alone counts. A piece of f may be so short that a rounding of t takes it from end to end; it may then lie
 // on both sides of c. In that case m copies of c are missing among the arguments, and control points that it
 // shares with longer pieces are those of the longer pieces. In addition, on each axis, rows of G have
-// relative errors of 3 p eps, a contraction adds (p + 2) eps / 2, and the number of ways, in which each of p
-// choices has at most q + 2 roundings, adds (q + 2) p eps after the division by their sum; the sums are
-// compensated.
+// relative errors of 3 p eps, their shares (distributed_rows.h) of 3 p eps too, two contractions add
+// (p + 2) eps, and the number of ways, in which each of p choices has at most q + 2 roundings, adds
+// (q + 2) p eps after the division by their sum; the sums are compensated.
 //
 // On periodic axes of g f may run over 65536 periods, up to 2^52 periods away. Throws Status::dimension,
 // axes, rational, degree, not_monotone, outside_domain, not_representable, periodic_knots, weights_vanish,
-// overflow. Cost: for each polynomial piece of the result the product over the axes of binomial(p + q, q)
-// values of G, and the knots of the periods that f runs over.
+// overflow. Cost: between any two or three neighbouring knots of the result, for each axis the ways to give
+// their copies to p arguments, p operations each, and for each control point the product of the numbers of
+// copies that the axes can share out; and the knots of the periods that f runs over.
 SplinePtr compose(const SplinePtr &g, const SplinePtr &f);
 
 } // namespace nrb::refine

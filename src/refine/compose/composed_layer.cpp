@@ -2,18 +2,15 @@
 #include "refine/compose/composed_layer.h"
 
 #include "base/watch.h"
-#include "numeric/binomial.h"
 #include "spline/contract.h"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 namespace nrb::refine {
 
 namespace {
 
-constexpr int64_t work_of_a_term = 100; // for each component: arguments, contractions, a compensated sum
+constexpr int64_t work_of_a_term = 100; // for each component: a contraction, a compensated sum
 
 } // namespace
 
@@ -30,33 +27,29 @@ ComposedLayer::ComposedLayer(const Spline &g, const Spline &f, const std::vector
     record_.resize(static_cast<size_t>(g.width()));
 }
 
-const std::vector<double> &ComposedLayer::make(const CommonKnots::Window &window,
-                                               std::span<const double> knots, const SpanCell &cell,
-                                               const double *block) {
+void ComposedLayer::begin(std::span<const CommonKnots::Window> windows, std::span<const double> knots,
+                          const SpanCell &cell, const double *block) {
     cell_ = &cell;
-    window_size_ = window.size;
-    left_ = window.copies;
-    list_choices(window, knots);
-    std::ranges::fill(sums_, CompensatedSum{});
-    total_ = {};
-    terms_ = 0;
-    next_axis(0, block, 1);
-    for (size_t c = 0; c < sums_.size(); ++c) {
-        record_[c] = terms_ == 1 ? only_weight_ * only_[c] : sums_[c].value() / total_.value();
+    knots_ = knots.size();
+    CommonKnots::Window most = windows.front();
+    for (const CommonKnots::Window &window : windows) {
+        std::ranges::transform(most.copies, window.copies, most.copies.begin(),
+                               [](int a, int b) { return std::max(a, b); });
     }
-    return record_;
+    list_choices(most, knots);
+    for (size_t k = 0; k < static_cast<size_t>(g_.axes()); ++k) {
+        distribute(k, windows, knots);
+    }
+    contract_first(block);
 }
 
-void ComposedLayer::list_choices(const CommonKnots::Window &window, std::span<const double> knots) {
+void ComposedLayer::list_choices(const CommonKnots::Window &most, std::span<const double> knots) {
     choices_.clear();
-    if (window.size == 0 && f_.axis(0).degree() > 0) { // g is of degree 0 and takes no arguments
+    if (most.size == 0 && f_.axis(0).degree() > 0) { // g is of degree 0 and takes no arguments
         return;
     }
-    for_each_choice(window, f_.axis(0).degree(),
+    for_each_choice(most, f_.axis(0).degree(),
                     [&](const int *chosen, double) { choices_.push_back(choice_of(chosen, knots)); });
-    for (size_t k = 0; k < static_cast<size_t>(g_.axes()); ++k) {
-        order_choices(k);
-    }
 }
 
 // A value of f at a knot may be a knot of g.
@@ -67,7 +60,7 @@ ComposedLayer::Choice ComposedLayer::choice_of(const int *chosen,
     double *end = arguments.data();
     int distinct = 0;
     for (size_t i = 0; i < knots.size(); ++i) {
-        choice.copies[i] = chosen[i];
+        choice.copies[i] = static_cast<int8_t>(chosen[i]);
         end = std::fill_n(end, chosen[i], knots[i]);
         distinct += chosen[i] > 0 ? 1 : 0;
     }
@@ -83,132 +76,140 @@ ComposedLayer::Choice ComposedLayer::choice_of(const int *chosen,
     return choice;
 }
 
-void ComposedLayer::order_choices(size_t k) {
-    AxisChoices &ordered = of_axis_[k];
-    const KnotVector &axis = *axes_[k];
-    const auto around = axis.knots().subspan(static_cast<size_t>(cell_->spans[k] - axis.degree() + 1),
-                                             2 * static_cast<size_t>(axis.degree()));
-    ordered.all.clear();
-    for (const bool knots : {true, false}) {
-        for (const Choice &choice : choices_) {
-            if ((std::ranges::find(around, choice.values[k]) != around.end()) == knots) {
-                ordered.all.push_back(&choice);
-            }
+// Values between those at the first and the last knot, to within what is known of them, count as shares of the lowest and the
+// highest one.
+void ComposedLayer::distribute(size_t k, std::span<const CommonKnots::Window> windows,
+                               std::span<const double> knots) {
+    const Interval ends = ends_of(k, knots);
+    const double rounding = pieces_[cell_->piece].rounding(static_cast<int>(k));
+    Interval between{ends.upper, ends.lower};
+    of_axis_.clear();
+    for (const Choice &choice : choices_) {
+        double value = choice.values[k];
+        if (value >= ends.lower - rounding && value <= ends.upper + rounding) {
+            value = std::clamp(value, ends.lower, ends.upper);
+            between = {std::min(between.lower, value), std::max(between.upper, value)};
         }
-        ordered.knots = knots ? ordered.all.size() : ordered.knots;
+        of_axis_.push_back({choice.copies, value, choice.weight});
     }
-    ordered.most.resize(ordered.all.size());
-    std::array<int, max_basis> most{};
-    for (size_t i = ordered.all.size(); i-- > 0;) {
-        std::ranges::transform(most, ordered.all[i]->copies, most.begin(),
-                               [](int a, int b) { return std::max(a, b); });
-        ordered.most[i] = most;
+    rows_[k].make(*axes_[k], cell_->spans[k], of_axis_, between, bounds_of(k, windows));
+}
+
+Interval ComposedLayer::ends_of(size_t k, std::span<const double> knots) const noexcept {
+    if (choices_.empty() || knots.empty()) {
+        const double only = choices_.empty() ? 0 : choices_[0].values[k];
+        return {only, only};
+    }
+    std::array<int, max_basis> chosen{};
+    const auto value_at = [&](size_t i) {
+        chosen.fill(0);
+        chosen[i] = f_.axis(0).degree();
+        return choice_of(chosen.data(), knots).values[k];
+    };
+    const auto [lower, upper] = std::minmax({value_at(0), value_at(knots.size() - 1)});
+    return {lower, upper};
+}
+
+// What the arguments of the other axes can use up need not be used up by those of this one.
+CopyBounds ComposedLayer::bounds_of(size_t k, std::span<const CommonKnots::Window> windows) const noexcept {
+    const int q = f_.axis(0).degree(), own = q * axes_[k]->degree();
+    int others = -own;
+    for (const KnotVectorPtr &axis : axes_) {
+        others += q * axis->degree();
+    }
+    CopyBounds bounds{knots_, {}, {}};
+    for (size_t i = 0; i < knots_; ++i) {
+        const auto [least, most] = std::ranges::minmax(
+            windows, {}, [i](const CommonKnots::Window &window) { return window.copies[i]; });
+        bounds.least[i] = static_cast<int8_t>(std::max(0, least.copies[i] - others));
+        bounds.most[i] = static_cast<int8_t>(std::min(own, most.copies[i]));
+    }
+    return bounds;
+}
+
+void ComposedLayer::contract_first(const double *block) {
+    const int64_t length = lengths_[0];
+    const std::vector<DistributedRows::Share> &shares = rows_[0].shares();
+    parts_[0].resize(shares.size() * static_cast<size_t>(length));
+    double *out = parts_[0].data();
+    for (const DistributedRows::Share &share : shares) {
+        contract(share.row.data(), g_.axis(0).degree() + 1, block, length, length, out);
+        out += length;
     }
 }
 
-// In how many ways its knots can be picked; 0: there are not so many left.
-double ComposedLayer::ways_of(const Choice &choice) const noexcept {
-    double ways = 1;
-    for (size_t i = 0; i < static_cast<size_t>(window_size_) && ways > 0; ++i) {
-        if (const int wanted = choice.copies[i]; wanted > 0) {
-            ways = wanted > left_[i] ? 0 : ways * binomials(left_[i])[wanted];
-        }
-    }
-    return ways;
-}
-
-// Whether arguments may use as many knots as they need, with at most so many copies of each in one of them.
-bool ComposedLayer::are_enough(const std::array<int, max_basis> &most, int arguments) const noexcept {
-    int usable = 0;
-    for (size_t i = 0; i < static_cast<size_t>(window_size_); ++i) {
-        usable += std::min(left_[i], arguments * most[i]);
-    }
-    return usable >= arguments * f_.axis(0).degree();
-}
-
-void ComposedLayer::take(const Choice &choice, int times) noexcept {
-    for (size_t i = 0; i < static_cast<size_t>(window_size_); ++i) {
-        left_[i] -= times * choice.copies[i];
-    }
-}
-
-// Adds the values of G for all ways to distribute the remaining knots, from axis k on.
-void ComposedLayer::next_axis(int k, const double *points, double times) {
-    if (k < g_.axes()) {
-        return next_argument(k, 0, 0, 0, nullptr, points, times);
-    }
-    count_work(work_of_a_term * std::ssize(sums_));
-    double share = times;
-    if (weighted_) {
-        only_weight_ = product_of_weights();
-        share *= only_weight_;
-    }
+const std::vector<double> &ComposedLayer::make(const CommonKnots::Window &window) {
+    std::ranges::transform(window.copies, left_.begin(), [](int n) { return static_cast<int8_t>(n); });
+    std::ranges::fill(sums_, CompensatedSum{});
+    total_ = {};
+    terms_ = 0;
+    next_axis(0, nullptr, 1);
     for (size_t c = 0; c < sums_.size(); ++c) {
-        sums_[c].add(share * points[c]);
+        record_[c] = terms_ == 1 ? only_[c] : sums_[c].value() / total_.value();
+    }
+    return record_;
+}
+
+bool ComposedLayer::is_left(const Copies &copies) const noexcept {
+    for (size_t i = 0; i < knots_; ++i) {
+        if (copies[i] > left_[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void ComposedLayer::take(const DistributedRows::Share &share, int times) noexcept {
+    for (size_t i = 0; i < knots_; ++i) {
+        left_[i] = static_cast<int8_t>(left_[i] - times * share.copies[i]);
+    }
+}
+
+// Adds the values of G for all ways to distribute the remaining knots, from axis k on; the last one takes all that are left. The
+// orders of equal knots of the window are as many for all of them and do not count.
+void ComposedLayer::next_axis(int k, const double *points, double times) {
+    const DistributedRows &rows = rows_[static_cast<size_t>(k)];
+    if (k == g_.axes() - 1) {
+        if (const DistributedRows::Share *share = rows.find(left_); share != nullptr) {
+            add_share(k, *share, points, times);
+        }
+        return;
+    }
+    for (const DistributedRows::Share &share : rows.shares()) {
+        add_share(k, share, points, times);
+    }
+}
+
+void ComposedLayer::add_share(int k, const DistributedRows::Share &share, const double *points,
+                              double times) {
+    if (!is_left(share.copies)) {
+        return;
+    }
+    times *= share.ways;
+    const auto at = static_cast<size_t>(k);
+    const int64_t length = lengths_[at];
+    double *part = parts_[at].data();
+    if (k == 0) {
+        part += (&share - rows_[0].shares().data()) * length;
+    } else {
+        contract(share.row.data(), g_.axis(k).degree() + 1, points, length, length, part);
+    }
+    if (k == g_.axes() - 1) {
+        return add_term(part, times);
+    }
+    take(share, 1);
+    next_axis(k + 1, part, times);
+    take(share, -1);
+}
+
+void ComposedLayer::add_term(const double *points, double times) {
+    count_work(work_of_a_term * std::ssize(sums_));
+    for (size_t c = 0; c < sums_.size(); ++c) {
+        sums_[c].add(times * points[c]);
     }
     total_.add(times);
     only_ = points;
     ++terms_;
-}
-
-// The same for all arguments.
-double ComposedLayer::product_of_weights() const noexcept {
-    double product = 1;
-    for (int k = 0; k < g_.axes(); ++k) {
-        const double *weights = weights_[static_cast<size_t>(k)].data();
-        product = std::accumulate(weights, weights + g_.axis(k).degree(), product, std::multiplies<>());
-    }
-    return product;
-}
-
-// The order of the arguments of an axis does not matter, so only orders that do not go back in the list of choices, from `place`
-// on, are visited. A choice that occurs n times has 1 / n! as many orders as n different choices. row: of the arguments so far, null
-// while all of them are knots.
-void ComposedLayer::next_argument(int k, int number, size_t place, int run, const OpenRow *row,
-                                  const double *points, double times) {
-    const auto at = static_cast<size_t>(k), own = static_cast<size_t>(number);
-    const auto arguments = std::span(arguments_[at]).first(own);
-    const int missing = g_.axis(k).degree() - number;
-    if (missing == 0) {
-        row != nullptr ? contract_axis(k, *row, points)
-                       : contract_axis(k, OpenRow(*axes_[at], cell_->spans[at], arguments), points);
-        return next_axis(k + 1, parts_[at].data(), times);
-    }
-    const AxisChoices &choices = of_axis_[at];
-    OpenRow begun;
-    for (size_t next = place; next < choices.all.size(); ++next) {
-        const Choice &choice = *choices.all[next];
-        const bool is_knot = next < choices.knots;
-        if ((!is_knot && choice.copies[0] * missing > left_[0]) || !are_enough(choices.most[next], missing)) {
-            break; // the choices after this one have no fewer copies of the first knot
-        }
-        const double ways = ways_of(choice);
-        if (ways == 0) {
-            continue;
-        }
-        const int again = next == place ? run + 1 : 1;
-        arguments_[at][own] = choice.values[at];
-        weights_[at][own] = choice.weight;
-        if (!is_knot) {
-            if (row == nullptr) {
-                begun = OpenRow(*axes_[at], cell_->spans[at], arguments);
-                row = &begun;
-            }
-            rows_[at][own].append_to(*row, choice.values[at]);
-        }
-        take(choice, 1);
-        next_argument(k, number + 1, next, again, is_knot ? nullptr : &rows_[at][own], points,
-                      times * ways / again);
-        take(choice, -1);
-    }
-}
-
-void ComposedLayer::contract_axis(int k, const OpenRow &row, const double *points) noexcept {
-    const auto at = static_cast<size_t>(k);
-    const int64_t span = cell_->spans[at], length = lengths_[at];
-    const std::span<const double> coefficients = row.coefficients();
-    contract(coefficients.data(), static_cast<int>(coefficients.size()),
-             points + (row.first() - span + g_.axis(k).degree()) * length, length, length, parts_[at].data());
 }
 
 } // namespace nrb::refine

@@ -13,65 +13,43 @@ namespace {
 
 using Rows = std::array<BlossomRow, max_axes>;
 
-// Arguments still to be used.
-class Arguments {
-public:
-    explicit Arguments(std::span<const double> values) noexcept : size_(static_cast<int>(values.size())) {
-        std::copy(values.begin(), values.end(), values_.begin());
+// Whether a knot was among the arguments that are not used up; if so, it is now.
+bool take(double knot, KnotArguments &arguments) noexcept {
+    double *const values = arguments.values.data(), *const end = values + arguments.others;
+    double *const found = std::find(values, end, knot);
+    if (found == end) {
+        return false;
     }
-    [[nodiscard]] std::span<const double> values() const noexcept {
-        return std::span(values_).first(static_cast<size_t>(size_));
-    }
-    // Whether a knot was among them; if so, it is used up.
-    bool take(double knot) noexcept {
-        double *const end = values_.data() + size_;
-        double *const found = std::find(values_.data(), end, knot);
-        if (found == end) {
-            return false;
-        }
-        std::copy(found + 1, end, found);
-        --size_;
-        return true;
-    }
-
-private:
-    std::array<double, max_basis> values_{};
-    int size_;
-};
+    std::copy(found + 1, end, found);
+    --arguments.others;
+    return true;
+}
 
 } // namespace
 
-OpenRow::OpenRow(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept
-    : knots_(axis.knots()), begin_(span + 1), end_(span + 1), size_(1) {
-    Arguments arguments(values);
+KnotArguments split_arguments(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
+    KnotArguments split{span + 1, span + 1, static_cast<int>(values.size()), {}};
+    std::ranges::copy(values, split.values.begin());
     for (bool taken = true; taken;) {
-        const bool below = begin_ > 0 && arguments.take(axis[begin_ - 1]);
-        const bool above = end_ < std::ssize(knots_) && arguments.take(axis[end_]);
-        begin_ -= below ? 1 : 0;
-        end_ += above ? 1 : 0;
+        const bool below = split.begin > 0 && take(axis[split.begin - 1], split);
+        const bool above = split.end < std::ssize(axis.knots()) && take(axis[split.end], split);
+        split.begin -= below ? 1 : 0;
+        split.end += above ? 1 : 0;
         taken = below || above;
     }
-    coefficients_[0] = 1;
-    for (const double t : arguments.values()) {
-        append_argument(knots_.data() + begin_, knots_.data() + end_, size_++, t, coefficients_.data());
-    }
-}
-
-void OpenRow::append_to(const OpenRow &other, double t) noexcept {
-    knots_ = other.knots_;
-    begin_ = other.begin_;
-    end_ = other.end_;
-    size_ = other.size_ + 1;
-    std::copy_n(other.coefficients_.begin(), other.size_, coefficients_.begin());
-    append_argument(knots_.data() + begin_, knots_.data() + end_, other.size_, t, coefficients_.data());
+    return split;
 }
 
 BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
-    const OpenRow open(axis, span, values);
+    const KnotArguments split = split_arguments(axis, span, values);
+    const double *knots = axis.knots().data();
     BlossomRow row;
-    row.first = open.first();
-    row.size = static_cast<int>(open.coefficients().size());
-    std::ranges::copy(open.coefficients(), row.coefficients);
+    row.size = 1;
+    row.coefficients[0] = 1;
+    for (const double t : std::span(split.values).first(static_cast<size_t>(split.others))) {
+        append_argument(knots + split.begin, knots + split.end, row.size++, t, row.coefficients);
+    }
+    row.first = split.begin - row.size;
     return row;
 }
 

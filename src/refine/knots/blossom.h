@@ -16,25 +16,13 @@ namespace nrb::refine {
 // bit for bit, and factors lie in [0, 1] for arguments between these knots.
 BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
 
-// The same with some of the arguments still to come, for rows that begin alike.
-class OpenRow {
-public:
-    OpenRow() noexcept = default;
-    OpenRow(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
-    // That of other, and one argument more.
-    void append_to(const OpenRow &other, double t) noexcept;
-    // Precondition: all arguments are there.
-    [[nodiscard]] int64_t first() const noexcept { return begin_ - size_; }
-    [[nodiscard]] std::span<const double> coefficients() const noexcept {
-        return std::span(coefficients_).first(static_cast<size_t>(size_));
-    }
-
-private:
-    std::span<const double> knots_;
-    int64_t begin_, end_; // knots that are arguments
-    int size_;
-    std::array<double, max_basis> coefficients_;
+// Arguments of a polar form: the knots begin, ..., end - 1 next to the span, without a gap, and `others`, which are not.
+struct KnotArguments {
+    int64_t begin, end;
+    int others;
+    std::array<double, max_basis> values;
 };
+KnotArguments split_arguments(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
 
 // The polar form of the piece on the non-empty spans `spans`, one for each axis, at degree arguments for each
 // axis, one axis after the other: `width()` components of an unscaled homogeneous record, (w x, ..., w) or
