@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace nrb::intersect {
 
@@ -28,10 +30,10 @@ public:
           search_(curve, surface, seams_) {}
 
     SurfaceHits run() {
-        const MeetCells found = search_.find(tolerance_);
+        MeetCells found = search_.find(tolerance_);
         noise_ = search_.noise();
         result_.complete = found.complete;
-        const Cells cells = without_unknown(found.list);
+        const Cells cells = without_unknown(std::move(found.list));
         if (tolerance_ <= noise_) {
             add_exact(cells);
         } else {
@@ -46,26 +48,34 @@ public:
 
 private:
     // Which are hits of their own: those whose parts of the curve hang together. They overlap each other.
-    Cells without_unknown(const Cells &cells) {
-        Cells known, unknown;
+    Cells without_unknown(Cells cells) {
+        std::vector<MeetBox> unknown;
         for (const MeetCell &cell : cells) {
-            (cell.kind == Kind::unknown ? unknown : known).push_back(cell);
+            if (cell.kind == Kind::unknown) {
+                unknown.push_back(cell.box);
+            }
         }
-        std::ranges::sort(unknown, {}, [](const MeetCell &cell) { return cell.box[0].lower; });
+        std::erase_if(cells, [](const MeetCell &cell) { return cell.kind == Kind::unknown; });
+        std::ranges::sort(unknown, {}, [](const MeetBox &box) { return box[0].lower; });
         for (auto first = unknown.begin(); first != unknown.end();) {
-            MeetGroup group;
-            double upper = first->box[0].upper;
-            for (; first != unknown.end() && first->box[0].lower <= upper; ++first) {
-                upper = std::max(upper, first->box[0].upper);
-                group.cells.push_back(*first);
+            MeetBox all = *first;
+            for (; first != unknown.end() && (*first)[0].lower <= all[0].upper; ++first) {
+                for (size_t k = 0; k < 3; ++k) {
+                    all[k] = {std::min(all[k].lower, (*first)[k].lower),
+                              std::max(all[k].upper, (*first)[k].upper)};
+                }
             }
-            group.fit();
-            for (size_t k = 0; k < 3; ++k) {
-                group.cells.front().at[k] = group.box[k].lower / 2 + group.box[k].upper / 2;
-            }
-            add(group, HitKind::undecided);
+            add_undecided(all);
         }
-        return known;
+        return cells;
+    }
+    void add_undecided(const MeetBox &box) {
+        SurfaceHit hit{{}, {}, HitKind::undecided};
+        for (size_t k = 0; k < 3; ++k) {
+            hit.at[k] = box[k].lower / 2 + box[k].upper / 2;
+        }
+        place(hit, box);
+        result_.complete = false;
     }
 
     // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
@@ -77,26 +87,33 @@ private:
         }
         const std::vector<bool> taken = add_overlaps(group);
         Cells exact, open;
-        MeetGroup rest;
+        std::vector<size_t> rest;
         for (size_t i = 0; i < group.cells.size(); ++i) {
             const MeetCell &cell = group.cells[i];
             if (taken[i]) {
                 continue;
             }
-            rest.cells.push_back(cell);
+            rest.push_back(i);
             const bool is_chart = cell.kind == Kind::meets || cell.kind == Kind::touches;
             if (cell.meetable) {
                 (is_chart ? exact : open).push_back(cells[cell.index]);
             }
         }
-        const MeetCells finer = search_.refine(open);
+        const MeetCells finer = search_.refine(std::exchange(open, {}));
         result_.complete = result_.complete && finer.complete;
         exact.insert(exact.end(), finer.list.begin(), finer.list.end());
-        const bool any = add_exact(without_unknown(exact));
-        if (!any && !rest.cells.empty() && std::ranges::find(taken, true) == taken.end() && finer.complete) {
-            rest.fit();
-            add(rest, rest.nearest().gap <= tolerance_ + noise_ ? HitKind::contact : HitKind::undecided);
+        const bool any = add_exact(without_unknown(std::move(exact)));
+        if (!any && !rest.empty() && std::ranges::find(taken, true) == taken.end() && finer.complete) {
+            add_contact(group, rest);
         }
+    }
+
+    void add_contact(const MeetGroup &group, std::span<const size_t> cells) {
+        MeetGroup part;
+        std::ranges::transform(cells, std::back_inserter(part.cells),
+                               [&](size_t i) { return group.cells[i]; });
+        part.fit();
+        add(part, part.nearest().gap <= tolerance_ + noise_ ? HitKind::contact : HitKind::undecided);
     }
 
     // Returns the cells that they and what hangs on them are made of; meets stand for themselves.
@@ -110,19 +127,38 @@ private:
             }
             add(group, overlap);
         }
-        while (!front.empty()) {
-            const MeetCell &from = group.cells[front.back()];
+        take_hanging(group, std::move(front), taken);
+        return taken;
+    }
+    // Cells are in the order of where they begin on the curve.
+    void take_hanging(const MeetGroup &group, std::vector<size_t> front, std::vector<bool> &taken) const {
+        const std::vector<MeetCell> &cells = group.cells;
+        std::vector<size_t> others;
+        double longest = 0;
+        for (size_t i = 0; i < cells.size() && !front.empty(); ++i) {
+            if (!taken[i] && hangs(cells[i])) {
+                others.push_back(i);
+                longest = std::max(longest, cells[i].box[0].upper - cells[i].box[0].lower);
+            }
+        }
+        const auto start = [&cells](size_t i) { return cells[i].box[0].lower; };
+        while (!front.empty() && !others.empty()) {
+            const MeetCell &from = cells[front.back()];
             front.pop_back();
-            count_work(20 * std::ssize(group.cells));
-            for (size_t i = 0; i < group.cells.size(); ++i) {
-                const MeetCell &cell = group.cells[i];
-                if (!taken[i] && hangs(cell) && touch(from, cell)) {
+            const double before = std::nextafter(from.box[0].lower - longest, -infinity);
+            const auto first = std::ranges::lower_bound(others, before, {}, start),
+                       last = std::ranges::upper_bound(others, from.box[0].upper, {}, start);
+            count_work(20 * (last - first));
+            const auto rest = std::remove_if(first, last, [&](size_t i) {
+                const bool touches = touch(from, cells[i]);
+                if (touches) {
                     taken[i] = true;
                     front.push_back(i);
                 }
-            }
+                return touches;
+            });
+            others.erase(rest, last);
         }
-        return taken;
     }
     // Short parts at an overlap's ends.
     [[nodiscard]] bool hangs(const MeetCell &cell) const {

@@ -22,10 +22,23 @@ bool overlap(Interval a, Interval b) noexcept {
     return a.lower <= b.upper && b.lower <= a.upper;
 }
 
-// A cell that touches another one if it is moved by so many periods.
-struct Touch {
+// A cell with the periods by which it is moved.
+struct Member {
     size_t cell;
     PeriodCounts periods;
+};
+
+// A cell that touches another one if it is moved by so many periods, -1 to 1. Small: where all cells are near each other there
+// are as many as pairs of them.
+struct Touch {
+    Touch(size_t i, const PeriodCounts &by) noexcept
+        : cell(static_cast<uint32_t>(i)), moves{static_cast<int8_t>(by[0]), static_cast<int8_t>(by[1]),
+                                                static_cast<int8_t>(by[2])} {}
+    [[nodiscard]] PeriodCounts after(const PeriodCounts &own) const noexcept {
+        return {own[0] + moves[0], own[1] + moves[1], own[2] + moves[2]};
+    }
+    uint32_t cell;
+    std::array<int8_t, 3> moves;
 };
 
 class Touches {
@@ -122,8 +135,8 @@ private:
                 return;
             }
         }
-        of_[j].push_back({i, periods});
-        of_[i].push_back({j, {-periods[0], -periods[1], -periods[2]}});
+        of_[j].emplace_back(i, periods);
+        of_[i].emplace_back(j, PeriodCounts{-periods[0], -periods[1], -periods[2]});
     }
 
     std::span<const MeetCell> cells_;
@@ -184,18 +197,17 @@ std::vector<MeetGroup> groups_of(std::span<const MeetCell> cells, const Seams &s
         if (seen[first]) {
             continue;
         }
-        std::vector<Touch> members{{first, {}}};
+        std::vector<Member> members{{first, {}}};
         seen[first] = true;
         MeetGroup &group = groups.emplace_back();
         for (size_t i = 0; i < members.size(); ++i) {
-            const Touch member = members[i];
+            const Member member = members[i];
             group.cells.push_back(moved_by(cells[member.cell], member.periods, seams));
             group.cells.back().index = member.cell;
-            for (const auto &[next, by] : touches[member.cell]) {
-                if (!seen[next]) {
-                    seen[next] = true;
-                    const PeriodCounts &own = member.periods;
-                    members.push_back({next, {own[0] + by[0], own[1] + by[1], own[2] + by[2]}});
+            for (const Touch &next : touches[member.cell]) {
+                if (!seen[next.cell]) {
+                    seen[next.cell] = true;
+                    members.push_back({next.cell, next.after(member.periods)});
                 }
             }
         }

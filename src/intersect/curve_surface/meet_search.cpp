@@ -14,6 +14,7 @@ namespace {
 constexpr int dim = 3;
 // Of pieces with weights of no certain sign, about which nothing else is known.
 constexpr int most_blind_halvings = 16;
+constexpr int64_t work_of_a_kept_cell = 4000; // memory ends with the work
 
 bool has_points(const closest::PairCell &cell) noexcept {
     return cell.piece && cell.piece->positive();
@@ -109,6 +110,7 @@ SlopedPatch MeetSearch::sloped_patch(PairCell &cell) {
 }
 
 void MeetSearch::add(const Pair &pair) {
+    count_work(work_of_a_kept_cell);
     MeetCell cell = judge_.cell();
     cell.gap = frame_.unscaled(cell.gap);
     const pieces::LocalParam middle = pair.surface->piece->parameter({0.5, 0.5});

@@ -199,7 +199,7 @@ void BoxSearch::take_sides(const Box &box, const std::array<LevelNet::Slope, 2> 
                 edge.is_hidden()) {
                 take_edge(box, axis, end);
             } else {
-                take_touches(box, axis, end, edge, 0, 1);
+                take_touches(box, axis, end, edge);
             }
         }
     }
@@ -218,26 +218,45 @@ void BoxSearch::take_edge(const Box &box, size_t axis, size_t end) {
         {box.part, other, found_.corner(parameters(first)), found_.corner(parameters(last)), first, last});
 }
 
-// Places on an edge that cannot be told from zeros.
-void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, const LevelNet::Edge &edge, double from,
-                             double length) {
+// Places on an edge that cannot be told from zeros. A sign that contradicts those of the corners leaves much of it so: then
+// what is left is not halved.
+void BoxSearch::take_touches(const Box &box, size_t axis, size_t end, LevelNet::Edge edge) {
     constexpr double smallest_part = 0x1p-30;
-    if (is_certain(edge)) {
-        return;
+    constexpr int most_touches = 64;
+    struct Part {
+        LevelNet::Edge edge;
+        double from, length;
+    };
+    std::vector<Part> stack;
+    stack.push_back({std::move(edge), 0, 1});
+    for (int touches = 0; !stack.empty();) {
+        Part upper = std::move(stack.back());
+        stack.pop_back();
+        count_work(20 * std::ssize(upper.edge.values));
+        if (is_certain(upper.edge)) {
+            continue;
+        }
+        const bool near = upper.length < smallest_part || upper.edge.is_hidden();
+        if (near || touches >= most_touches) {
+            take_touch(box, axis, end, {upper.from, upper.from + upper.length}, near);
+            ++touches;
+            continue;
+        }
+        upper.length /= 2;
+        Part lower{upper.edge.take_lower_half(), upper.from, upper.length};
+        upper.from += upper.length;
+        stack.push_back(std::move(upper));
+        stack.push_back(std::move(lower));
     }
-    if (length < smallest_part || edge.is_hidden()) {
-        LevelPart part = box.part;
-        part.lower[axis] += static_cast<double>(end) * part.length[axis];
-        part.length[axis] = 0;
-        part.lower[1 - axis] += from * part.length[1 - axis];
-        part.length[1 - axis] *= length;
-        found_.clusters.push_back({part, {}, true, box.border.sides[2 * axis + end] == LevelSide::joined});
-        return;
-    }
-    LevelNet::Edge upper = edge;
-    const LevelNet::Edge lower = upper.take_lower_half();
-    take_touches(box, axis, end, lower, from, length / 2);
-    take_touches(box, axis, end, upper, from + length / 2, length / 2);
+}
+
+void BoxSearch::take_touch(const Box &box, size_t axis, size_t end, Interval range, bool near) {
+    LevelPart part = box.part;
+    part.lower[axis] += static_cast<double>(end) * part.length[axis];
+    part.length[axis] = 0;
+    part.lower[1 - axis] += range.lower * part.length[1 - axis];
+    part.length[1 - axis] *= range.upper - range.lower;
+    found_.clusters.push_back({part, {}, near, box.border.sides[2 * axis + end] == LevelSide::joined});
 }
 
 std::array<double, 2> BoxSearch::parameters(const std::array<double, 2> &place) const noexcept {

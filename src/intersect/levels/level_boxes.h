@@ -114,8 +114,8 @@ private:
                                             const std::array<double, 2> &last);
     void take_sides(const Box &box, const std::array<LevelNet::Slope, 2> &slopes);
     void take_edge(const Box &box, size_t axis, size_t end);
-    void take_touches(const Box &box, size_t axis, size_t end, const LevelNet::Edge &edge, double from,
-                      double length);
+    void take_touches(const Box &box, size_t axis, size_t end, LevelNet::Edge edge);
+    void take_touch(const Box &box, size_t axis, size_t end, Interval range, bool near);
     void take_cluster(const Box &box, bool near);
     [[nodiscard]] std::array<double, 2> parameters(const std::array<double, 2> &place) const noexcept;
     void halve(Box &box);

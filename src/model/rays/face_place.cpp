@@ -4,6 +4,7 @@
 #include "face/open_ends.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::model {
 
@@ -17,13 +18,16 @@ intersect::Box3 box3_of(const bounds::Box &box) noexcept {
     return result;
 }
 
+// Boundaries that are outside of the domain, by a tolerance, count as its ends; no range is empty.
 intersect::Box3 box_between(const face::Face &face, const face::Point2 &a, const face::Point2 &b) {
     Part part{};
     for (size_t k = 0; k < 2; ++k) {
         const Interval domain = face.covering().domain(static_cast<int>(k));
         const double room = face.trims().room()[k];
-        part[k] = {std::clamp(std::min(a[k], b[k]) - room, domain.lower, domain.upper),
-                   std::clamp(std::max(a[k], b[k]) + room, domain.lower, domain.upper)};
+        const double low = std::clamp(std::min(a[k], b[k]), domain.lower, domain.upper) - room,
+                     high = std::clamp(std::max(a[k], b[k]), domain.lower, domain.upper) + room;
+        part[k] = {std::max(std::nextafter(low, -infinity), domain.lower),
+                   std::min(std::nextafter(high, infinity), domain.upper)};
     }
     return box3_of(bounds::bounding_box(*face.surface(), part, infinity));
 }

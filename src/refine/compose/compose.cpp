@@ -65,7 +65,7 @@ using Knots = std::array<double, max_basis>;
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
-        : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
+        : g_(g), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
           cells_(span_cells(axes_, pieces_)), layer_(g, f, pieces_, axes_) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
@@ -180,7 +180,6 @@ private:
     }
 
     const Spline &g_;
-    const Spline &f_;
     int degree_;
     std::vector<CurvePiece> pieces_;
     Spline::Axes axes_; // of g, with the periods that f runs through

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 // Calls every function with random arguments, good and hostile ones, for a while. No call may end the program, take more
-// than 2 seconds of the processor (a search of nearest or farthest points: for each of them), or hold more than three times
-// its result and 500 MB.
+// than 2 seconds of the processor (a search of nearest or farthest points, or of levels: for each of them), or hold more than
+// three times its result and 500 MB.
 //
 //     capi_random_calls [--seconds S] [--chunks C] [--seed N] [--steps K] [--verbose]
 //
@@ -11,6 +11,7 @@
 #include "random/caller.h"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -53,10 +54,11 @@ struct Shared {
 
 // How many answers a call looks for.
 int64_t searches(const char *name, int64_t batch) {
-    const bool each =
-        std::strstr(name, "closest_points") != nullptr || std::strstr(name, "closest_local") != nullptr ||
-        std::strstr(name, "farthest_points") != nullptr || std::strstr(name, "signed_distances") != nullptr;
-    return each ? batch : 1;
+    constexpr std::array each{"closest_points",   "closest_local", "farthest_points",
+                              "signed_distances", "contours",      "sections"};
+    const bool many =
+        std::ranges::any_of(each, [name](const char *part) { return std::strstr(name, part) != nullptr; });
+    return many ? batch : 1;
 }
 
 // Whether it took no more than it may.
