@@ -32,16 +32,6 @@ std::array<double, N> moved(const std::array<double, N> &from, double by,
     return to;
 }
 
-template <size_t N>
-std::array<double, N> combined(const std::array<std::array<double, N>, 4> &points,
-                               const std::array<double, 4> &factors) noexcept {
-    std::array<double, N> sum{};
-    for (size_t i = 0; i < 4; ++i) {
-        sum = moved(sum, factors[i], points[i]);
-    }
-    return sum;
-}
-
 } // namespace
 
 ArcFitter::ArcFitter(LevelField &field, double tolerance)
@@ -52,11 +42,9 @@ ArcFitter::ArcFitter(LevelField &field, double tolerance)
     const std::array<int, 2> of_field = field.degrees();
     const int n = 3 * std::max(degrees_[0] + degrees_[1] + 1, of_field[0] + of_field[1]);
     factor_ = 1.01 * (1 + 2 / std::numbers::pi * std::log(n + 1.0));
-    for (int i = 0; i <= n; ++i) {
-        std::array<double, 4> functions{};
-        bernstein_functions(3, 0.5 - 0.5 * std::cos(std::numbers::pi * i / n), functions.data());
-        samples_.push_back(functions);
-    }
+    samples_ = CubicSamples(n);
+    const int most = std::max({degrees_[0], degrees_[1], of_field[0], of_field[1]});
+    sampling_.resize(16 * (static_cast<size_t>(most) + 1));
     const auto values = static_cast<size_t>(grid_.shape().values());
     patch_.resize(values);
     work_.resize(std::max(values, static_cast<size_t>(pieces::evaluation_work(grid_.shape()))));
@@ -196,7 +184,7 @@ void ArcFitter::fit_between(const Node &a, const Node &b, const Room &room, cons
         segment.largest_gap = sampled->largest_gap;
     }
     const double away = set_deviation(room, segment);
-    count_work(std::ssize(samples_) * 16 * std::ssize(net_.values));
+    count_work(static_cast<int64_t>(samples_.count()) * 16 * std::ssize(net_.values));
     if (is_good(room, segment)) {
         for (std::array<double, 2> &place : segment.on) {
             place = {domain_.parameter(0, place[0]), domain_.parameter(1, place[1])};
@@ -273,47 +261,15 @@ double ArcFitter::rounding(const PartBounds &bounds) const noexcept {
     return sum + bounds.moves[1 - axis_] * net_.noise.of(bounds.largest_weight) / bounds.least_slope;
 }
 
-// All four values at once.
-std::array<double, 4> ArcFitter::record_at(const std::array<double, 2> &place) const noexcept {
-    std::array<double, max_basis> across, along;
-    bernstein_functions(degrees_[0], place[0], across.data());
-    bernstein_functions(degrees_[1], place[1], along.data());
-    const auto rows = static_cast<size_t>(degrees_[0]) + 1, columns = static_cast<size_t>(degrees_[1]) + 1;
-    std::array<double, 4> sum{};
-    const double *record = patch_.data();
-    for (size_t i = 0; i < rows; ++i) {
-        std::array<double, 4> row{};
-        for (size_t j = 0; j < columns; ++j, record += 4) {
-            for (size_t c = 0; c < 4; ++c) {
-                row[c] += along[j] * record[c];
-            }
-        }
-        for (size_t c = 0; c < 4; ++c) {
-            sum[c] += across[i] * row[c];
-        }
+void ArcFitter::sample(LevelSegment &segment) noexcept {
+    if (segment.largest_value < 0) {
+        const SampledPiece piece{
+            {degrees_, patch_.data()}, form_ ? form_->data() : nullptr, {net_.degrees, net_.values.data()}};
+        const auto [value, gap] =
+            largest_differences(piece, samples_, segment.on, segment.space, sampling_.data());
+        segment.largest_value = value;
+        segment.largest_gap = gap;
     }
-    return sum;
-}
-
-void ArcFitter::sample(LevelSegment &segment) const noexcept {
-    if (segment.largest_value >= 0) {
-        return;
-    }
-    double value = 0, gap = 0;
-    for (const std::array<double, 4> &functions : samples_) {
-        const std::array<double, 2> place = combined(segment.on, functions);
-        const std::array<double, 3> point = combined(segment.space, functions);
-        const std::array<double, 4> record = record_at(place);
-        value = std::max(value, std::abs(form_ ? dot(form_->data(), record.data(), 4) : net_.value(place)));
-        double squares = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            const double apart = record[3] * point[c] - record[c];
-            squares += apart * apart;
-        }
-        gap = std::max(gap, squares);
-    }
-    segment.largest_value = value;
-    segment.largest_gap = std::sqrt(gap);
 }
 
 double ArcFitter::set_deviation(const Room &room, LevelSegment &segment) {

@@ -5,6 +5,7 @@
 #include "intersect/levels/level_boxes.h"
 #include "intersect/levels/level_field.h"
 #include "intersect/levels/piece_bounds.h"
+#include "intersect/levels/sample_kernel.h"
 
 namespace nrb::intersect {
 
@@ -58,22 +59,21 @@ private:
     double set_deviation(const Room &room, LevelSegment &segment);
     [[nodiscard]] double rounding(const PartBounds &bounds) const noexcept;
     [[nodiscard]] bool is_good(const Room &room, const LevelSegment &segment) const noexcept;
-    void sample(LevelSegment &segment) const noexcept;
-    [[nodiscard]] std::array<double, 4> record_at(const std::array<double, 2> &place) const noexcept;
+    void sample(LevelSegment &segment) noexcept;
     void evaluate(const std::array<double, 2> &place, int order);
 
     LevelField &field_;
     const pieces::PieceGrid &grid_;
     std::array<int, 2> degrees_{}; // of the surface
     double tolerance_;
-    std::vector<std::array<double, 4>> samples_; // cubic Bernstein functions at Chebyshev points
+    CubicSamples samples_;
     double factor_ = 1;
     int64_t piece_ = -1;
     PieceDomain domain_{};
     LevelNet net_;
     PieceBounds bounds_;
     std::optional<std::array<double, 4>> form_;
-    std::vector<double> patch_, work_, record_;
+    std::vector<double> patch_, work_, record_, sampling_;
     size_t axis_ = 0; // that of the present arc
     int left_ = 0;    // segments that it may still have
 };
