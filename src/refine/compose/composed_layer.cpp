@@ -2,6 +2,7 @@
 #include "refine/compose/composed_layer.h"
 
 #include "base/watch.h"
+#include "numeric/binomial.h"
 #include "spline/contract.h"
 
 #include <algorithm>
@@ -55,14 +56,15 @@ void ComposedLayer::list_choices(const CommonKnots::Window &most, std::span<cons
 // A value of f at a knot may be a knot of g.
 ComposedLayer::Choice ComposedLayer::choice_of(const int *chosen,
                                                std::span<const double> knots) const noexcept {
-    Choice choice{{}, {}, 1};
-    std::array<double, max_basis> arguments{};
+    Choice choice{{}, {}, 1, 1};
+    std::array<double, max_basis> arguments;
     double *end = arguments.data();
     int distinct = 0;
     for (size_t i = 0; i < knots.size(); ++i) {
         choice.copies[i] = static_cast<int8_t>(chosen[i]);
         end = std::fill_n(end, chosen[i], knots[i]);
         distinct += chosen[i] > 0 ? 1 : 0;
+        choice.orders *= binomials(static_cast<int>(end - arguments.data()))[chosen[i]];
     }
     const std::span<const double> given(arguments.data(), end);
     const CurvePiece &piece = pieces_[cell_->piece];
@@ -90,7 +92,7 @@ void ComposedLayer::distribute(size_t k, std::span<const CommonKnots::Window> wi
             value = std::clamp(value, ends.lower, ends.upper);
             between = {std::min(between.lower, value), std::max(between.upper, value)};
         }
-        of_axis_.push_back({choice.copies, value, choice.weight});
+        of_axis_.push_back({choice.copies, value, choice.weight, choice.orders});
     }
     rows_[k].make(*axes_[k], cell_->spans[k], of_axis_, between, bounds_of(k, windows));
 }

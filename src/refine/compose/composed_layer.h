@@ -38,6 +38,7 @@ private:
         Copies copies;
         std::array<double, max_axes> values;
         double weight;
+        double orders; // of the knots, where equal ones do not count
     };
 
     void list_choices(const CommonKnots::Window &most, std::span<const double> knots);

@@ -14,23 +14,13 @@ namespace nrb::refine {
 
 namespace {
 
-constexpr int64_t work_of_a_way = 100;
-
-// Of the knots of an argument, where equal ones do not count.
-double orders_of(const Copies &copies) noexcept {
-    double orders = 1;
-    int knots = 0;
-    for (const int8_t n : copies) {
-        knots += n;
-        orders *= binomial(knots, n);
-    }
-    return orders;
-}
+constexpr int64_t work_of_all = 400, work_of_a_choice = 100, work_of_a_way = 100;
 
 } // namespace
 
 void DistributedRows::make(const KnotVector &axis, int64_t span, std::span<const ArgumentChoice> choices,
                            Interval between, const CopyBounds &bounds) {
+    count_work(work_of_all + work_of_a_choice * std::ssize(choices));
     axis_ = &axis;
     span_ = span;
     between_ = between;
@@ -47,6 +37,7 @@ void DistributedRows::make(const KnotVector &axis, int64_t span, std::span<const
 
 void DistributedRows::order(std::span<const ArgumentChoice> choices) {
     choices_.clear();
+    powers_.clear();
     std::array<size_t, 3> ends{};
     for (const Kind kind : {Kind::closed, Kind::mixed, Kind::end}) {
         for (const ArgumentChoice &choice : choices) {
@@ -73,17 +64,16 @@ DistributedRows::Kind DistributedRows::kind_of(double value) const noexcept {
     return is_between ? Kind::mixed : Kind::closed;
 }
 
-DistributedRows::Choice DistributedRows::shared(const ArgumentChoice &choice) const noexcept {
+DistributedRows::Choice DistributedRows::shared(const ArgumentChoice &choice) {
     const auto [lower, upper] = between_;
     const double after = choice.value - lower, ahead = upper - choice.value;
-    Choice result{choice, after == 0 ? 0 : std::min(after, ahead) / (upper - lower), ahead < after, {}, {}};
-    const double orders = orders_of(choice.copies);
-    result.ways[0] = result.weighted_ways[0] = 1;
-    for (size_t n = 1; n <= static_cast<size_t>(axis_->degree()); ++n) {
-        result.ways[n] = result.ways[n - 1] * orders;
-        result.weighted_ways[n] = result.weighted_ways[n - 1] * (orders * choice.weight);
+    const size_t powers = powers_.size();
+    powers_.push_back({1, 1});
+    for (int n = 0; n < axis_->degree(); ++n) {
+        const auto [count, weighted] = powers_.back();
+        powers_.push_back({count * choice.orders, weighted * (choice.orders * choice.weight)});
     }
-    return result;
+    return {choice, after == 0 ? 0 : std::min(after, ahead) / (upper - lower), ahead < after, powers};
 }
 
 void DistributedRows::bound_choices() {
@@ -168,11 +158,12 @@ void DistributedRows::give_back(const Choice &choice, int times) noexcept {
 }
 
 // So many of the arguments that are missing.
-DistributedRows::Ways DistributedRows::Ways::with(const Choice &choice, int times,
-                                                  int missing) const noexcept {
+DistributedRows::Ways DistributedRows::with(Ways ways, const Choice &choice, int times,
+                                            int missing) const noexcept {
     const auto n = static_cast<size_t>(times);
     const double places = binomials(missing)[n];
-    return {count * (places * choice.ways[n]), weighted * (places * choice.weighted_ways[n])};
+    const auto [count, weighted] = powers_[choice.powers + n];
+    return {ways.count * (places * count), ways.weighted * (places * weighted)};
 }
 
 void DistributedRows::take_closed(size_t next, int missing, Ways ways) {
@@ -186,7 +177,7 @@ void DistributedRows::take_closed(size_t next, int missing, Ways ways) {
     const size_t before = arguments_.size();
     int times = 0;
     for (bool more = true; more; more = times < missing && take(choice, 1), ++times) {
-        take_closed(next + 1, missing - times, ways.with(choice, times, missing));
+        take_closed(next + 1, missing - times, with(ways, choice, times, missing));
         arguments_.push_back(choice.value);
     }
     give_back(choice, times - 1);
@@ -213,7 +204,7 @@ void DistributedRows::take_mixed(size_t next, int missing, Ways ways, size_t mix
     int times = 0;
     for (bool more = true; more; ++times) {
         if (can_end(missing - times, next + 1)) {
-            take_mixed(next + 1, missing - times, ways.with(choice, times, missing), mixed);
+            take_mixed(next + 1, missing - times, with(ways, choice, times, missing), mixed);
         }
         more = times < missing && take(choice, 1);
         if (more) {
@@ -237,7 +228,7 @@ void DistributedRows::take_ends(size_t next, int missing, Ways ways, size_t mixe
     for (bool more = true; more; more = times < missing && take(choice, 1), ++times) {
         if (can_end(missing - times, next + 1)) {
             const int more_upper = choice.is_upper ? times : 0;
-            take_ends(next + 1, missing - times, ways.with(choice, times, missing), mixed,
+            take_ends(next + 1, missing - times, with(ways, choice, times, missing), mixed,
                       upper + static_cast<size_t>(more_upper));
         }
     }

@@ -18,11 +18,13 @@ namespace nrb::refine {
 // Copies of each distinct knot of a window.
 using Copies = std::array<int8_t, max_basis>;
 
-// What one argument may be: the value and the weight of the inner function at some knots of the window.
+// What one argument may be: the value and the weight of the inner function at some knots of the window, and the orders that these
+// have, where equal ones do not count.
 struct ArgumentChoice {
     Copies copies;
     double value;
     double weight;
+    double orders;
 };
 
 // How many copies of each of the `knots` distinct knots all arguments of the axis may use up.
@@ -61,14 +63,12 @@ private:
     struct Choice : ArgumentChoice {
         double smaller; // share of A and B, whichever is smaller
         bool is_upper;  // it is that of A: the value is nearer to B, or B
-        // Of 0, 1, ... such arguments: the orders of the knots in each of them, and those times the product of the weights.
-        std::array<double, max_basis> ways, weighted_ways;
+        size_t powers;  // the first of its own
     };
     // Orders of some arguments, and of the knots in each.
     struct Ways {
         double count;
         double weighted; // times the weights
-        [[nodiscard]] Ways with(const Choice &choice, int times, int missing) const noexcept;
     };
     // Ways with the same arguments that are neither A nor B, of which `open` are missing.
     struct Node {
@@ -93,7 +93,8 @@ private:
 
     void order(std::span<const ArgumentChoice> choices);
     [[nodiscard]] Kind kind_of(double value) const noexcept;
-    [[nodiscard]] Choice shared(const ArgumentChoice &choice) const noexcept;
+    [[nodiscard]] Choice shared(const ArgumentChoice &choice);
+    [[nodiscard]] Ways with(Ways ways, const Choice &choice, int times, int missing) const noexcept;
     void bound_choices();
     void forget();
     void number_places();
@@ -117,6 +118,7 @@ private:
     Interval between_{};
     CopyBounds bounds_{};
     std::vector<Choice> choices_;   // by their kind
+    std::vector<Ways> powers_;      // of 0, 1, ... arguments of each
     size_t closed_ = 0, mixed_ = 0; // where those end
     std::vector<Reach> reach_;
     int inner_degree_ = 0;
