@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Curves on surfaces along which functions vanish.
+#include "batch.h"
 #include "checks.h"
 #include "guard.h"
 #include "implicit_argument.h"
@@ -9,6 +10,7 @@
 #include "base/tolerance.h"
 #include "intersect/levels/contours.h"
 #include "intersect/levels/function_levels.h"
+#include "intersect/levels/reflections.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -24,6 +26,7 @@ using namespace nrb::capi;
 namespace {
 
 using intersect::ContourKind;
+using intersect::ReflectionKind;
 
 const Spline &surface_in_space(const nurbs *g) {
     const Spline &surface = surface_of(g);
@@ -42,25 +45,22 @@ ContourKind checked_kind(int32_t kind) {
     return static_cast<ContourKind>(kind);
 }
 
-// Directions are made unit vectors.
-std::array<double, 3> checked_vector(ContourKind kind, const double *d) {
-    if (kind == ContourKind::parabolic) {
-        return {};
-    }
-    require(d, "d");
-    double largest = 0;
+std::array<double, 3> checked_place(const double *x, const char *name) {
+    require(x, name);
     for (int c = 0; c < 3; ++c) {
-        if (!std::isfinite(d[c])) {
-            fail(Status::direction, "d[%d] = %s, expected a number", c, Number(d[c]).text);
+        if (!std::isfinite(x[c])) {
+            fail(Status::direction, "%s[%d] = %s, expected a number", name, c, Number(x[c]).text);
         }
-        largest = std::max(largest, std::abs(d[c]));
     }
-    std::array<double, 3> vector{d[0], d[1], d[2]};
-    if (kind == ContourKind::perspective) {
-        return vector;
-    }
+    return {x[0], x[1], x[2]};
+}
+
+// As a unit vector.
+std::array<double, 3> checked_direction(const double *d, const char *name) {
+    std::array<double, 3> vector = checked_place(d, name);
+    const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
     if (largest == 0) {
-        fail(Status::direction, "d is 0, expected a direction");
+        fail(Status::direction, "%s is 0, expected a direction", name);
     }
     double length = 0;
     for (double &x : vector) {
@@ -71,6 +71,35 @@ std::array<double, 3> checked_vector(ContourKind kind, const double *d) {
         x /= std::sqrt(length);
     }
     return vector;
+}
+
+std::array<double, 3> checked_vector(ContourKind kind, const double *d) {
+    switch (kind) {
+    case ContourKind::parabolic:
+        return {};
+    case ContourKind::perspective:
+        return checked_place(d, "d");
+    default:
+        return checked_direction(d, "d");
+    }
+}
+
+ReflectionKind checked_reflection(int32_t kind) {
+    if (kind < NURBS_REFLECTION_HIGHLIGHT || kind > NURBS_REFLECTION_FROM) {
+        fail(Status::rule, "kind = %d, expected one of the NURBS_REFLECTION_ constants", kind);
+    }
+    return static_cast<ReflectionKind>(kind);
+}
+
+std::array<double, 3> checked_eye(ReflectionKind kind, const double *eye) {
+    switch (kind) {
+    case ReflectionKind::along:
+        return checked_direction(eye, "eye");
+    case ReflectionKind::from:
+        return checked_place(eye, "eye");
+    default:
+        return {};
+    }
 }
 
 std::span<const double> checked_cosines(ContourKind kind, int64_t n, const double *cosines) {
@@ -125,6 +154,35 @@ nurbs_status nurbs_surface_contours_with(const nurbs *g, int32_t kind, const dou
                                          const double *cosines, double tolerance,
                                          const nurbs_call_options *call, nurbs_meet **out) {
     return watched(call, out, [&] { return nurbs_surface_contours(g, kind, d, n, cosines, tolerance, out); });
+}
+
+nurbs_status nurbs_surface_reflections(const nurbs *g, int32_t kind, const double *eye,
+                                       const double *direction, int64_t n, const double *points,
+                                       int64_t point_stride, int64_t point_component_stride, double tolerance,
+                                       nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &surface = surface_in_space(g);
+        const ReflectionKind reflection = checked_reflection(kind);
+        const std::array<double, 3> seen = checked_eye(reflection, eye),
+                                    along = checked_direction(direction, "direction");
+        check_length(n, "n");
+        const ConstRecords lights = input("points", points, n, 3, point_stride, point_component_stride);
+        check_positive_tolerance(tolerance);
+        check_points("points", lights);
+        give_meet(intersect::surface_reflections(surface, reflection, seen, along, lights, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_reflections_with(const nurbs *g, int32_t kind, const double *eye,
+                                            const double *direction, int64_t n, const double *points,
+                                            int64_t point_stride, int64_t point_component_stride,
+                                            double tolerance, const nurbs_call_options *call,
+                                            nurbs_meet **out) {
+    return watched(call, out, [&] {
+        return nurbs_surface_reflections(g, kind, eye, direction, n, points, point_stride,
+                                         point_component_stride, tolerance, out);
+    });
 }
 
 nurbs_status nurbs_surface_level(const nurbs *g, int32_t degree, const double *coefficients, double tolerance,

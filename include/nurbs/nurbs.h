@@ -5620,6 +5620,53 @@ NURBS_API nurbs_status nurbs_surface_contours_with(const nurbs *g, int32_t kind,
                                                    const double *cosines, double tolerance,
                                                    const nurbs_call_options *call, nurbs_meet **out);
 
+/** \name Kinds of reflection lines
+ * Of a surface S with N = S_u x S_v and a line of light through a along l: where f = 0, with m = (S - a) x l.
+ * @{ */
+#define NURBS_REFLECTION_HIGHLIGHT 1 /**< f = N . m: the normal's line meets the line of light */
+#define NURBS_REFLECTION_ALONG                                                                               \
+    2 /**< f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it */
+#define NURBS_REFLECTION_FROM 3 /**< the same with v = S - eye: seen from the point eye */
+/** @} */
+
+/** \brief Lines of light that a surface mirrors, for looking at how fair it is: all of them, proven to be all, as
+ * nurbs_surface_contours() finds contours. Seen along a direction or from a point they are reflection lines (R. Klass,
+ * CAD 12 (1980)); where normals meet the line itself are highlight lines (K.-P. Beier & Y. Chen, CAD 26 (1994)), which
+ * are the circular silhouettes around an axis: there rotation about the line moves the surface along itself. Lines are
+ * meant with both of their directions, and mirrored ones too. Where the surface is only tangent continuous they have
+ * kinks, and where it is only continuous they are broken. All of a surface of revolution about the line is one of its
+ * highlight lines, a TOUCH. Costs: some ten microseconds a piece for highlight lines, a hundred for the others.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] kind one of the NURBS_REFLECTION_ constants.
+ * \param[in] eye [3] or NULL: the direction of any length but 0, or the point; not used by highlight lines.
+ * \param[in] direction [3]: l, of any length but 0.
+ * \param[in] n number of lines of light.
+ * \param[in] points [n][3]: a of each.
+ * \param[in] point_stride,point_component_stride distances of points and of coordinates in doubles; 0: packed.
+ * \param[in] tolerance > 0: the largest distance of the curves in space from the reflection line.
+ * \param[out] out the new meet; branches in the order of the lines.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _TOLERANCE, _NOT_REPRESENTABLE; _RULE
+ *   if kind is none of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE, _DIRECTION if the eye that is
+ *   needed or the direction is not finite, or is a direction of length 0, _POINT_NOT_FINITE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_reflections(const nurbs *g, int32_t kind, const double *eye,
+                                                 const double *direction, int64_t n, const double *points,
+                                                 int64_t point_stride, int64_t point_component_stride,
+                                                 double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_surface_reflections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] g,kind,eye,direction,n,points as for nurbs_surface_reflections().
+ * \param[in] point_stride,point_component_stride,tolerance as for nurbs_surface_reflections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_reflections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_reflections_with(const nurbs *g, int32_t kind, const double *eye,
+                                                      const double *direction, int64_t n,
+                                                      const double *points, int64_t point_stride,
+                                                      int64_t point_component_stride, double tolerance,
+                                                      const nurbs_call_options *call, nurbs_meet **out);
+
 /** \brief Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere, any quadric or
  * algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each Bezier piece, followed as by
  * nurbs_surface_contours(), with f > 0 on the left of branches.

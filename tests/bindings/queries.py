@@ -286,6 +286,11 @@ class Sections(unittest.TestCase):
         self.assertEqual(ball.contours(nurbs.NURBS_CONTOUR_SILHOUETTE, [0, 0, 1], tolerance=1e-6).counts.branches, 1)
         lit = ball.contours(nurbs.NURBS_CONTOUR_ISOPHOTE, [0, 0, 1], [0.5, -0.5], tolerance=1e-6)
         self.assertEqual(lit.branches.levels.tolist(), [0, 1])
+        lights = [[0.5, 0, 0], [0, 0.5, 0]]
+        mirrored = ball.reflections(nurbs.NURBS_REFLECTION_HIGHLIGHT, [0, 0, 1], lights, tolerance=1e-6)
+        self.assertEqual(set(mirrored.branches.levels.tolist()), {0, 1})
+        seen = ball.reflections(nurbs.NURBS_REFLECTION_FROM, [0, 0, 1], lights[0], [0, -9, 0], tolerance=1e-6)
+        self.assertTrue(seen.counts.complete and seen.counts.branches > 0)
         self.assertEqual(ball.surface_level(1, [0, 0, 1, -1], 1e-6).counts.branches, 1)
         floor = nurbs.plane([1, 0, 0], [0, 1, 0])
         slope = nurbs.Spline([1, 1], floor.knots, [[[0], [0]], [[1], [1]]])

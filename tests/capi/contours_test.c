@@ -53,6 +53,41 @@ static void of_a_ball(void) {
     nurbs_destroy(g);
 }
 
+/* Normals of a ball meet a line in the plane of the centre and the line; seen along that plane from afar, or from a point in it,
+ * the same circle is a part of what mirrors the line. */
+static void reflections_of_a_ball(void) {
+    nurbs *g = ball();
+    const double along_x[] = {1, 0, 0}, below[] = {0, 0, -1}, lights[] = {0, 0, 5, 7, 0, 0, 6, 7},
+                 eye[] = {1, 0, 9};
+    for (int32_t kind = NURBS_REFLECTION_HIGHLIGHT; kind <= NURBS_REFLECTION_FROM; ++kind) {
+        nurbs_meet *meet = NULL;
+        int64_t branches = 0, levels[64];
+        int32_t complete = 0;
+        double deviations[64], middle = INFINITY;
+        CHECK_OK(nurbs_surface_reflections(g, kind, kind == NURBS_REFLECTION_FROM ? eye : below, along_x, 2,
+                                           lights, 4, 1, 1e-6, &meet));
+        CHECK_OK(nurbs_meet_counts(meet, &branches, NULL, &complete));
+        CHECK(branches >= 2 && branches <= 64 && complete == 1);
+        CHECK_OK(nurbs_meet_branches(meet, 64, levels, NULL, NULL, deviations, NULL));
+        CHECK(levels[0] == 0 && levels[branches - 1] == 1);
+        for (int64_t i = 0; i < branches && levels[i] == 0; ++i) {
+            nurbs *space = NULL, *on = NULL;
+            double domain[2], x[3];
+            CHECK_OK(nurbs_meet_branch(meet, i, &space, &on));
+            CHECK_OK(nurbs_domain(space, 0, domain));
+            const double t = domain[0] / 2 + domain[1] / 2;
+            CHECK_OK(nurbs_eval(space, 1, &t, 0, 0, x, 0, 0, 0));
+            CHECK(fabs(sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - 2) <= deviations[i] + 1e-12);
+            middle = fmin(middle, fabs(x[1]));
+            nurbs_destroy(on);
+            nurbs_destroy(space);
+        }
+        CHECK(middle <= 1e-6);
+        nurbs_meet_destroy(meet);
+    }
+    nurbs_destroy(g);
+}
+
 /* x^2 + y^2 = 3 at z = 1 and -1, and a plane. */
 static void levels_of_a_ball(void) {
     nurbs *g = ball();
@@ -128,6 +163,38 @@ static void limited(void) {
         CHECK(none == NULL);                                                                                 \
     } while (0)
 
+static void refused_reflections(void) {
+    nurbs *g = ball(), *curve = make(arch());
+    const double nowhere[] = {0, 0, 0}, unknown[] = {0, NAN, 1}, light[] = {1, 2, 3},
+                 lost[] = {1, 2, INFINITY};
+    const int32_t highlight = NURBS_REFLECTION_HIGHLIGHT, seen = NURBS_REFLECTION_ALONG,
+                  from = NURBS_REFLECTION_FROM;
+#define REFLECT(...) nurbs_surface_reflections(__VA_ARGS__, &none)
+    REFUSED(REFLECT(NULL, seen, along, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_NULL, "g is NULL");
+    REFUSED(REFLECT(curve, seen, along, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_AXES, "surface");
+    REFUSED(REFLECT(g, 0, along, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_RULE, "kind = 0");
+    REFUSED(REFLECT(g, 4, along, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_RULE, "kind = 4");
+    REFUSED(REFLECT(g, seen, NULL, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_NULL, "eye is NULL");
+    REFUSED(REFLECT(g, from, unknown, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_DIRECTION, "eye[1]");
+    REFUSED(REFLECT(g, seen, nowhere, along, 1, light, 0, 0, 1e-3), NURBS_ERROR_DIRECTION, "eye is 0");
+    REFUSED(REFLECT(g, highlight, NULL, NULL, 1, light, 0, 0, 1e-3), NURBS_ERROR_NULL, "direction is NULL");
+    REFUSED(REFLECT(g, highlight, NULL, nowhere, 1, light, 0, 0, 1e-3), NURBS_ERROR_DIRECTION,
+            "direction is 0");
+    REFUSED(REFLECT(g, highlight, NULL, along, -1, light, 0, 0, 1e-3), NURBS_ERROR_COUNT, "n = -1");
+    REFUSED(REFLECT(g, highlight, NULL, along, INT64_MAX, light, 0, 0, 1e-3), NURBS_ERROR_OVERFLOW, "points");
+    REFUSED(REFLECT(g, highlight, NULL, along, 1, NULL, 0, 0, 1e-3), NURBS_ERROR_NULL, "points");
+    REFUSED(REFLECT(g, highlight, NULL, along, 1, light, -3, 1, 1e-3), NURBS_ERROR_STRIDE, "stride");
+    REFUSED(REFLECT(g, highlight, NULL, along, 1, lost, 0, 0, 1e-3), NURBS_ERROR_POINT_NOT_FINITE, "points");
+    REFUSED(REFLECT(g, highlight, NULL, along, 1, light, 0, 0, 0), NURBS_ERROR_TOLERANCE, "tolerance");
+    nurbs_meet *none = NULL;
+    CHECK_FAILS(nurbs_surface_reflections(g, highlight, NULL, along, 1, light, 0, 0, 1e-3, NULL),
+                NURBS_ERROR_NULL, "out");
+    CHECK_OK(REFLECT(g, highlight, NULL, along, 0, NULL, 0, 0, 1e-3));
+    nurbs_meet_destroy(none);
+    nurbs_destroy(curve);
+    nurbs_destroy(g);
+}
+
 static void refused_contours(void) {
     nurbs *g = ball(), *curve = make(arch());
     const double nowhere[] = {0, 0, 0}, unknown[] = {0, NAN, 1}, beyond[] = {0, 1.5};
@@ -192,10 +259,12 @@ static void refused_levels(void) {
 
 int main(void) {
     of_a_ball();
+    reflections_of_a_ball();
     levels_of_a_ball();
     level_curves_of_a_ball();
     limited();
     refused_contours();
+    refused_reflections();
     refused_levels();
     return check_summary("contours");
 }

@@ -86,7 +86,13 @@ void look_at_others(Input &in, const nurbs *g, const Point &normal, const Point 
                                       values[2], normal[0], 1,         values[0], values[1]};
     const bool plain = in.rarely();
     bool found = false;
-    switch (in.below(3)) {
+    switch (in.below(4)) {
+    case 3:
+        found = plain ? FUZZ_OK(nurbs_surface_reflections(g, kind, normal.data(), values.data(), n,
+                                                          form.data(), 0, 0, tolerance, &meet))
+                      : FUZZ_OK(nurbs_surface_reflections_with(g, kind, normal.data(), values.data(), n,
+                                                               form.data(), 0, 0, tolerance, &call, &meet));
+        break;
     case 0:
         found =
             plain

@@ -3,6 +3,7 @@
 #include "sections.h"
 #include "support/cases.h"
 
+#include <functional>
 #include <numbers>
 
 namespace contours_test {
@@ -225,14 +226,20 @@ TEST(Levels, of_planes_and_of_heights_are_sections) {
 
 namespace {
 
-// N . d, N not of length 1.
-double facing(const nurbs *g, const Place &at, const Point3 &d) {
+Point3 cross(const Point3 &a, const Point3 &b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// A point of a surface and its normal, not of length 1.
+struct Facet {
+    Point3 point, normal;
+};
+Facet facet_at(const nurbs *g, const Place &at) {
     std::array<double, 9> jet{};
     require_ok(nurbs_eval_derivs(g, 1, 1, at.data(), 0, 0, jet.data(), 0, 0, 0));
-    const Point3 u{jet[3], jet[4], jet[5]}, v{jet[6], jet[7], jet[8]};
-    return d[0] * (u[1] * v[2] - u[2] * v[1]) + d[1] * (u[2] * v[0] - u[0] * v[2]) +
-           d[2] * (u[0] * v[1] - u[1] * v[0]);
+    return {{jet[0], jet[1], jet[2]}, cross({jet[3], jet[4], jet[5]}, {jet[6], jet[7], jet[8]})};
 }
+using FacetFunction = std::function<double(const Facet &)>;
 
 // Whether the surface may have a crease between two parameters.
 bool has_crease(const SplineData &data, size_t axis, double from, double to) {
@@ -244,58 +251,142 @@ bool has_crease(const SplineData &data, size_t axis, double from, double to) {
 
 } // namespace
 
-// Between samples on an isoparametric line at which N . d differs in sign there is a branch.
-TEST(Contours, of_random_surfaces_miss_no_change_of_sign) {
+namespace {
+
+struct Tally {
     int64_t complete = 0, changes = 0;
+};
+
+// Branches have their points on the surface; between samples on an isoparametric line at which f differs in sign there is one.
+void expect_all_changes(const SplineData &data, const nurbs *g, const Found &found, double u,
+                        const FacetFunction &f, Tally &tally) {
+    const Ground ground(g, data);
+    for (const Branch &branch : found.branches) {
+        const std::vector<double> t = branch.params(50);
+        const std::vector<Point3> in_space = points_on(branch.space.get(), t);
+        const std::vector<Place> on = places_on(branch.on.get(), t);
+        for (size_t i = 0; i < t.size(); ++i) {
+            ASSERT_TRUE(ground.contains(on[i]));
+            ASSERT_LE(ground.gap(on[i], in_space[i]), 2 * branch.deviation + 1e-9 * extent(data));
+        }
+    }
+    tally.complete += found.complete ? 1 : 0;
+    if (!found.complete || found.count(NURBS_NODE_TOUCH) > 0) {
+        return;
+    }
+    constexpr int samples = 300;
+    const double step = (data.upper(1) - data.lower(1)) / (samples + 1);
+    Facet before{};
+    for (int i = 0; i <= samples; ++i) {
+        const Place at{u, data.lower(1) + step * (i + 0.5)};
+        const Facet now = facet_at(g, at);
+        if (i > 0 && f(before) * f(now) < 0 && !has_crease(data, 1, at[1] - step, at[1])) {
+            ++tally.changes;
+            double least = HUGE_VAL;
+            for (const Branch &branch : found.branches) {
+                double away = 0;
+                require_ok(nurbs_closest_points(branch.space.get(), 1, now.point.data(), 0, 0, nullptr, 0, 0,
+                                                nullptr, 0, 0, nullptr, 0, 0, &away, 0, nullptr, 0));
+                least = std::min(least, away);
+            }
+            ASSERT_LE(least, 4 * distance(now.point, before.point) + 1e-3 * extent(data))
+                << "at " << at[0] << ", " << at[1];
+        }
+        before = now;
+    }
+}
+
+} // namespace
+
+TEST(Contours, of_random_surfaces_miss_no_change_of_sign) {
+    Tally tally;
     for_each_case(3400000, 60, [&](Random &random, uint64_t seed) {
         const SplineData data = tame_surface(random);
         SCOPED_TRACE(where(seed, data));
         const Handle g = create(data);
         const Point3 d = unit(random_vector(random));
         const Found found = contours_of(g.get(), NURBS_CONTOUR_SILHOUETTE, d, {}, 1e-4 * extent(data));
-        const Ground ground(g.get(), data);
-        for (const Branch &branch : found.branches) {
-            const std::vector<double> t = branch.params(50);
-            const std::vector<Point3> in_space = points_on(branch.space.get(), t);
-            const std::vector<Place> on = places_on(branch.on.get(), t);
-            for (size_t i = 0; i < t.size(); ++i) {
-                ASSERT_TRUE(ground.contains(on[i]));
-                ASSERT_LE(ground.gap(on[i], in_space[i]), 2 * branch.deviation + 1e-9 * extent(data));
-            }
-        }
-        complete += found.complete ? 1 : 0;
-        if (!found.complete || found.count(NURBS_NODE_TOUCH) > 0) {
-            return;
-        }
-        const double u = random.between(data.lower(0), data.upper(0));
-        constexpr int samples = 300;
-        double last = 0;
-        for (int i = 0; i <= samples; ++i) {
-            const Place at{u, data.lower(1) + (data.upper(1) - data.lower(1)) * (i + 0.5) / (samples + 1)};
-            const double now = facing(g.get(), at, d);
-            const double before_v = at[1] - (data.upper(1) - data.lower(1)) / (samples + 1);
-            if (i > 0 && last * now < 0 && !has_crease(data, 1, before_v, at[1])) {
-                ++changes;
-                Point3 x{};
-                require_ok(nurbs_eval(g.get(), 1, at.data(), 0, 0, x.data(), 0, 0, 0));
-                double least = HUGE_VAL;
-                for (const Branch &branch : found.branches) {
-                    double away = 0;
-                    require_ok(nurbs_closest_points(branch.space.get(), 1, x.data(), 0, 0, nullptr, 0, 0,
-                                                    nullptr, 0, 0, nullptr, 0, 0, &away, 0, nullptr, 0));
-                    least = std::min(least, away);
-                }
-                Place before = at;
-                before[1] = before_v;
-                Point3 y{};
-                require_ok(nurbs_eval(g.get(), 1, before.data(), 0, 0, y.data(), 0, 0, 0));
-                ASSERT_LE(least, 4 * distance(x, y) + 1e-3 * extent(data)) << "at " << at[0] << ", " << at[1];
-            }
-            last = now;
-        }
+        expect_all_changes(
+            data, g.get(), found, random.between(data.lower(0), data.upper(0)),
+            [&](const Facet &facet) { return dot(facet.normal, d); }, tally);
     });
-    EXPECT_GE(complete, 50 * scale());
-    EXPECT_GE(changes, 10 * scale());
+    EXPECT_GE(tally.complete, 50 * scale());
+    EXPECT_GE(tally.changes, 10 * scale());
+}
+
+namespace {
+
+Point3 along(const Point3 &from, double by, const Point3 &d) {
+    return {from[0] + by * d[0], from[1] + by * d[1], from[2] + by * d[2]};
+}
+
+// det(r, S - a, l) of the line of sight v, mirrored by Householder's formula.
+double mirrored(const Facet &facet, const Point3 &v, const Point3 &a, const Point3 &l) {
+    const double turn = 2 * dot(facet.normal, v) / dot(facet.normal, facet.normal);
+    return dot(along(v, -turn, facet.normal), cross(minus(facet.point, a), l));
+}
+
+} // namespace
+
+TEST(Reflections, of_random_surfaces_miss_no_change_of_sign) {
+    Tally tally;
+    for_each_case(3450000, 60, [&](Random &random, uint64_t seed) {
+        const SplineData data = tame_surface(random);
+        SCOPED_TRACE(where(seed, data));
+        const Handle g = create(data);
+        const double size = extent(data);
+        const Point3 l = unit(random_vector(random)), origin{},
+                     a = along(origin, 3 * size, random_vector(random));
+        const int32_t kind = random.whole(NURBS_REFLECTION_HIGHLIGHT, NURBS_REFLECTION_FROM);
+        const Point3 eye = kind == NURBS_REFLECTION_ALONG ? unit(random_vector(random))
+                                                          : along(origin, 3 * size, random_vector(random));
+        nurbs_meet *meet = nullptr;
+        require_ok(nurbs_surface_reflections(g.get(), kind, eye.data(), l.data(), 1, a.data(), 0, 0,
+                                             1e-4 * size, &meet));
+        const Found found = found_in(MeetHandle(meet).get());
+        expect_all_changes(
+            data, g.get(), found, random.between(data.lower(0), data.upper(0)),
+            [&](const Facet &facet) {
+                if (kind == NURBS_REFLECTION_HIGHLIGHT) {
+                    return dot(facet.normal, cross(minus(facet.point, a), l));
+                }
+                return mirrored(facet, kind == NURBS_REFLECTION_ALONG ? eye : minus(facet.point, eye), a, l);
+            },
+            tally);
+    });
+    EXPECT_GE(tally.complete, 45 * scale());
+    EXPECT_GE(tally.changes, 10 * scale());
+}
+
+// Normals of a surface of revolution meet its axis; those of a ball meet any line in the plane of the centre and the line.
+TEST(Reflections, highlight_lines_are_circular_silhouettes) {
+    nurbs *made = nullptr;
+    const double turn = 2 * std::numbers::pi;
+    const Point3 up{0, 0, 1}, origin{}, aside{0.5, 0.25, 0};
+    require_ok(
+        nurbs_surface_torus(nullptr, nullptr, nullptr, 2, 0.5, 0, turn, 0, turn, NURBS_ARC_THIRDS, &made));
+    const Handle torus(made);
+    nurbs_meet *meet = nullptr;
+    require_ok(nurbs_surface_reflections(torus.get(), NURBS_REFLECTION_HIGHLIGHT, nullptr, up.data(), 1,
+                                         origin.data(), 0, 0, 1e-6, &meet));
+    const Found all = found_in(MeetHandle(meet).get());
+    EXPECT_EQ(all.branches.size(), 0U);
+    EXPECT_EQ(all.count(NURBS_NODE_TOUCH), 1);
+    // Normals of the torus and the line are in one plane through both axes, or along the highest and lowest circles.
+    require_ok(nurbs_surface_reflections(torus.get(), NURBS_REFLECTION_HIGHLIGHT, nullptr, up.data(), 1,
+                                         aside.data(), 0, 0, 1e-6, &meet));
+    const Found found = found_in(MeetHandle(meet).get());
+    EXPECT_TRUE(found.complete);
+    EXPECT_GE(found.branches.size(), 4U);
+    for (const Branch &branch : found.branches) {
+        for (const Point3 &x : points_on(branch.space.get(), branch.params(100))) {
+            const double off_plane =
+                             std::abs(x[1] * aside[0] - x[0] * aside[1]) / std::hypot(aside[0], aside[1]),
+                         off_circle = std::hypot(std::abs(x[2]) - 0.5, std::hypot(x[0], x[1]) - 2);
+            EXPECT_LE(std::min(off_plane, off_circle), branch.deviation + 1e-12);
+        }
+    }
+    EXPECT_NEAR(length_of(found), 2 * 2 * turn + 2 * 0.5 * turn, 1e-2); // nodes are where they cross
 }
 
 } // namespace contours_test

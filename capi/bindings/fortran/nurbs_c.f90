@@ -3011,6 +3011,35 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_contours_with
+        !> Lines of light that a surface mirrors, for looking at how fair it is: all of them, proven to be
+        !> all, as nurbs_surface_contours() finds contours.
+        function nurbs_surface_reflections(g, kind, eye, direction, n, points, point_stride, &
+                point_component_stride, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kind
+            real(c_double), intent(in), optional :: eye(*)
+            real(c_double), intent(in) :: direction(*), points(*)
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_reflections
+        !> nurbs_surface_reflections() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_surface_reflections_with(g, kind, eye, direction, n, points, point_stride, &
+                point_component_stride, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kind
+            real(c_double), intent(in), optional :: eye(*)
+            real(c_double), intent(in) :: direction(*), points(*)
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_reflections_with
         !> Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere,
         !> any quadric or algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each
         !> Bezier piece, followed as by nurbs_surface_contours(), with f > 0 on the left of branches.

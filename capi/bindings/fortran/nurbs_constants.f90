@@ -443,6 +443,14 @@ module nurbs_constants
     ! f = K, the Gaussian curvature, but for a positive factor
     integer(c_int32_t), parameter :: NURBS_CONTOUR_PARABOLIC = 4
 
+    ! --- Kinds of reflection lines
+    ! f = N . m: the normal's line meets the line of light
+    integer(c_int32_t), parameter :: NURBS_REFLECTION_HIGHLIGHT = 1
+    ! f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
+    integer(c_int32_t), parameter :: NURBS_REFLECTION_ALONG = 2
+    ! the same with v = S - eye: seen from the point eye
+    integer(c_int32_t), parameter :: NURBS_REFLECTION_FROM = 3
+
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_VALUE = 0

@@ -5,10 +5,10 @@
 module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_level, &
+    use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
         nurbs_surface_level_curves, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, nurbs_meet_nodes, &
-        nurbs_meet_trim, nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_level_with, &
-        nurbs_surface_level_curves_with, nurbs_meet_trim_with
+        nurbs_meet_trim, nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
+        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_meet_trim_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -20,7 +20,7 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, level, level_curves, counts, branches, branch, nodes, trimmed
+        procedure :: sections, contours, reflections, level, level_curves, counts, branches, branch, nodes, trimmed
     end type nurbs_meet
 
 contains
@@ -66,6 +66,34 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine contours
+
+    !> Lines of light that a surface mirrors, or that its normals meet: all of them, proven to be all.
+    subroutine reflections(this, g, kind, eye, direction, points, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: kind
+        real(c_double), intent(in), optional :: eye(3)
+        real(c_double), intent(in) :: direction(3), points(:, :), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        n = size(points, 1, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(points, n, 3_c_int64_t)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_surface_reflections_with(g%handle, kind, eye, direction, n, points, step(points), &
+                    column(points), tolerance, watched(call), made)
+            else
+                code = nurbs_surface_reflections(g%handle, kind, eye, direction, n, points, step(points), &
+                    column(points), tolerance, made)
+            end if
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine reflections
 
     !> Where an implicit polynomial of space vanishes on a surface, proven to be all.
     subroutine level(this, g, degree, coefficients, tolerance, status, call)

@@ -29,6 +29,11 @@ inline constexpr std::int32_t contour_perspective = NURBS_CONTOUR_PERSPECTIVE;
 inline constexpr std::int32_t contour_isophote = NURBS_CONTOUR_ISOPHOTE;
 inline constexpr std::int32_t contour_parabolic = NURBS_CONTOUR_PARABOLIC;
 
+/// Kinds of reflection lines.
+inline constexpr std::int32_t reflection_highlight = NURBS_REFLECTION_HIGHLIGHT;
+inline constexpr std::int32_t reflection_along = NURBS_REFLECTION_ALONG;
+inline constexpr std::int32_t reflection_from = NURBS_REFLECTION_FROM;
+
 /// How much a meet holds.
 struct MeetCounts {
     std::int64_t branches; ///< Number of branches.
@@ -90,6 +95,27 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_surface_contours_with, g.get(), kind, d ? d->data() : nullptr,
                                   detail::length(cosines), cosines.data(), tolerance, watch.get());
+    }
+    /// Lines of light that a surface mirrors, or that its normals meet: all of them, proven to be all.
+    [[nodiscard]] static Returned<Meet> reflections(const Spline &g, std::int32_t kind,
+                                                    const std::optional<std::array<double, 3>> &eye,
+                                                    const std::array<double, 3> &direction, Input points,
+                                                    double tolerance) {
+        const std::int64_t n = detail::records(points, 3, "points");
+        return detail::made<Meet>(nurbs_surface_reflections, g.get(), kind, eye ? eye->data() : nullptr,
+                                  direction.data(), n, points.data(), points.stride(),
+                                  points.component_stride(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> reflections(const Spline &g, std::int32_t kind,
+                                                    const std::optional<std::array<double, 3>> &eye,
+                                                    const std::array<double, 3> &direction, Input points,
+                                                    double tolerance, const CallOptions &call) {
+        const std::int64_t n = detail::records(points, 3, "points");
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_reflections_with, g.get(), kind, eye ? eye->data() : nullptr,
+                                  direction.data(), n, points.data(), points.stride(),
+                                  points.component_stride(), tolerance, watch.get());
     }
     /// Where an implicit polynomial of space vanishes on a surface, proven to be all.
     [[nodiscard]] static Returned<Meet> level(const Spline &g, std::int32_t degree, View<double> coefficients,

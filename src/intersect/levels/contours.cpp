@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/levels/contours.h"
 
-#include "base/numbers.h"
-#include "base/watch.h"
-#include "intersect/levels/piece_field.h"
-#include "intersect/levels/surface_levels.h"
-
-#include <algorithm>
-#include <cmath>
+#include "intersect/levels/seen_normals.h"
 
 namespace nrb::intersect {
 
@@ -15,31 +9,6 @@ namespace {
 
 using pieces::HomogeneousPiece;
 using Vector = std::array<double, 3>;
-
-RoundedPolynomial row_of(const Vector &d) {
-    return side_by_side({constant(d[0]), constant(d[1]), constant(d[2])});
-}
-
-// w (x - eye), in the unit of the piece.
-RoundedPolynomial seen_from(const HomogeneousPiece &piece, const Vector &eye) {
-    std::vector<RoundedPolynomial> components;
-    for (int c = 0; c < 3; ++c) {
-        const auto at = static_cast<size_t>(c);
-        RoundedPolynomial shift = constant(times_power_of_two(piece.centre[at] - eye[at], -piece.exponent));
-        shift.errors[0] = 2 * eps * std::abs(shift.values[0]);
-        components.push_back(component(piece.points, c) + piece.weight * shift);
-    }
-    return side_by_side(components);
-}
-
-RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b) {
-    std::vector<RoundedPolynomial> components;
-    for (int c = 0; c < 3; ++c) {
-        const int x = (c + 1) % 3, y = (c + 2) % 3;
-        components.push_back(component(a, x) * component(b, y) - component(a, y) * component(b, x));
-    }
-    return side_by_side(components);
-}
 
 // With homogeneous H = (A, w) the second fundamental form has the entries det(H, H_u, H_v, H_ij), but for a common factor;
 // the determinant is N . A_ij - (A . A_u x A_v) w_ij.
@@ -93,7 +62,7 @@ PieceField::Function function_of(ContourKind kind, const Vector &d, double cosin
 
 // Bounds of the degree of f on an axis of degree p: N is of degree 2 p - 1, or 3 p - 1 with weights.
 int degree_of(ContourKind kind, bool weighted, int p) noexcept {
-    const int normal = std::max(weighted ? 3 * p - 1 : 2 * p - 1, 0);
+    const int normal = degree_of_normal(weighted, p);
     switch (kind) {
     case ContourKind::silhouette:
         return normal;
@@ -123,19 +92,12 @@ PieceField::Function sign_of(const Vector &d, double cosine) {
 Meet surface_contours(const Spline &surface, ContourKind kind, const Vector &d,
                       std::span<const double> cosines, double tolerance) {
     check_function_degree(surface, [&](int p) { return degree_of(kind, surface.rational(), p); });
-    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
-    const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
-    const size_t levels = kind == ContourKind::isophote ? cosines.size() : 1;
-    Meet all;
-    Steps steps(static_cast<int64_t>(levels));
-    for (size_t i = 0; i < levels; ++i, steps.next()) {
-        const double cosine = kind == ContourKind::isophote ? cosines[i] : 0;
-        const UsualLimit usual(usual_work(surface.point_count(), 200000));
-        const LimitedSearch limited;
-        PieceField field(surface, grid, function_of(kind, d, cosine), sign_of(d, cosine));
-        all.append(SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i)));
-    }
-    return all;
+    const bool lit = kind == ContourKind::isophote;
+    const auto function = [&](size_t i) {
+        const double cosine = lit ? cosines[i] : 0;
+        return LevelFunction{function_of(kind, d, cosine), sign_of(d, cosine)};
+    };
+    return levels_of_functions(surface, lit ? cosines.size() : 1, function, tolerance);
 }
 
 } // namespace nrb::intersect

@@ -821,6 +821,16 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("surface_reflections of normals");
+        const auto found = n::Meet::reflections(in.surface, 1, {}, std::array<double, 3>{0.0, 0.0, 1.0}, {0.5, 0.25, 0.0}, 0.01);
+        show("out", found);
+    }
+    {
+        begin("surface_reflections");
+        const auto found = n::Meet::reflections(in.surface, 2, std::array<double, 3>{0.1, 0.0, -1.0}, std::array<double, 3>{1.0, 0.0, 0.0}, {0.0, 0.5, 6.0, 0.0, 1.0, 6.0}, 0.01);
+        show("out", found);
+    }
+    {
         begin("surface_level");
         const auto found = n::Meet::level(in.surface, 1, {0.0, 0.0, 1.0, -1.5}, 0.01);
         show("out", found);
@@ -1089,6 +1099,16 @@ void data(const Inputs &in) {
     {
         begin("surface_contours_with");
         const auto found = n::Meet::contours(in.surface, 3, std::array<double, 3>{0.0, 0.0, 2.0}, {0.9}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_reflections_with of normals");
+        const auto found = n::Meet::reflections(in.surface, 1, {}, std::array<double, 3>{0.0, 0.0, 1.0}, {0.5, 0.25, 0.0}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_reflections_with");
+        const auto found = n::Meet::reflections(in.surface, 2, std::array<double, 3>{0.1, 0.0, -1.0}, std::array<double, 3>{1.0, 0.0, 0.0}, {0.0, 0.5, 6.0, 0.0, 1.0, 6.0}, 0.01, watched());
         show("out", found);
     }
     {

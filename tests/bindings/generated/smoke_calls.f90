@@ -1684,6 +1684,20 @@ contains
             call found%contours(g=surface, kind=3, d=[0.0d0, 0.0d0, 2.0d0], cosines=[0.9d0], tolerance=0.01d0)
             call show('out', found)
         end block
+        call begin('surface_reflections of normals')
+        block
+            type(nurbs_meet) :: found
+            call found%reflections(g=surface, kind=1, direction=[0.0d0, 0.0d0, 1.0d0], &
+                points=reshape([0.5d0, 0.25d0, 0.0d0], [1, 3], order=[2, 1]), tolerance=0.01d0)
+            call show('out', found)
+        end block
+        call begin('surface_reflections')
+        block
+            type(nurbs_meet) :: found
+            call found%reflections(g=surface, kind=2, eye=[0.1d0, 0.0d0, -1.0d0], direction=[1.0d0, 0.0d0, 0.0d0], &
+                points=reshape([0.0d0, 0.5d0, 6.0d0, 0.0d0, 1.0d0, 6.0d0], [2, 3], order=[2, 1]), tolerance=0.01d0)
+            call show('out', found)
+        end block
         call begin('surface_level')
         block
             type(nurbs_meet) :: found
@@ -2104,6 +2118,23 @@ contains
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
             call found%contours(g=surface, kind=3, d=[0.0d0, 0.0d0, 2.0d0], cosines=[0.9d0], tolerance=0.01d0, &
+                call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_reflections_with of normals')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%reflections(g=surface, kind=1, direction=[0.0d0, 0.0d0, 1.0d0], &
+                points=reshape([0.5d0, 0.25d0, 0.0d0], [1, 3], order=[2, 1]), tolerance=0.01d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_reflections_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%reflections(g=surface, kind=2, eye=[0.1d0, 0.0d0, -1.0d0], direction=[1.0d0, 0.0d0, 0.0d0], &
+                points=reshape([0.0d0, 0.5d0, 6.0d0, 0.0d0, 1.0d0, 6.0d0], [2, 3], order=[2, 1]), tolerance=0.01d0, &
                 call=watching)
             call show('out', found)
         end block

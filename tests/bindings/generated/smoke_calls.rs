@@ -1386,6 +1386,30 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::contours(&given.surface, 3, Some(&[0.0, 0.0, 2.0]), &[0.9], 0.01)?;
         show("out", &found);
     }
+    begin("surface_reflections of normals");
+    {
+        let found = Meet::reflections(
+            &given.surface,
+            1,
+            None,
+            &[0.0, 0.0, 1.0],
+            &[0.5, 0.25, 0.0],
+            0.01,
+        )?;
+        show("out", &found);
+    }
+    begin("surface_reflections");
+    {
+        let found = Meet::reflections(
+            &given.surface,
+            2,
+            Some(&[0.1, 0.0, -1.0]),
+            &[1.0, 0.0, 0.0],
+            &[0.0, 0.5, 6.0, 0.0, 1.0, 6.0],
+            0.01,
+        )?;
+        show("out", &found);
+    }
     begin("surface_level");
     {
         let found = Meet::level(&given.surface, 1, &[0.0, 0.0, 1.0, -1.5], 0.01)?;
@@ -1794,6 +1818,32 @@ fn data(given: &Given) -> nurbs::Result<()> {
             3,
             Some(&[0.0, 0.0, 2.0]),
             &[0.9],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_reflections_with of normals");
+    {
+        let found = Meet::reflections_with(
+            &given.surface,
+            1,
+            None,
+            &[0.0, 0.0, 1.0],
+            &[0.5, 0.25, 0.0],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_reflections_with");
+    {
+        let found = Meet::reflections_with(
+            &given.surface,
+            2,
+            Some(&[0.1, 0.0, -1.0]),
+            &[1.0, 0.0, 0.0],
+            &[0.0, 0.5, 6.0, 0.0, 1.0, 6.0],
             0.01,
             &mut Call::new().progress(|_| true),
         )?;

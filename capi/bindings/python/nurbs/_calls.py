@@ -257,6 +257,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_face_create, lib.nurbs_face_create_with),
         (lib.nurbs_surface_sections, lib.nurbs_surface_sections_with),
         (lib.nurbs_surface_contours, lib.nurbs_surface_contours_with),
+        (lib.nurbs_surface_reflections, lib.nurbs_surface_reflections_with),
         (lib.nurbs_meet_trim, lib.nurbs_meet_trim_with),
         (lib.nurbs_surface_level, lib.nurbs_surface_level_with),
         (lib.nurbs_surface_level_curves, lib.nurbs_surface_level_curves_with),

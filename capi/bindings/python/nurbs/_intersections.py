@@ -170,6 +170,17 @@ class Intersections(SplineBase):
         return Meet._made(watched(lib.nurbs_surface_contours, progress, work), self._handle, kind, address(way),
                           all_cosines.size, all_cosines.ctypes.data, tolerance)
 
+    def reflections(self, kind: int, direction: ArrayLike, points: ArrayLike, eye: Optional[ArrayLike] = None, *,
+                    tolerance: float, progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """Lines of light through points (n, 3) along a direction (3,) that a surface mirrors, with proof that there are no
+        others: of a NURBS_REFLECTION_ kind, seen along the direction `eye` (3,) or from the point `eye`, or where normals
+        meet the lines (highlight lines, circular silhouettes)."""
+        from ._meets import Meet
+
+        seen, way, (lights, _) = if_given(eye, 3, "eye"), exactly(direction, 3, "direction"), parameters(points, 3)
+        return Meet._made(watched(lib.nurbs_surface_reflections, progress, work), self._handle, kind, address(seen),
+                          way.ctypes.data, lights.n, *lights.layout, tolerance)
+
     def surface_level(self, degree: int, coefficients: ArrayLike, tolerance: float, *, progress: Progress = None,
                       work: Optional[int] = None) -> Meet:
         """Where an implicit polynomial of space, of a degree and with the coefficients of Spline.curve_level(), vanishes on a

@@ -263,6 +263,8 @@ PROTOTYPES = {
     "nurbs_surface_sections_with": "i pplpdpp",
     "nurbs_surface_contours": "i piplpdp",
     "nurbs_surface_contours_with": "i piplpdpp",
+    "nurbs_surface_reflections": "i pipplplldp",
+    "nurbs_surface_reflections_with": "i pipplplldpp",
     "nurbs_surface_level": "i pipdp",
     "nurbs_surface_level_with": "i pipdpp",
     "nurbs_surface_level_curves": "i pplpdp",

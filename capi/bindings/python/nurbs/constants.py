@@ -301,6 +301,11 @@ NURBS_CONTOUR_PERSPECTIVE = 2  # f = N . (S - d): the outline that is seen from 
 NURBS_CONTOUR_ISOPHOTE = 3  # (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
 NURBS_CONTOUR_PARABOLIC = 4  # f = K, the Gaussian curvature, but for a positive factor
 
+# --- Kinds of reflection lines
+NURBS_REFLECTION_HIGHLIGHT = 1  # f = N . m: the normal's line meets the line of light
+NURBS_REFLECTION_ALONG = 2  # f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
+NURBS_REFLECTION_FROM = 3  # the same with v = S - eye: seen from the point eye
+
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
 NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way

@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
 
-use crate::arrays::exactly;
+use crate::arrays::{exactly, Records};
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::face::Face;
@@ -127,6 +127,62 @@ impl Meet {
                 d.map_or(null(), |values| values.as_ptr()),
                 cosines.len() as i64,
                 cosines.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// Lines of light that a surface mirrors, or that its normals meet: all of them, proven to be all.
+    pub fn reflections<'a>(
+        g: &Spline,
+        kind: i32,
+        eye: Option<&[f64; 3]>,
+        direction: &[f64; 3],
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+    ) -> Result<Meet> {
+        let points = points.into();
+        let n = points.count(3, "points")?;
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_reflections(
+                g.raw(),
+                kind,
+                eye.map_or(null(), |values| values.as_ptr()),
+                direction.as_ptr(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                out,
+            )
+        })
+    }
+
+    /// The same as `reflections`; it can be watched and stopped.
+    pub fn reflections_with<'a>(
+        g: &Spline,
+        kind: i32,
+        eye: Option<&[f64; 3]>,
+        direction: &[f64; 3],
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        let points = points.into();
+        let n = points.count(3, "points")?;
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_reflections_with(
+                g.raw(),
+                kind,
+                eye.map_or(null(), |values| values.as_ptr()),
+                direction.as_ptr(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
                 tolerance,
                 call.options(),
                 out,

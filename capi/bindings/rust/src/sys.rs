@@ -893,6 +893,14 @@ pub const NURBS_CONTOUR_ISOPHOTE: i32 = 3;
 /// f = K, the Gaussian curvature, but for a positive factor
 pub const NURBS_CONTOUR_PARABOLIC: i32 = 4;
 
+// --- Kinds of reflection lines
+/// f = N . m: the normal's line meets the line of light
+pub const NURBS_REFLECTION_HIGHLIGHT: i32 = 1;
+/// f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
+pub const NURBS_REFLECTION_ALONG: i32 = 2;
+/// the same with v = S - eye: seen from the point eye
+pub const NURBS_REFLECTION_FROM: i32 = 3;
+
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
 pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
@@ -3764,6 +3772,38 @@ extern "C" {
         d: *const f64,
         n: i64,
         cosines: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Lines of light that a surface mirrors, for looking at how fair it is: all of them, proven to be all,
+    /// as nurbs_surface_contours() finds contours.
+    ///
+    /// May be null: `eye`.
+    pub fn nurbs_surface_reflections(
+        g: *const nurbs,
+        kind: i32,
+        eye: *const f64,
+        direction: *const f64,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_reflections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    ///
+    /// May be null: `eye`, `call`.
+    pub fn nurbs_surface_reflections_with(
+        g: *const nurbs,
+        kind: i32,
+        eye: *const f64,
+        direction: *const f64,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
         tolerance: f64,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,

@@ -874,6 +874,19 @@ const Call group[] = {
          static constexpr double cosines[] = {0.9};
          return nurbs_surface_contours(in.surface, 3, d, 1, cosines, 0.01, &o.meet);
      }},
+    {"surface_reflections of normals",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0, 0, 1};
+         static constexpr double points[] = {0.5, 0.25, 0};
+         return nurbs_surface_reflections(in.surface, 1, nullptr, direction, 1, points, 0, 0, 0.01, &o.meet);
+     }},
+    {"surface_reflections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double eye[] = {0.1, 0, -1};
+         static constexpr double direction[] = {1, 0, 0};
+         static constexpr double points[] = {0, 0.5, 6, 0, 1, 6};
+         return nurbs_surface_reflections(in.surface, 2, eye, direction, 2, points, 0, 0, 0.01, &o.meet);
+     }},
     {"surface_level",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double coefficients[] = {0, 0, 1, -1.5};
@@ -1296,6 +1309,25 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_contours_with(in.surface, 3, d, 1, cosines, 0.01, &call, &o.meet);
+     }},
+    {"surface_reflections_with of normals",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0, 0, 1};
+         static constexpr double points[] = {0.5, 0.25, 0};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_reflections_with(in.surface, 1, nullptr, direction, 1, points, 0, 0, 0.01, &call,
+             &o.meet);
+     }},
+    {"surface_reflections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double eye[] = {0.1, 0, -1};
+         static constexpr double direction[] = {1, 0, 0};
+         static constexpr double points[] = {0, 0.5, 6, 0, 1, 6};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_reflections_with(in.surface, 2, eye, direction, 2, points, 0, 0, 0.01, &call,
+             &o.meet);
      }},
     {"surface_level_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Polynomials of a piece that its normals and the directions to other places make.
+#pragma once
+
+#include "intersect/levels/level_meet.h"
+#include "intersect/levels/piece_field.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+
+namespace nrb::intersect {
+
+// A constant.
+RoundedPolynomial row_of(const std::array<double, 3> &d);
+// w (S - place), in the unit of the piece.
+RoundedPolynomial seen_from(const pieces::HomogeneousPiece &piece, const std::array<double, 3> &place);
+RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b);
+
+// A bound of the degree of pieces::normal_numerator() on an axis of degree p.
+int degree_of_normal(bool weighted, int p) noexcept;
+
+// Where functions vanish, one after the other. Each has the usual limit of work.
+struct LevelFunction {
+    PieceField::Function function, sign;
+};
+Meet levels_of_functions(const Spline &surface, size_t count,
+                         const std::function<LevelFunction(size_t i)> &function, double tolerance);
+
+} // namespace nrb::intersect
