@@ -2,36 +2,17 @@
 #include "intersect/levels/level_chains.h"
 
 #include "base/numbers.h"
-#include "base/watch.h"
+#include "intersect/levels/cluster_groups.h"
 
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <numeric>
-#include <optional>
+#include <utility>
 
 namespace nrb::intersect {
 
 namespace {
 
 constexpr int32_t none = -1;
-
-// Sets that are joined step by step.
-class Union {
-public:
-    explicit Union(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), size_t{0}); }
-
-    size_t find(size_t i) noexcept {
-        while (parent_[i] != i) {
-            i = parent_[i] = parent_[parent_[i]];
-        }
-        return i;
-    }
-    void join(size_t a, size_t b) noexcept { parent_[find(b)] = find(a); }
-
-private:
-    std::vector<size_t> parent_;
-};
 
 class Joining {
 public:
@@ -53,7 +34,7 @@ public:
     }
 
 private:
-    using Ranges = std::array<Interval, 2>;
+    using Ranges = ParameterRanges;
     static size_t root(int32_t i) noexcept { return static_cast<size_t>(i); }
 
     // Parameters of a part.
@@ -67,151 +48,22 @@ private:
         return ranges;
     }
 
-    // With as much on either side: between parts of what is near there may be some that are not quite.
-    static Ranges widened(const Ranges &ranges) noexcept {
-        Ranges wide = ranges;
-        for (Interval &range : wide) {
-            const double size = range.upper - range.lower;
-            range = {range.lower - size, range.upper + size};
-        }
-        return wide;
-    }
-
-    // By rising ranges of the first axis: those that end before a cluster begins touch none of those after it.
     void add_clusters() {
+        constexpr double room = 0x1p-36;
+        std::vector<std::array<double, 2>> places;
+        std::ranges::transform(found_.roots, std::back_inserter(places), &LevelRoot::at);
+        const SortedPlaces roots(std::move(places));
         std::vector<Ranges> ranges;
         for (const LevelCluster &cluster : found_.clusters) {
-            if (const Ranges own = ranges_of(cluster.part); !cluster.beside || !has_root(own)) {
+            const Ranges own = ranges_of(cluster.part);
+            if (!cluster.beside || !roots.any_in(own, borders_, room)) {
                 ranges.push_back(own);
                 clusters_.push_back(&cluster);
             }
         }
-        std::vector<Ranges> wide;
-        std::ranges::transform(ranges, std::back_inserter(wide), widened);
-        std::vector<size_t> order(ranges.size());
-        std::iota(order.begin(), order.end(), size_t{0});
-        std::ranges::sort(order, {}, [&](size_t i) { return wide[i][0].lower; });
-        Union sets(ranges.size());
-        join_neighbours(wide, order, sets);
-        join_at_seams(ranges, sets);
-        join_at_poles(ranges, sets);
-        std::map<size_t, std::vector<size_t>> members;
-        for (const size_t i : order) {
-            members[sets.find(i)].push_back(i);
+        for (const std::vector<size_t> &group : touching_groups(ranges, grid_, borders_)) {
+            add_part(group, ranges);
         }
-        for (const auto &[set, all] : members) {
-            add_part(all, ranges);
-        }
-    }
-
-    // Whether an arc begins or ends in a part, which is a place or an interval on a side of a piece.
-    [[nodiscard]] bool has_root(const Ranges &part) const {
-        return std::ranges::any_of(found_.roots, [&](const LevelRoot &root) {
-            for (size_t k = 0; k < 2; ++k) {
-                const double size = borders_.period(k), room = 0x1p-36 * size;
-                const auto is_in = [&](double at) {
-                    return at >= part[k].lower - room && at <= part[k].upper + room;
-                };
-                const bool beyond =
-                    borders_.wraps(k) && (is_in(root.at[k] - size) || is_in(root.at[k] + size));
-                if (!is_in(root.at[k]) && !beyond) {
-                    return false;
-                }
-            }
-            return true;
-        });
-    }
-
-    // Intervals by their lower ends, none longer than the longest: those that touch another one are near its ends.
-    struct Line {
-        std::multimap<double, size_t> by_lower;
-        double longest = 0;
-
-        void add(const Interval &range, size_t i) {
-            by_lower.emplace(range.lower, i);
-            longest = std::max(longest, range.upper - range.lower);
-        }
-        template <class Visit>
-        void visit(const Interval &range, Visit &&visit) const {
-            const auto last = by_lower.upper_bound(range.upper);
-            for (auto i = by_lower.lower_bound(range.lower - 1.001 * longest); i != last; ++i) {
-                count_work(20);
-                visit(i->second);
-            }
-        }
-    };
-
-    static bool touch(const Interval &a, const Interval &b) noexcept {
-        return a.lower <= b.upper && b.lower <= a.upper;
-    }
-
-    // From one end of the first axis to the other.
-    static void join_neighbours(const std::vector<Ranges> &ranges, const std::vector<size_t> &order,
-                                Union &sets) {
-        Line active;
-        std::multimap<double, std::multimap<double, size_t>::iterator> ends;
-        for (const size_t i : order) {
-            while (!ends.empty() && ends.begin()->first < ranges[i][0].lower) {
-                active.by_lower.erase(ends.begin()->second);
-                ends.erase(ends.begin());
-            }
-            active.visit(ranges[i][1], [&](size_t j) {
-                if (touch(ranges[j][1], ranges[i][1])) {
-                    sets.join(j, i);
-                }
-            });
-            active.longest = std::max(active.longest, ranges[i][1].upper - ranges[i][1].lower);
-            ends.emplace(ranges[i][0].upper, active.by_lower.emplace(ranges[i][1].lower, i));
-        }
-    }
-
-    // Clusters on both sides of a seam.
-    void join_at_seams(const std::vector<Ranges> &ranges, Union &sets) {
-        for (size_t k = 0; k < 2; ++k) {
-            if (!borders_.wraps(k)) {
-                continue;
-            }
-            const Interval domain = domain_along(k);
-            Line at_end;
-            for (size_t j = 0; j < ranges.size(); ++j) {
-                if (ranges[j][k].upper == domain.upper) {
-                    at_end.add(ranges[j][1 - k], j);
-                }
-            }
-            for (size_t i = 0; i < ranges.size(); ++i) {
-                if (ranges[i][k].lower == domain.lower) {
-                    at_end.visit(ranges[i][1 - k], [&](size_t j) {
-                        if (touch(ranges[i][1 - k], ranges[j][1 - k])) {
-                            sets.join(i, j);
-                        }
-                    });
-                }
-            }
-        }
-    }
-
-    // Those at a side of one point.
-    void join_at_poles(const std::vector<Ranges> &ranges, Union &sets) {
-        for (size_t k = 0; k < 2; ++k) {
-            for (const bool up : {false, true}) {
-                if (!borders_.is_collapsed(k, up ? grid_.count(static_cast<int>(k)) - 1 : 0, up)) {
-                    continue;
-                }
-                std::optional<size_t> first;
-                for (size_t i = 0; i < ranges.size(); ++i) {
-                    if (up ? ranges[i][k].upper == domain_along(k).upper
-                           : ranges[i][k].lower == domain_along(k).lower) {
-                        first = first.value_or(i);
-                        sets.join(*first, i);
-                    }
-                }
-            }
-        }
-    }
-
-    [[nodiscard]] Interval domain_along(size_t k) const {
-        const int axis = static_cast<int>(k);
-        return {grid_.break_at(axis, 0), grid_.break_at(axis, grid_.count(axis))};
     }
 
     // Clusters that hang together are one part.
@@ -229,9 +81,11 @@ private:
             for (const int32_t of : clusters_[i]->roots) {
                 node_[root(of)] = node;
             }
-            for (const auto &[corner, of] : found_.corners) {
-                node_[root(of)] =
-                    node_[root(of)] == none && is_in(corner, ranges[i]) ? node : node_[root(of)];
+            const auto &[along, across] = ranges[i];
+            auto corner = found_.corners.lower_bound({along.lower, across.lower});
+            for (; corner != found_.corners.end() && corner->first[0] <= along.upper; ++corner) {
+                int32_t &own = node_[root(corner->second)];
+                own = own == none && is_in(corner->first, ranges[i]) ? node : own;
             }
         }
     }
@@ -241,7 +95,7 @@ private:
         std::array<double, 2> at{};
         for (size_t k = 0; k < 2; ++k) {
             at[k] = ranges[k].lower / 2 + ranges[k].upper / 2;
-            at[k] = at[k] > domain_along(k).upper ? at[k] - borders_.period(k) : at[k];
+            at[k] = at[k] > domain_along(grid_, k).upper ? at[k] - borders_.period(k) : at[k];
         }
         return at;
     }
@@ -266,7 +120,7 @@ private:
             }
             range.upper = std::max(range.upper, next.upper);
         }
-        const Interval domain = domain_along(k);
+        const Interval domain = domain_along(grid_, k);
         const bool beyond = borders_.wraps(k) && gap.upper > gap.lower && range.lower == domain.lower &&
                             range.upper == domain.upper;
         return beyond ? Interval{gap.upper, gap.lower + borders_.period(k)} : range;

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/levels/cluster_groups.h"
+
+#include "base/watch.h"
+#include "intersect/levels/open_intervals.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+namespace nrb::intersect {
+
+namespace {
+
+// Sets that are joined step by step.
+class Union {
+public:
+    explicit Union(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), size_t{0}); }
+
+    size_t find(size_t i) noexcept {
+        while (parent_[i] != i) {
+            i = parent_[i] = parent_[parent_[i]];
+        }
+        return i;
+    }
+    void join(size_t a, size_t b) noexcept { parent_[find(b)] = find(a); }
+
+private:
+    std::vector<size_t> parent_;
+};
+
+// Between parts of what is near there may be some that are not quite.
+ParameterRanges widened(const ParameterRanges &ranges) noexcept {
+    ParameterRanges wide = ranges;
+    for (Interval &range : wide) {
+        const double size = range.upper - range.lower;
+        range = {range.lower - size, range.upper + size};
+    }
+    return wide;
+}
+
+bool contains(const Interval &whole, const Interval &part) noexcept {
+    return whole.lower <= part.lower && part.upper <= whole.upper;
+}
+
+class Grouping {
+public:
+    Grouping(const std::vector<ParameterRanges> &parts, const pieces::PieceGrid &grid,
+             const SurfaceBorders &borders)
+        : parts_(parts), grid_(grid), borders_(borders), sets_(parts.size()), order_(parts.size()) {}
+
+    std::vector<std::vector<size_t>> run() {
+        join_neighbours();
+        join_at_seams();
+        join_at_poles();
+        std::vector<std::vector<size_t>> groups;
+        std::unordered_map<size_t, size_t> numbers;
+        for (const size_t i : order_) {
+            const auto [number, is_new] = numbers.try_emplace(sets_.find(i), groups.size());
+            if (is_new) {
+                groups.emplace_back();
+            }
+            groups[number->second].push_back(i);
+        }
+        return groups;
+    }
+
+private:
+    // From one end of the first axis to the other. Of two that touch the one that reaches no farther stands for nothing more.
+    void join_neighbours() {
+        std::vector<ParameterRanges> wide;
+        std::ranges::transform(parts_, std::back_inserter(wide), widened);
+        std::iota(order_.begin(), order_.end(), size_t{0});
+        std::ranges::sort(order_, {}, [&](size_t i) { return std::pair(wide[i][0].lower, i); });
+        OpenIntervals open;
+        for (const size_t i : order_) {
+            const auto &[along, across] = wide[i];
+            bool covered = false;
+            open.visit(across, [&](const OpenIntervals::Item &item) {
+                if (item.end < along.lower) {
+                    return true;
+                }
+                sets_.join(item.number, i);
+                covered = covered || (item.end >= along.upper && contains(item.range, across));
+                return !covered && item.end <= along.upper && contains(across, item.range);
+            });
+            if (!covered) {
+                open.add({across, along.upper, i});
+            }
+        }
+    }
+
+    // One on this side that holds one on the other stands for it: those beside each other are joined already.
+    void join_at_seams() {
+        for (size_t k = 0; k < 2; ++k) {
+            if (!borders_.wraps(k)) {
+                continue;
+            }
+            const Interval domain = domain_along(grid_, k);
+            OpenIntervals at_end;
+            for (size_t j = 0; j < parts_.size(); ++j) {
+                if (parts_[j][k].upper == domain.upper) {
+                    at_end.add({parts_[j][1 - k], std::numeric_limits<double>::infinity(), j});
+                }
+            }
+            for (size_t i = 0; i < parts_.size(); ++i) {
+                if (parts_[i][k].lower == domain.lower) {
+                    at_end.visit(parts_[i][1 - k], [&](const OpenIntervals::Item &item) {
+                        sets_.join(i, item.number);
+                        return contains(parts_[i][1 - k], item.range);
+                    });
+                }
+            }
+        }
+    }
+
+    // Those at a side of one point.
+    void join_at_poles() {
+        for (size_t k = 0; k < 2; ++k) {
+            for (const bool up : {false, true}) {
+                if (!borders_.is_collapsed(k, up ? grid_.count(static_cast<int>(k)) - 1 : 0, up)) {
+                    continue;
+                }
+                const Interval domain = domain_along(grid_, k);
+                std::optional<size_t> first;
+                for (size_t i = 0; i < parts_.size(); ++i) {
+                    if (up ? parts_[i][k].upper == domain.upper : parts_[i][k].lower == domain.lower) {
+                        first = first.value_or(i);
+                        sets_.join(*first, i);
+                    }
+                }
+            }
+        }
+    }
+
+    const std::vector<ParameterRanges> &parts_;
+    const pieces::PieceGrid &grid_;
+    const SurfaceBorders &borders_;
+    Union sets_;
+    std::vector<size_t> order_;
+};
+
+} // namespace
+
+std::vector<std::vector<size_t>> touching_groups(const std::vector<ParameterRanges> &parts,
+                                                 const pieces::PieceGrid &grid,
+                                                 const SurfaceBorders &borders) {
+    return Grouping(parts, grid, borders).run();
+}
+
+Interval domain_along(const pieces::PieceGrid &grid, size_t axis) noexcept {
+    const int k = static_cast<int>(axis);
+    return {grid.break_at(k, 0), grid.break_at(k, grid.count(k))};
+}
+
+SortedPlaces::SortedPlaces(std::vector<std::array<double, 2>> places) : places_(std::move(places)) {
+    std::ranges::sort(places_);
+}
+
+bool SortedPlaces::any_in(const ParameterRanges &part, const SurfaceBorders &borders, double room) const {
+    const auto wide = [&](size_t k) {
+        const double by = room * borders.period(k);
+        return Interval{part[k].lower - by, part[k].upper + by};
+    };
+    const auto is_in = [&](double at, const Interval &range) {
+        return at >= range.lower && at <= range.upper;
+    };
+    const Interval along = wide(0), across = wide(1);
+    for (const int turn : {0, -1, 1}) {
+        if (turn != 0 && !borders.wraps(0)) {
+            continue;
+        }
+        const double by = turn * borders.period(0);
+        auto i =
+            std::ranges::lower_bound(places_, along.lower - by, {}, [](const auto &at) { return at[0]; });
+        for (; i != places_.end() && (*i)[0] + by <= along.upper; ++i) {
+            count_work(20);
+            const double at = (*i)[1], period = borders.period(1);
+            const bool beyond =
+                borders.wraps(1) && (is_in(at - period, across) || is_in(at + period, across));
+            if ((*i)[0] + by >= along.lower && (beyond || is_in(at, across))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+} // namespace nrb::intersect
