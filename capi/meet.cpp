@@ -173,19 +173,19 @@ nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *leve
 }
 
 nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
-                             int64_t *sizes, int32_t *closed, double *gaps, int64_t *count) {
+                             int64_t *sizes, int32_t *closes, double *gaps, int64_t *count) {
     return guard([&] {
         const std::vector<intersect::MeetWay> &ways = meet_of(meet).ways;
         const int64_t filled = checked_cap(cap, std::ssize(ways));
         check_apart({memory("levels", levels, filled), memory("firsts", firsts, filled),
-                     memory("sizes", sizes, filled), memory("closed", closed, filled),
+                     memory("sizes", sizes, filled), memory("closes", closes, filled),
                      memory("gaps", gaps, filled), memory("count", count, 1)},
                     {});
         for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(levels, i, ways[i].level);
             put(firsts, i, ways[i].first);
             put(sizes, i, ways[i].count);
-            put(closed, i, int32_t{ways[i].closed});
+            put(closes, i, int32_t{ways[i].closed});
             put(gaps, i, ways[i].gap);
         }
         put(count, int64_t{std::ssize(ways)});

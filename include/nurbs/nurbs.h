@@ -5741,13 +5741,13 @@ NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int
  * \param[out] levels [cap] or NULL: index of the plane, 0-based, rising.
  * \param[out] firsts [cap] or NULL: the first branch, 0-based.
  * \param[out] sizes [cap] or NULL: the number of branches, at least 1.
- * \param[out] closed [cap] or NULL: 1 if the last branch goes on in the first one, or a single one closes; else 0.
+ * \param[out] closes [cap] or NULL: 1 if the last branch goes on in the first one, or a single one closes; else 0.
  * \param[out] gaps [cap] or NULL: the largest distance in space between ends that go on in each other, nurbs_meet_joints().
  * \param[out] count or NULL: number of ways.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
-                                       int64_t *sizes, int32_t *closed, double *gaps, int64_t *count);
+                                       int64_t *sizes, int32_t *closes, double *gaps, int64_t *count);
 
 /** \brief Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
  * \param[in] meet a meet.
@@ -7638,8 +7638,8 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
  * normals, preparations are shared.
  * \param[in] model a model.
  * \param[in] n number of planes normal . x = offset.
- * \param[in] normals [n][3] or NULL when n is 0: of the planes, of any length but 0.
- * \param[in] offsets [n] or NULL when n is 0: in units of the lengths of the normals.
+ * \param[in] normals [n][3] of the planes, of any length but 0.
+ * \param[in] offsets [n] in units of the lengths of the normals.
  * \param[in] tolerance > 0: the largest distance of the curves from the section, in the whole. Where placements move
  *   parts it holds for planes that rounding moves likewise.
  * \param[out] out the new meet; its levels are the planes, and nurbs_meet_faces() tells the faces of branches.

@@ -3105,12 +3105,12 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
         !> The ways that the branches of a meet make, from one to the next.
-        function nurbs_meet_ways(meet, cap, levels, firsts, sizes, closed, gaps, count) bind(c) result(r)
+        function nurbs_meet_ways(meet, cap, levels, firsts, sizes, closes, gaps, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
             integer(c_int64_t), value :: cap
             integer(c_int64_t), intent(inout), optional :: levels(*), firsts(*), sizes(*), count
-            integer(c_int32_t), intent(inout), optional :: closed(*)
+            integer(c_int32_t), intent(inout), optional :: closes(*)
             real(c_double), intent(inout), optional :: gaps(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_ways
@@ -4168,7 +4168,7 @@ module nurbs_c
             import
             type(c_ptr), value :: model
             integer(c_int64_t), value :: n
-            real(c_double), intent(in), optional :: normals(*), offsets(*)
+            real(c_double), intent(in) :: normals(*), offsets(*)
             real(c_double), value :: tolerance
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
@@ -4178,7 +4178,7 @@ module nurbs_c
             import
             type(c_ptr), value :: model
             integer(c_int64_t), value :: n
-            real(c_double), intent(in), optional :: normals(*), offsets(*)
+            real(c_double), intent(in) :: normals(*), offsets(*)
             real(c_double), value :: tolerance
             type(nurbs_call_options), intent(in), optional :: call
             type(c_ptr), intent(out) :: out

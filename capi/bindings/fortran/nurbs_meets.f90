@@ -187,27 +187,25 @@ contains
         call settle(code, status)
     end subroutine nodes
 
-    !> Of each way its plane, the first branch and the number of branches, whether it closes, and the largest distance
-    !> of ends that go on in each other.
-    subroutine ways(this, levels, firsts, sizes, closed, gaps, status)
+    !> Of each way its plane, the first branch and the number of branches, 1 if it closes, and the largest distance of
+    !> ends that go on in each other.
+    subroutine ways(this, levels, firsts, sizes, closes, gaps, status)
         class(nurbs_meet), intent(in) :: this
         integer(c_int64_t), allocatable, intent(inout) :: levels(:), firsts(:), sizes(:)
-        logical, allocatable, intent(inout) :: closed(:)
+        integer(c_int32_t), allocatable, intent(inout) :: closes(:)
         real(c_double), allocatable, intent(inout) :: gaps(:)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         integer(c_int64_t) :: n
-        integer(c_int32_t), allocatable :: closed_c(:)
         n = 0
-        closed_c = 0
         code = nurbs_meet_ways(this%handle, 0_c_int64_t, count=n)
         if (allocated(levels)) deallocate (levels)
         if (allocated(firsts)) deallocate (firsts)
         if (allocated(sizes)) deallocate (sizes)
+        if (allocated(closes)) deallocate (closes)
         if (allocated(gaps)) deallocate (gaps)
-        allocate (levels(n), firsts(n), sizes(n), closed_c(n), gaps(n))
-        if (code == NURBS_OK) code = nurbs_meet_ways(this%handle, n, levels, firsts, sizes, closed_c, gaps)
-        closed = closed_c /= 0
+        allocate (levels(n), firsts(n), sizes(n), closes(n), gaps(n))
+        if (code == NURBS_OK) code = nurbs_meet_ways(this%handle, n, levels, firsts, sizes, closes, gaps)
         if (code == NURBS_OK) then
             levels = levels + 1
             firsts = firsts + 1

@@ -6,6 +6,7 @@
 #define NURBS_CPP_MEETS_HPP
 
 #include <nurbs/cpp/face.hpp>
+#include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <array>

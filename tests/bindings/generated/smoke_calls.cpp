@@ -837,7 +837,7 @@ void data(const Inputs &in) {
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
         const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
-        const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0, 0.6, 0.0, 0.8}, {0.1, 0.2}, 0.01);
+        const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0}, {0.1}, 0.1);
         show("out", found);
     }
     {
@@ -846,7 +846,7 @@ void data(const Inputs &in) {
         show("levels", found.levels);
         show("firsts", found.firsts);
         show("sizes", found.sizes);
-        show("closed", found.closed);
+        show("closes", found.closed);
         show("gaps", found.gaps);
     }
     {
@@ -855,7 +855,7 @@ void data(const Inputs &in) {
         show("levels", found.levels);
         show("firsts", found.firsts);
         show("sizes", found.sizes);
-        show("closed", found.closed);
+        show("closes", found.closed);
         show("gaps", found.gaps);
     }
     {
@@ -1149,7 +1149,7 @@ void data(const Inputs &in) {
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
         const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
-        const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0, 0.6, 0.0, 0.8}, {0.1, 0.2}, 0.01, watched());
+        const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0}, {0.1}, 0.1, watched());
         show("out", found);
     }
     {

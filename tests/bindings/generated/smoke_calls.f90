@@ -1710,8 +1710,8 @@ contains
             call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
-            call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0, 0.6d0, 0.0d0, 0.8d0], [2, 3], &
-                order=[2, 1]), offsets=[0.1d0, 0.2d0], tolerance=0.01d0)
+            call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0], [1, 3], order=[2, 1]), &
+                offsets=[0.1d0], tolerance=0.1d0)
             call show('out', found)
         end block
         call begin('meet_ways')
@@ -1719,14 +1719,14 @@ contains
             integer(c_int64_t), allocatable :: levels_found(:)
             integer(c_int64_t), allocatable :: firsts_found(:)
             integer(c_int64_t), allocatable :: sizes_found(:)
-            logical, allocatable :: closed_found(:)
+            integer(c_int32_t), allocatable :: closes_found(:)
             real(c_double), allocatable :: gaps_found(:)
-            call meet%ways(levels=levels_found, firsts=firsts_found, sizes=sizes_found, closed=closed_found, &
+            call meet%ways(levels=levels_found, firsts=firsts_found, sizes=sizes_found, closes=closes_found, &
                 gaps=gaps_found)
             call show('levels', levels_found - 1)
             call show('firsts', firsts_found - 1)
             call show('sizes', sizes_found)
-            call show('closed', closed_found)
+            call show('closes', closes_found)
             call show('gaps', gaps_found)
         end block
         call begin('meet_ways closed')
@@ -1734,14 +1734,14 @@ contains
             integer(c_int64_t), allocatable :: levels_found(:)
             integer(c_int64_t), allocatable :: firsts_found(:)
             integer(c_int64_t), allocatable :: sizes_found(:)
-            logical, allocatable :: closed_found(:)
+            integer(c_int32_t), allocatable :: closes_found(:)
             real(c_double), allocatable :: gaps_found(:)
-            call meet%ways(levels=levels_found, firsts=firsts_found, sizes=sizes_found, closed=closed_found, &
+            call meet%ways(levels=levels_found, firsts=firsts_found, sizes=sizes_found, closes=closes_found, &
                 gaps=gaps_found)
             call show('levels', levels_found - 1)
             call show('firsts', firsts_found - 1)
             call show('sizes', sizes_found)
-            call show('closed', closed_found)
+            call show('closes', closes_found)
             call show('gaps', gaps_found)
         end block
         call begin('meet_faces')
@@ -2203,8 +2203,8 @@ contains
             call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
             faces_given(1) = ball_face
             call ball%create(faces=faces_given, metres=1.0d0)
-            call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0, 0.6d0, 0.0d0, 0.8d0], [2, 3], &
-                order=[2, 1]), offsets=[0.1d0, 0.2d0], tolerance=0.01d0, call=watching)
+            call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0], [1, 3], order=[2, 1]), &
+                offsets=[0.1d0], tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('meet_trim_with')

@@ -1416,8 +1416,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
         let ball = Model::create(&[&ball_face], 1.0)?;
-        let found =
-            Meet::model_sections(&ball, &[0.0, 0.0, 1.0, 0.6, 0.0, 0.8], &[0.1, 0.2], 0.01)?;
+        let found = Meet::model_sections(&ball, &[0.0, 0.0, 1.0], &[0.1], 0.1)?;
         show("out", &found);
     }
     begin("meet_ways");
@@ -1426,7 +1425,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("levels", &found.levels);
         show("firsts", &found.firsts);
         show("sizes", &found.sizes);
-        show("closed", &found.closed);
+        show("closes", &found.closed);
         show("gaps", &found.gaps);
     }
     begin("meet_ways closed");
@@ -1435,7 +1434,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("levels", &found.levels);
         show("firsts", &found.firsts);
         show("sizes", &found.sizes);
-        show("closed", &found.closed);
+        show("closes", &found.closed);
         show("gaps", &found.gaps);
     }
     begin("meet_faces");
@@ -1890,9 +1889,9 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let ball = Model::create(&[&ball_face], 1.0)?;
         let found = Meet::model_sections_with(
             &ball,
-            &[0.0, 0.0, 1.0, 0.6, 0.0, 0.8],
-            &[0.1, 0.2],
-            0.01,
+            &[0.0, 0.0, 1.0],
+            &[0.1],
+            0.1,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

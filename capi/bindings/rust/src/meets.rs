@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
 
-use crate::arrays::{exactly, if_given, rows, truths};
+use crate::arrays::{exactly, rows};
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::face::Face;
@@ -64,7 +64,7 @@ pub struct MeetWays {
     /// The number of branches.
     pub sizes: Vec<i64>,
     /// 1 for a way that closes, else 0.
-    pub closed: Vec<bool>,
+    pub closed: Vec<i32>,
     /// The largest distances in space between ends that go on in each other.
     pub gaps: Vec<f64>,
 }
@@ -315,7 +315,7 @@ impl Meet {
             gaps.as_mut_ptr(),
             &mut count,
         ))?;
-        Ok(MeetWays { levels, firsts, sizes, closed: truths(closed), gaps })
+        Ok(MeetWays { levels, firsts, sizes, closed, gaps })
     }
 
     /// The faces of a model on which the branches are.
@@ -358,7 +358,7 @@ impl Meet {
     /// Where planes cut the faces of a model, joined to ways over the edges that faces share.
     pub fn model_sections(model: &Model, normals: &[f64], offsets: &[f64], tolerance: f64) -> Result<Meet> {
         let n = rows(normals, 3, "normals")?;
-        let offsets = if_given(offsets, n, "offsets")?;
+        let offsets = exactly(offsets, n, "offsets")?;
         Meet::made(|out| unsafe {
             sys::nurbs_model_sections(model.raw(), n as i64, normals.as_ptr(), offsets, tolerance, out)
         })
@@ -373,7 +373,7 @@ impl Meet {
         call: &mut Call,
     ) -> Result<Meet> {
         let n = rows(normals, 3, "normals")?;
-        let offsets = if_given(offsets, n, "offsets")?;
+        let offsets = exactly(offsets, n, "offsets")?;
         Meet::made(|out| unsafe {
             sys::nurbs_model_sections_with(
                 model.raw(),

@@ -3862,14 +3862,14 @@ extern "C" {
     ) -> nurbs_status;
     /// The ways that the branches of a meet make, from one to the next.
     ///
-    /// May be null: `levels`, `firsts`, `sizes`, `closed`, `gaps`, `count`.
+    /// May be null: `levels`, `firsts`, `sizes`, `closes`, `gaps`, `count`.
     pub fn nurbs_meet_ways(
         meet: *const nurbs_meet,
         cap: i64,
         levels: *mut i64,
         firsts: *mut i64,
         sizes: *mut i64,
-        closed: *mut i32,
+        closes: *mut i32,
         gaps: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
@@ -4953,8 +4953,6 @@ extern "C" {
     ) -> nurbs_status;
     /// Where planes of any directions cut the faces of a model where they stand in the whole
     /// (nurbs_model_instances()), joined to ways over the edges that faces share.
-    ///
-    /// May be null: `normals`, `offsets`.
     pub fn nurbs_model_sections(
         model: *const nurbs_model,
         n: i64,
@@ -4965,7 +4963,7 @@ extern "C" {
     ) -> nurbs_status;
     /// nurbs_model_sections() as a call that can be watched and ended.
     ///
-    /// May be null: `normals`, `offsets`, `call`.
+    /// May be null: `call`.
     pub fn nurbs_model_sections_with(
         model: *const nurbs_model,
         n: i64,

@@ -902,9 +902,9 @@ const Call group[] = {
          if (made_ball.status() != NURBS_OK) {
              return made_ball.status();
          }
-         static constexpr double normals[] = {0, 0, 1, 0.6, 0, 0.8};
-         static constexpr double offsets[] = {0.1, 0.2};
-         return nurbs_model_sections(made_ball, 2, normals, offsets, 0.01, &o.meet);
+         static constexpr double normals[] = {0, 0, 1};
+         static constexpr double offsets[] = {0.1};
+         return nurbs_model_sections(made_ball, 1, normals, offsets, 0.1, &o.meet);
      }},
     {"meet_ways",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1364,11 +1364,11 @@ const Call group[] = {
          if (made_ball.status() != NURBS_OK) {
              return made_ball.status();
          }
-         static constexpr double normals[] = {0, 0, 1, 0.6, 0, 0.8};
-         static constexpr double offsets[] = {0.1, 0.2};
+         static constexpr double normals[] = {0, 0, 1};
+         static constexpr double offsets[] = {0.1};
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_model_sections_with(made_ball, 2, normals, offsets, 0.01, &call, &o.meet);
+         return nurbs_model_sections_with(made_ball, 1, normals, offsets, 0.1, &call, &o.meet);
      }},
     {"meet_trim_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
