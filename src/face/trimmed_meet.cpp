@@ -216,16 +216,15 @@ private:
         }
         const Interval domain = branch.on->axis(0).domain();
         const double room = 1e-8 * (domain.upper - domain.lower);
-        std::vector<Crossing> near;
-        for (auto at = std::ranges::lower_bound(found.at, t - room, {}, &Crossing::at);
-             at != found.at.end() && at->at <= t + room; ++at) {
-            near.push_back(*at);
+        std::vector<std::pair<double, size_t>> near;
+        const auto first = std::ranges::lower_bound(found.at, t - room, {}, &Crossing::at);
+        for (auto at = first; at != found.at.end() && at->at <= t + room; ++at) {
+            near.emplace_back(std::abs(at->at - t), static_cast<size_t>(at - found.at.begin()));
         }
-        std::ranges::stable_sort(near, {},
-                                 [&](const Crossing &crossing) { return std::abs(crossing.at - t); });
+        std::ranges::sort(near);
         std::vector<BorderPlace> places;
-        for (const Crossing &crossing : near) {
-            places.push_back(crossing.place);
+        for (const auto &[apart, number] : near) {
+            places.push_back(found.at[number].place);
         }
         const NodeKind kind = result_.nodes[static_cast<size_t>(node)].kind;
         if (places.empty() && (kind == NodeKind::border || kind == NodeKind::seam)) {

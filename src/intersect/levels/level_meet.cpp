@@ -52,7 +52,7 @@ public:
         meet_.ways.clear();
         std::vector<size_t> order(meet_.branches.size());
         std::iota(order.begin(), order.end(), size_t{0});
-        std::ranges::stable_sort(order, {}, [&](size_t i) { return meet_.branches[i].level; });
+        std::ranges::sort(order, {}, [&](size_t i) { return std::pair(meet_.branches[i].level, i); });
         for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
             const int64_t level = meet_.branches[order[begin]].level;
             while (end < order.size() && meet_.branches[order[end]].level == level) {

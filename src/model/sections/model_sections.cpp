@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace nrb::model {
 
@@ -95,7 +96,7 @@ void tidy_nodes(Meet &meet) {
             order.push_back(i);
         }
     }
-    std::ranges::stable_sort(order, {}, [&](size_t i) { return meet.nodes[i].level; });
+    std::ranges::sort(order, {}, [&](size_t i) { return std::pair(meet.nodes[i].level, i); });
     std::vector<int64_t> place(meet.nodes.size(), -1);
     std::vector<MeetNode> nodes;
     for (const size_t i : order) {
