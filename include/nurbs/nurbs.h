@@ -7617,25 +7617,29 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
                                                  double tolerance, int32_t *sides,
                                                  const nurbs_call_options *call);
 
-/** \brief Where planes of any directions cut the faces of a model where they stand in the whole (nurbs_model_instances()),
- * joined to ways over the edges that faces share. On each face branches and nodes are those of nurbs_surface_sections(),
- * trimmed as by nurbs_meet_trim(); curves in space are in the whole. A branch has the outer normals of its face
- * (nurbs_model_face()) on its right, as seen from the tip of the normal of its plane: around material it runs
- * anticlockwise, and around a hole in it clockwise, so that areas enclosed, with their signs, add up to that of the section. Faces
- * that bound no solid run as the first one of those that hang together by edges.
+/** \brief Where planes of any directions cut the faces of a model where they stand in the whole
+ * (nurbs_model_instances()), joined to ways over the edges that faces share. On each face branches and nodes
+ * are those of nurbs_surface_sections(), trimmed as by nurbs_meet_trim(); curves in space are in the whole. A
+ * branch has the outer normals of its face (nurbs_model_face()) on its right, as seen from the tip of the
+ * normal of its plane: around material it runs anticlockwise, and around a hole in it clockwise, so that areas
+ * enclosed, with their signs, add up to that of the section. Faces that bound no solid run as the first one of
+ * those that hang together by edges. In the parameter domain normal . S > offset is on the left of branches,
+ * as nurbs_meet_branch() says, or on the right where branches are turned for that.
  *
- * Where a branch comes to an edge that two faces of a solid share, or two that bound none, the next one is found by the order of
- * the ends along the edge and by its direction; at a corner of faces, or a pole, where just one ends and one begins. Both ends
- * are nodes EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces and the one
- * given allow, divided by the sine of the angle, of at least 1/256, between edge and plane. An end on a shared edge for which there is none
- * is a node UNDECIDED, which leaves its way open. So do nodes TOUCH, where a face is tangent to the plane and more than two
- * branches meet, and nodes BORDER, where no other face goes on: at edges of one use, or of more than two. Ways that are closed
- * are closed over such edges only. Where an edge that two faces share lies in a plane it is a branch of those that
- * are below beside it, as if the plane stood a little lower; what goes through a corner within the tolerance is left out. A face in
- * the plane is a node TOUCH.
+ * Where a branch comes to an edge that two faces of a solid share, or two that bound none, the next one is
+ * found by the order of the ends along the edge and by its direction; at a corner of faces, or a pole, where
+ * just one ends and one begins. Both ends are nodes EDGE with their distance (nurbs_meet_joints()), which is
+ * no more than twice the tolerances of the faces and the one given allow, divided by the sine of the angle, of
+ * at least 1/256, between edge and plane. An end on a shared edge for which there is none is a node UNDECIDED,
+ * which leaves its way open. So do nodes TOUCH, where a face is tangent to the plane and more than two
+ * branches meet, or where branches end before a pole that the plane goes through, and nodes BORDER, where no
+ * other face goes on: at edges of one use, or of more than two. Ways that are closed are closed over such
+ * edges only. Where an edge that two faces share lies in a plane it is a branch of those that are below beside
+ * it, as if the plane stood a little lower; what goes through a corner within the tolerance is left out. A
+ * face in the plane is a node TOUCH.
  *
- * Costs: those of nurbs_surface_sections() for faces whose boxes a plane cuts; where planes are parallel, with equal
- * normals, preparations are shared.
+ * Costs: those of nurbs_surface_sections() for faces whose boxes a plane cuts; where planes are parallel, with
+ * equal normals, preparations are shared.
  * \param[in] model a model.
  * \param[in] n number of planes normal . x = offset.
  * \param[in] normals [n][3] of the planes, of any length but 0.

@@ -267,7 +267,7 @@ void look_at_sections(const nurbs_meet *meet, const Counts &n, int64_t instances
 void use_sections(const nurbs_model *model, const Counts &n) {
     const int64_t instances = use_instances(model, n);
     const double normals[] = {0, 0, 1, 0.6, 0, 0.8}, offsets[] = {0.5, 0.25};
-    if (instances < 0 || instances > 64 || n.faces > 12) {
+    if (instances < 0 || instances > 16 || n.faces > 8) {
         return;
     }
     const nurbs_call_options call = limited(3'000'000);
