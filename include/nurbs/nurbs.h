@@ -7633,10 +7633,10 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
  * at least 1/256, between edge and plane. An end on a shared edge for which there is none is a node UNDECIDED,
  * which leaves its way open. So do nodes TOUCH, where a face is tangent to the plane and more than two
  * branches meet, or where branches end before a pole that the plane goes through, and nodes BORDER, where no
- * other face goes on: at edges of one use, or of more than two. Ways that are closed are closed over such
- * edges only. Where an edge that two faces share lies in a plane it is a branch of those that are below beside
- * it, as if the plane stood a little lower; what goes through a corner within the tolerance is left out. A
- * face in the plane is a node TOUCH.
+ * other face goes on: at edges of one use, or of more than two. Nothing is joined because it is near alone.
+ * Where an edge that two faces share lies in a plane it is a branch of those that are below beside it, as if
+ * the plane stood a little lower; what goes through a corner within the tolerance is left out. A face in the
+ * plane is a node TOUCH.
  *
  * Costs: those of nurbs_surface_sections() for faces whose boxes a plane cuts; where planes are parallel, with
  * equal normals, preparations are shared.
