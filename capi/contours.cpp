@@ -4,6 +4,7 @@
 #include "checks.h"
 #include "guard.h"
 #include "implicit_argument.h"
+#include "meets.h"
 #include "watched.h"
 
 #include "base/checked.h"
@@ -32,10 +33,6 @@ const Spline &surface_in_space(const nurbs *g) {
     const Spline &surface = surface_of(g);
     check_dimension(surface, 3, 3);
     return surface;
-}
-
-void give_meet(intersect::Meet meet, nurbs_meet **out) {
-    *out = new nurbs_meet{std::make_shared<const intersect::Meet>(std::move(meet))};
 }
 
 ContourKind checked_kind(int32_t kind) {

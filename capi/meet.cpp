@@ -2,6 +2,7 @@
 // Where planes cut surfaces, and what was found there.
 #include "checks.h"
 #include "guard.h"
+#include "meets.h"
 #include "outputs.h"
 #include "watched.h"
 
@@ -11,6 +12,7 @@
 #include "intersect/levels/sections.h"
 #include "spline/kind.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -55,6 +57,13 @@ std::span<const double> checked_offsets(const double *offsets, int64_t n) {
     return {offsets, static_cast<size_t>(n)};
 }
 
+void check_one_surface(const intersect::Meet &meet) {
+    const auto is_of_model = [](const auto &of) { return of.face >= 0; };
+    if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
+        fail(Status::incompatible, "meet is of a model, expected one of a surface");
+    }
+}
+
 } // namespace
 
 nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_t n, const double *offsets,
@@ -66,9 +75,7 @@ nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_
         const std::array<double, 3> direction = checked_normal(normal);
         const std::span<const double> all = checked_offsets(offsets, n);
         check_positive_tolerance(tolerance);
-        auto meet = std::make_shared<const intersect::Meet>(
-            intersect::plane_sections(surface, direction, all, tolerance));
-        *out = new nurbs_meet{std::move(meet)};
+        give_meet(intersect::plane_sections(surface, direction, all, tolerance), out);
     });
 }
 
@@ -165,12 +172,68 @@ nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *leve
     });
 }
 
+nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
+                             int64_t *sizes, int32_t *closes, double *gaps, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetWay> &ways = meet_of(meet).ways;
+        const int64_t filled = checked_cap(cap, std::ssize(ways));
+        check_apart({memory("levels", levels, filled), memory("firsts", firsts, filled),
+                     memory("sizes", sizes, filled), memory("closes", closes, filled),
+                     memory("gaps", gaps, filled), memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(levels, i, ways[i].level);
+            put(firsts, i, ways[i].first);
+            put(sizes, i, ways[i].count);
+            put(closes, i, int32_t{ways[i].closed});
+            put(gaps, i, ways[i].gap);
+        }
+        put(count, int64_t{std::ssize(ways)});
+    });
+}
+
+nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces, int64_t *own_instances,
+                              int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("own_faces", own_faces, filled), memory("own_instances", own_instances, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(own_faces, i, branches[i].face);
+            put(own_instances, i, branches[i].instance);
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
+
+nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, int64_t *next_nodes, double *gaps,
+                               int64_t *own_faces, int64_t *own_instances, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetNode> &nodes = meet_of(meet).nodes;
+        const int64_t filled = checked_cap(cap, std::ssize(nodes));
+        check_apart({memory("next_nodes", next_nodes, filled), memory("gaps", gaps, filled),
+                     memory("own_faces", own_faces, filled), memory("own_instances", own_instances, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(next_nodes, i, nodes[i].next);
+            put(gaps, i, nodes[i].gap);
+            put(own_faces, i, nodes[i].face);
+            put(own_instances, i, nodes[i].instance);
+        }
+        put(count, int64_t{std::ssize(nodes)});
+    });
+}
+
 nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
     return guard([&] {
         require_out(out);
         const intersect::Meet &whole = meet_of(meet);
         require(face, "face");
-        *out = new nurbs_meet{std::make_shared<const intersect::Meet>(face::trimmed(*face->face, whole))};
+        check_one_surface(whole);
+        give_meet(face::trimmed(*face->face, whole), out);
     });
 }
 

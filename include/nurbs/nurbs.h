@@ -5538,6 +5538,8 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
 #define NURBS_NODE_SEAM 2   /**< it closes there on an axis that is not periodic: the branch goes on beyond */
 #define NURBS_NODE_TOUCH 3  /**< a part near the plane in which branches are not told apart */
 #define NURBS_NODE_UNDECIDED 4 /**< a part in which it is left open what there is */
+#define NURBS_NODE_EDGE                                                                                      \
+    5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
 /** @} */
 
 /** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
@@ -5779,6 +5781,46 @@ NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, 
 NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
                                         double *params, double *ranges, int64_t *count);
 
+/** \brief The ways that the branches of a meet make, from one to the next. Each branch belongs to one way, and those of a way
+ * follow each other in its direction.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of ways.
+ * \param[out] levels [cap] or NULL: index of the plane, 0-based, rising.
+ * \param[out] firsts [cap] or NULL: the first branch, 0-based.
+ * \param[out] sizes [cap] or NULL: the number of branches, at least 1.
+ * \param[out] closes [cap] or NULL: 1 if the last branch goes on in the first one, or a single one closes; else 0.
+ * \param[out] gaps [cap] or NULL: the largest distance in space between ends that go on in each other, nurbs_meet_joints().
+ * \param[out] count or NULL: number of ways.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
+                                       int64_t *sizes, int32_t *closes, double *gaps, int64_t *count);
+
+/** \brief Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of branches.
+ * \param[out] own_faces [cap] or NULL: the face of the model, 0-based.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based (nurbs_model_instances()).
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
+                                        int64_t *own_instances, int64_t *count);
+
+/** \brief How ways go on at the nodes of a meet, and on which faces of a model these are.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of nodes.
+ * \param[out] next_nodes [cap] or NULL: the node of the branch that goes on, or that came here, 0-based; -1: none.
+ * \param[out] gaps [cap] or NULL: how far apart in space the ends of both branches are; 0 in a meet of one surface.
+ * \param[out] own_faces [cap] or NULL: the face of the model, 0-based; -1 in a meet of one surface.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based; -1 in a meet of one surface.
+ * \param[out] count or NULL: number of nodes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, int64_t *next_nodes,
+                                         double *gaps, int64_t *own_faces, int64_t *own_instances,
+                                         int64_t *count);
+
 /** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
  * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed. Where curves
  * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
@@ -5789,7 +5831,7 @@ NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int
  * \param[in] meet of the surface of the face, or one with the same parameters.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are trimmed.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 
@@ -7621,6 +7663,54 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
                                                  int64_t point_stride, int64_t point_component_stride,
                                                  double tolerance, int32_t *sides,
                                                  const nurbs_call_options *call);
+
+/** \brief Where planes of any directions cut the faces of a model where they stand in the whole
+ * (nurbs_model_instances()), joined to ways over the edges that faces share. On each face branches and nodes
+ * are those of nurbs_surface_sections(), trimmed as by nurbs_meet_trim(); curves in space are in the whole. A
+ * branch has the outer normals of its face (nurbs_model_face()) on its right, as seen from the tip of the
+ * normal of its plane: around material it runs anticlockwise, and around a hole in it clockwise, so that areas
+ * enclosed, with their signs, add up to that of the section. Faces that bound no solid run as the first one of
+ * those that hang together by edges. In the parameter domain normal . S > offset is on the left of branches,
+ * as nurbs_meet_branch() says, or on the right where branches are turned for that.
+ *
+ * Where a branch comes to an edge that two faces of a solid share, or two that bound none, the next one is
+ * found by the order of the ends along the edge and by its direction; at a corner of faces, or a pole, where
+ * just one ends and one begins. Both ends are nodes EDGE with their distance (nurbs_meet_joints()), which is
+ * no more than twice the tolerances of the faces and the one given allow, divided by the sine of the angle, of
+ * at least 1/256, between edge and plane. An end on a shared edge for which there is none is a node UNDECIDED,
+ * which leaves its way open. So do nodes TOUCH, where a face is tangent to the plane and more than two
+ * branches meet, or where branches end before a pole that the plane goes through, and nodes BORDER, where no
+ * other face goes on: at edges of one use, or of more than two. Nothing is joined because it is near alone.
+ * Where an edge that two faces share lies in a plane it is a branch of those that are below beside it, as if
+ * the plane stood a little lower; what goes through a corner within the tolerance is left out. A face in the
+ * plane is a node TOUCH.
+ *
+ * Costs: those of nurbs_surface_sections() for faces whose boxes a plane cuts; where planes are parallel, with
+ * equal normals, preparations are shared.
+ * \param[in] model a model.
+ * \param[in] n number of planes normal . x = offset.
+ * \param[in] normals [n][3] of the planes, of any length but 0.
+ * \param[in] offsets [n] in units of the lengths of the normals.
+ * \param[in] tolerance > 0: the largest distance of the curves from the section, in the whole. Where placements move
+ *   parts it holds for planes that rounding moves likewise.
+ * \param[out] out the new meet; its levels are the planes, and nurbs_meet_faces() tells the faces of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE; _DIRECTION if a
+ *   normal is not finite or 0, _POINT_NOT_FINITE if an offset is not finite, _MATRIX if a placement cannot be
+ *   inverted, _TOO_LARGE if there are too many instances.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_sections(const nurbs_model *model, int64_t n, const double *normals,
+                                            const double *offsets, double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_model_sections() as a call that can be watched and ended. At the limit of work what was not looked
+ * at is undecided.
+ * \param[in] model,n,normals,offsets,tolerance as for nurbs_model_sections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_model_sections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64_t n, const double *normals,
+                                                 const double *offsets, double tolerance,
+                                                 const nurbs_call_options *call, nurbs_meet **out);
 
 /** \brief The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
  * notes on all that was not read.

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "eval/curve_point.h"
+#include "face/border_pieces.h"
 #include "intersect/pairs/curve_curve.h"
 #include "refine/parts/cut.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace nrb::face {
 
@@ -21,97 +23,13 @@ using intersect::MeetBranch;
 using intersect::MeetNode;
 using intersect::NodeKind;
 
-// Pieces of the border as curves, moved by periods of the domain; made once.
-class Border {
-public:
-    explicit Border(const Face &face) : face_(face) {}
-
-    // Calls visit(curve) for the pieces, moved to where they are near a curve in the plane that covers the domain.
-    template <class Visit>
-    void visit_near(const Spline &curve, Visit &&visit) {
-        for (const auto &[piece, turns] : near(curve)) {
-            visit(*moved(piece, turns));
-        }
-    }
-
-private:
-    using Turns = std::array<int, 2>;
-    using Key = std::pair<const TrimPiece *, Turns>;
-
-    // By the boxes of the control points that are active on each span.
-    [[nodiscard]] std::set<Key> near(const Spline &curve) const {
-        std::set<Key> found;
-        const int p = curve.axis(0).degree();
-        for (const int64_t span : curve.axis(0).spans().indices()) {
-            Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
-            for (int64_t i = span - p; i <= span; ++i) {
-                for (size_t k = 0; k < 2; ++k) {
-                    const double x = curve.points()[2 * static_cast<size_t>(i) + k];
-                    lower[k] = std::min(lower[k], x);
-                    upper[k] = std::max(upper[k], x);
-                }
-            }
-            add_in(lower, upper, found);
-        }
-        return found;
-    }
-
-    void add_in(const Point2 &lower, const Point2 &upper, std::set<Key> &found) const {
-        const std::array<std::array<int, 2>, 2> range{turns_of(0, lower[0], upper[0]),
-                                                      turns_of(1, lower[1], upper[1])};
-        for (int i = range[0][0]; i <= range[0][1]; ++i) {
-            for (int j = range[1][0]; j <= range[1][1]; ++j) {
-                const Covering &covering = face_.covering();
-                const Point2 by{i * covering.period(0), j * covering.period(1)};
-                const Point2 from{lower[0] - by[0], lower[1] - by[1]}, to{upper[0] - by[0], upper[1] - by[1]};
-                face_.trims().any_in(from, to, [&](const TrimPiece &piece) {
-                    found.insert({&piece, {i, j}});
-                    return false;
-                });
-            }
-        }
-    }
-    // By how many periods the domain is moved to meet an interval.
-    [[nodiscard]] std::array<int, 2> turns_of(int k, double lower, double upper) const noexcept {
-        const Covering &covering = face_.covering();
-        if (!covering.closed(k)) {
-            return {0, 0};
-        }
-        const auto turn = [&](double x) {
-            return static_cast<int>(std::floor((x - covering.domain(k).lower) / covering.period(k)));
-        };
-        return {turn(lower - 1e-9 * covering.period(k)), turn(upper + 1e-9 * covering.period(k))};
-    }
-
-    const SplinePtr &moved(const TrimPiece *piece, const Turns &turns) {
-        SplinePtr &curve = curves_[{piece, turns}];
-        if (!curve) {
-            const std::span<const double> given = face_.trims().pieces().coefficients(*piece);
-            std::vector<double> records(given.begin(), given.end());
-            const size_t width = piece->weighted ? 3 : 2;
-            for (size_t i = 0; i < records.size(); i += width) {
-                for (size_t k = 0; k < 2; ++k) {
-                    const double by = turns[k] * face_.covering().period(static_cast<int>(k));
-                    records[i + k] += by * (piece->weighted ? records[i + 2] : 1);
-                }
-            }
-            std::vector<double> knots(static_cast<size_t>(piece->degree) + 1, 0.0);
-            knots.insert(knots.end(), knots.size(), 1.0);
-            curve = make_result({make_knot_vector(piece->degree, std::move(knots))}, 2,
-                                piece->weighted ? Form::homogeneous : Form::polynomial, std::move(records));
-        }
-        return curve;
-    }
-
-    const Face &face_;
-    std::map<Key, SplinePtr> curves_;
-};
-
 class Trimming {
 public:
-    Trimming(const Face &face, const Meet &meet) : face_(face), meet_(meet), border_(face) {}
+    // apart: what runs along the border is in branches of its own.
+    Trimming(const Face &face, const Meet &meet, bool apart)
+        : face_(face), meet_(meet), border_(face), apart_(apart) {}
 
-    Meet run() {
+    BorderedMeet run() {
         keep_nodes();
         Steps steps(std::ssize(meet_.branches));
         for (const MeetBranch &branch : meet_.branches) {
@@ -119,9 +37,10 @@ public:
             steps.next();
         }
         close_loops();
+        join_nodes();
         result_.complete = std::ranges::none_of(
             result_.nodes, [](const MeetNode &node) { return node.kind == NodeKind::undecided; });
-        return std::move(result_);
+        return {std::move(result_), std::move(places_), std::move(courses_)};
     }
 
 private:
@@ -159,87 +78,170 @@ private:
     }
 
     // Parameters at which a branch may come in or go out, and where it runs along the border.
+    struct Crossing {
+        double at;
+        BorderPlace place;
+    };
+    struct Passage {
+        Interval range;
+        Course course;
+    };
     struct Crossings {
-        std::vector<double> at;
-        std::vector<Interval> along;
+        std::vector<Crossing> at; // rising
+        std::vector<Passage> along;
     };
     Crossings crossings(const MeetBranch &branch) {
-        constexpr double near = 1e-9; // of the domain: branches are no more exact than that
-        const double size = std::max(face_.covering().period(0), face_.covering().period(1));
         Crossings found;
-        border_.visit_near(*branch.on, [&](const Spline &piece) {
-            const intersect::PairHits hits = intersect::curve_curve(*branch.on, piece, near * size);
+        border_.visit_near(*branch.on, [&](const Spline &curve, const TrimPiece &piece) {
+            const intersect::PairHits hits = intersect::curve_curve(*branch.on, curve, border_.room());
             for (const intersect::PairHit &hit : hits.list) {
                 if (hit.kind == intersect::HitKind::undecided) {
                     node_on(branch, hit.a, NodeKind::undecided);
                 }
                 if (hit.kind == intersect::HitKind::overlap) {
-                    found.at.push_back(hit.range_a.lower);
-                    found.at.push_back(hit.range_a.upper);
-                    found.along.push_back(hit.range_a);
+                    found.at.push_back({hit.range_a.lower, border_.place_of(piece, hit.from_b)});
+                    found.at.push_back({hit.range_a.upper, border_.place_of(piece, hit.to_b)});
+                    const bool with_loop = (hit.from_b < hit.to_b) != border_.is_turned(piece);
+                    const BorderPlace &place = found.at.back().place;
+                    found.along.push_back({hit.range_a,
+                                           {with_loop ? Direction::with_loop : Direction::against_loop,
+                                            place.loop, place.index}});
                 } else {
-                    found.at.push_back(hit.a);
+                    found.at.push_back({hit.a, border_.place_of(piece, hit.b)});
                 }
             }
         });
-        std::ranges::sort(found.at);
+        std::ranges::sort(found.at, {}, &Crossing::at);
         return found;
     }
 
-    // The parts that are inside; those that follow each other are one.
+    // Kept of a branch.
+    struct KeptPart {
+        Interval range;
+        Course course;
+    };
+    // The parts that are inside or on the border; those that follow each other are one.
     void add(const MeetBranch &branch) {
         const Interval domain = branch.on->axis(0).domain();
+        const Crossings found = crossings(branch);
+        std::vector<KeptPart> parts;
+        const std::vector<double> breaks = breaks_of(domain, found);
+        for (size_t i = 0; i + 1 < breaks.size(); ++i) {
+            const double middle = breaks[i] / 2 + breaks[i + 1] / 2;
+            const auto along = std::ranges::find_if(found.along, [&](const Passage &passage) {
+                return passage.range.lower <= middle && middle <= passage.range.upper;
+            });
+            if (along == found.along.end() && !is_inside(branch, middle)) {
+                continue;
+            }
+            const Course course = along == found.along.end() || !apart_ ? Course{} : along->course;
+            if (!parts.empty() && parts.back().range.upper == breaks[i] && parts.back().course == course) {
+                parts.back().range.upper = breaks[i + 1];
+            } else {
+                parts.push_back({{breaks[i], breaks[i + 1]}, course});
+            }
+        }
+        add_parts(branch, parts, found);
+    }
+
+    static std::vector<double> breaks_of(const Interval &domain, const Crossings &found) {
         const double least = 1e-12 * (domain.upper - domain.lower);
         std::vector<double> breaks{domain.lower};
-        const Crossings found = crossings(branch);
-        for (const double t : found.at) {
-            if (t > breaks.back() + least && t < domain.upper - least) {
-                breaks.push_back(t);
+        for (const Crossing &crossing : found.at) {
+            if (crossing.at > breaks.back() + least && crossing.at < domain.upper - least) {
+                breaks.push_back(crossing.at);
             }
         }
         breaks.push_back(domain.upper);
-        std::vector<Interval> parts;
-        for (size_t i = 0; i + 1 < breaks.size(); ++i) {
-            const double middle = breaks[i] / 2 + breaks[i + 1] / 2;
-            const bool along = std::ranges::any_of(found.along, [&](const Interval &part) {
-                return part.lower <= middle && middle <= part.upper;
-            });
-            if (!along && !is_inside(branch, middle)) {
-                continue;
-            }
-            if (!parts.empty() && parts.back().upper == breaks[i]) {
-                parts.back().upper = breaks[i + 1];
-            } else {
-                parts.push_back({breaks[i], breaks[i + 1]});
-            }
-        }
-        const bool whole =
-            parts.size() == 1 && parts[0].lower == domain.lower && parts[0].upper == domain.upper;
+        return breaks;
+    }
+
+    void add_parts(const MeetBranch &branch, const std::vector<KeptPart> &parts, const Crossings &found) {
+        const Interval domain = branch.on->axis(0).domain();
+        const auto is_all = [&](const KeptPart &part) {
+            return part.range.lower == domain.lower && part.range.upper == domain.upper;
+        };
+        const bool whole = parts.size() == 1 && is_all(parts[0]);
         if (branch.loop >= 0 && !whole) {
             cut_loops_.insert(branch.loop);
         }
-        for (const Interval &part : parts) {
-            add_part(branch, part, whole);
+        const size_t first = result_.branches.size();
+        for (const KeptPart &part : parts) {
+            add_part(branch, part, whole, found);
+        }
+        if (branch.nodes[0] < 0 && !whole && !parts.empty()) {
+            join_where_cut(first);
         }
     }
 
-    void add_part(const MeetBranch &branch, const Interval &part, bool whole) {
+    // The first and the last part of a branch that closed.
+    void join_where_cut(size_t first) {
+        const int64_t begin = result_.branches[first].nodes[0], end = result_.branches.back().nodes[1];
+        MeetNode &a = result_.nodes[static_cast<size_t>(begin)], &b = result_.nodes[static_cast<size_t>(end)];
+        if (a.kind == NodeKind::seam && b.kind == NodeKind::seam) {
+            a.next = end;
+            b.next = begin;
+        }
+    }
+
+    void add_part(const MeetBranch &branch, const KeptPart &part, bool whole, const Crossings &found) {
         const Interval domain = branch.on->axis(0).domain();
         const bool closed = branch.nodes[0] < 0;
         MeetBranch own = branch;
         if (!whole) {
-            own.space = refine::restrict_axis(branch.space, 0, part.lower, part.upper);
-            own.on = refine::restrict_axis(branch.on, 0, part.lower, part.upper);
+            own.space = refine::restrict_axis(branch.space, 0, part.range.lower, part.range.upper);
+            own.on = refine::restrict_axis(branch.on, 0, part.range.lower, part.range.upper);
         }
+        std::array<std::vector<BorderPlace>, 2> places;
         if (!whole || !closed) {
             const auto end = [&](double t, double of_branch, size_t i) {
-                return t != of_branch ? node_on(branch, t, NodeKind::border)
-                       : closed       ? node_on(branch, t, NodeKind::seam)
-                                      : kept(branch.nodes[i]);
+                const int64_t node = t != of_branch ? node_on(branch, t, NodeKind::border)
+                                     : closed       ? node_on(branch, t, NodeKind::seam)
+                                                    : kept(branch.nodes[i]);
+                places[i] = places_at(node, branch, t, found);
+                return node;
             };
-            own.nodes = {end(part.lower, domain.lower, 0), end(part.upper, domain.upper, 1)};
+            own.nodes = {end(part.range.lower, domain.lower, 0), end(part.range.upper, domain.upper, 1)};
         }
         result_.branches.push_back(std::move(own));
+        courses_.push_back(part.course);
+        places_.push_back(std::move(places));
+    }
+
+    // All that are as near as crossings can be told apart.
+    std::vector<BorderPlace> places_at(int64_t node, const MeetBranch &branch, double t,
+                                       const Crossings &found) const {
+        if (!apart_) {
+            return {};
+        }
+        const Interval domain = branch.on->axis(0).domain();
+        const double room = 1e-8 * (domain.upper - domain.lower);
+        std::vector<std::pair<double, size_t>> near;
+        const auto first = std::ranges::lower_bound(found.at, t - room, {}, &Crossing::at);
+        for (auto at = first; at != found.at.end() && at->at <= t + room; ++at) {
+            near.emplace_back(std::abs(at->at - t), static_cast<size_t>(at - found.at.begin()));
+        }
+        std::ranges::sort(near);
+        std::vector<BorderPlace> places;
+        for (const auto &[apart, number] : near) {
+            places.push_back(found.at[number].place);
+        }
+        const NodeKind kind = result_.nodes[static_cast<size_t>(node)].kind;
+        if (places.empty() && (kind == NodeKind::border || kind == NodeKind::seam)) {
+            places = border_.nearest_to(result_.nodes[static_cast<size_t>(node)].at);
+        }
+        return places;
+    }
+
+    // Nodes of the meet that go on in each other, where both are kept.
+    void join_nodes() {
+        for (size_t i = 0; i < new_node_.size(); ++i) {
+            if (new_node_[i] >= 0) {
+                const int64_t next = meet_.nodes[i].next;
+                result_.nodes[static_cast<size_t>(new_node_[i])].next =
+                    next < 0 ? -1 : new_node_[static_cast<size_t>(next)];
+            }
+        }
     }
 
     // Loops of which nothing was cut off stay loops.
@@ -256,16 +258,23 @@ private:
 
     const Face &face_;
     const Meet &meet_;
-    Border border_;
+    BorderPieces border_;
+    bool apart_;
     std::vector<int64_t> new_node_;
     std::set<int64_t> cut_loops_;
     Meet result_;
+    std::vector<std::array<std::vector<BorderPlace>, 2>> places_;
+    std::vector<Course> courses_;
 };
 
 } // namespace
 
 Meet trimmed(const Face &face, const Meet &meet) {
-    return Trimming(face, meet).run();
+    return Trimming(face, meet, false).run().meet;
+}
+
+BorderedMeet trimmed_with_places(const Face &face, const Meet &meet) {
+    return Trimming(face, meet, true).run();
 }
 
 } // namespace nrb::face

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 using namespace libnurbs;
 
@@ -77,6 +78,21 @@ static void rays(const Model &model) {
     EXPECT(near({Rays(outside.rays({9, 0.1, 2}, {-1, 0, 0})).distances[0]}, {9 - std::sqrt(24.99)}));
 }
 
+// Around the wall outside and, the other way, inside.
+static void sections(const Model &model) {
+    const Meet meet = Meet::model_sections(model, {0, 0, 1, 0, 0, 1}, {2, 9}, 1e-6);
+    const MeetWays ways = meet.ways();
+    EXPECT(
+        (ways.levels == std::vector<std::int64_t>{0, 0} && ways.closed == std::vector<std::int32_t>{1, 1}));
+    EXPECT(ways.firsts[0] == 0 && ways.firsts[1] == ways.sizes[0] && ways.gaps.size() == 2);
+    const MeetFaces faces = meet.faces();
+    EXPECT(faces.faces.front() == 0 && faces.faces.back() == 1 && faces.instances.front() == 0);
+    const MeetJoints joints = meet.joints();
+    EXPECT(std::cmp_equal(joints.faces.size(), MeetCounts(meet.counts()).nodes) &&
+           joints.gaps.size() == joints.next_nodes.size());
+    EXPECT(status_of([&] { (void)Meet::model_sections(model, {0, 0, 0}, {1}, 1e-6); }) == Status::direction);
+}
+
 int main(int count, char **arguments) {
     EXPECT(count == 2);
     if (count == 2) {
@@ -86,6 +102,7 @@ int main(int count, char **arguments) {
         written(model);
         bytes(model);
         rays(model);
+        sections(model);
     }
     EXPECT(status_of([] { (void)Model::read_file("/no/such/file"); }) == Status::file);
     return failures == 0 ? 0 : 1;

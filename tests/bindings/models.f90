@@ -32,6 +32,7 @@ program models
     call expect(parent == 0 .and. part == 1, 'the part in the whole')
     call written()
     call cast_rays()
+    call cut()
     call two%read_file('/no/such/file', status=code)
     call expect(code == NURBS_ERROR_FILE, 'a file that is not there')
     call finish()
@@ -65,6 +66,21 @@ contains
         call wall%closest_points(reshape([9d0, 0d0, 2d0], [1, 3]), distances=outside, states=states, tolerance=1d-9)
         call expect(abs(outside(1) - 4) < 1d-8 .and. iand(states(1), NURBS_CLOSEST_CERTIFIED) /= 0, 'a nearest point')
     end subroutine cast_rays
+
+    !> Around the wall outside and inside: planes, branches, faces and instances count from 1.
+    subroutine cut()
+        type(nurbs_meet) :: meet
+        integer(c_int64_t), allocatable :: levels(:), firsts(:), sizes(:), own_faces(:), own_instances(:), next_nodes(:)
+        integer(c_int32_t), allocatable :: closes(:)
+        real(c_double), allocatable :: gaps(:)
+        call meet%model_sections(model, reshape([0d0, 0d0, 0d0, 0d0, 1d0, 1d0], [2, 3]), [2d0, 9d0], 1d-6)
+        call meet%ways(levels, firsts, sizes, closes, gaps)
+        call expect(all(levels == [1, 1]) .and. all(closes == 1) .and. firsts(2) == 1 + sizes(1), 'ways')
+        call meet%faces(own_faces, own_instances)
+        call expect(own_faces(1) == 1 .and. own_faces(size(own_faces)) == 2 .and. all(own_instances == 1), 'faces of ways')
+        call meet%joints(next_nodes, gaps, own_faces, own_instances)
+        call expect(size(gaps) == size(next_nodes) .and. all(own_instances == 1), 'joints')
+    end subroutine cut
 
     !> The same again of what is written, to memory and to a file.
     subroutine written()

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{near, status_of};
-use nurbs::{sys, Call, Face, List, Model, Result, WriteOptions};
+use nurbs::{sys, Call, Face, List, Meet, Model, Result, WriteOptions};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -69,11 +69,24 @@ fn rays(model: &Model) -> Result<()> {
     Ok(())
 }
 
+fn sections(model: &Model) -> Result<()> {
+    let meet = Meet::model_sections(model, &[0., 0., 1., 0., 0., 1.], &[2., 9.], 1e-6)?;
+    let ways = meet.ways()?;
+    assert_eq!((ways.levels, ways.closed), (vec![0, 0], vec![1, 1]));
+    assert_eq!((ways.firsts[0], ways.firsts[1]), (0, ways.sizes[0]));
+    let faces = meet.faces()?;
+    assert_eq!((faces.faces[0], faces.faces.last(), faces.instances[0]), (0, Some(&1), 0));
+    let joints = meet.joints()?;
+    assert_eq!(joints.faces.len(), joints.next_nodes.len());
+    Ok(())
+}
+
 fn main() -> Result<()> {
     let path = std::env::args_os().nth(1).expect("the path of bushing.step");
     let model = Model::read_file(Path::new(&path), None)?;
     is_the_bushing(&model)?;
     is_the_bushing(&model.clone())?;
+    sections(&model)?;
     written(&model)?;
     bytes(&model)?;
     rays(&model)?;

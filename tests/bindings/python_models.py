@@ -124,6 +124,17 @@ class Models(unittest.TestCase):
         with self.assertRaises(ValueError):
             self.model.rays([1, 2], [3, 4])
 
+    def test_sections(self):
+        meet = self.model.sections([0, 0, 1], [2, 9], 1e-6)
+        self.assertEqual((meet.ways.levels.tolist(), meet.ways.closed.tolist()), ([0, 0], [1, 1]))
+        self.assertEqual((meet.ways.firsts[0], meet.ways.firsts[1]), (0, meet.ways.sizes[0]))
+        self.assertEqual((meet.faces.faces[0], meet.faces.faces[-1], set(meet.faces.instances)), (0, 1, {0}))
+        self.assertEqual((set(meet.joints.instances), meet.joints.gaps.max() < 1e-6), ({0}, True))
+        self.assertEqual(self.model.sections([[1, 0, 0], [0, 1, 0]], [0, 0], 1e-6, work=10**9).ways.closed.tolist(), [1] * 4)
+        self.assertEqual(self.model.sections([[1, 0, 0]], [0], 1e-6, work=1).counts.complete, False)
+        with self.assertRaises(nurbs.NurbsError):
+            self.model.sections([0, 0, 0], 1, 1e-6)
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))

@@ -235,6 +235,53 @@ void use_rays(const nurbs_model *model, const Counts &n) {
     }
 }
 
+// Ways are made of all branches, and what goes on in another comes back; more work tells no less.
+void look_at_sections(const nurbs_meet *meet, const Counts &n, int64_t instances) {
+    int64_t branches = -1, nodes = -1, count = -1, sum = 0;
+    int32_t complete = -1;
+    FUZZ_REQUIRE(nurbs_meet_counts(meet, &branches, &nodes, &complete) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_meet_ways(meet, 0, nullptr, nullptr, nullptr, nullptr, nullptr, &count) == NURBS_OK);
+    const auto ways = static_cast<size_t>(count), of_nodes = static_cast<size_t>(nodes),
+               of_branches = static_cast<size_t>(branches);
+    std::vector<int64_t> sizes(ways), faces(of_branches), places(of_branches), next(of_nodes);
+    std::vector<double> gaps(of_nodes);
+    FUZZ_REQUIRE(nurbs_meet_ways(meet, count, nullptr, nullptr, sizes.data(), nullptr, nullptr, nullptr) ==
+                 NURBS_OK);
+    FUZZ_REQUIRE(nurbs_meet_faces(meet, branches, faces.data(), places.data(), nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_meet_joints(meet, nodes, next.data(), gaps.data(), nullptr, nullptr, nullptr) ==
+                 NURBS_OK);
+    for (const int64_t size : sizes) {
+        FUZZ_REQUIRE(size > 0);
+        sum += size;
+    }
+    FUZZ_REQUIRE(sum == branches);
+    for (size_t i = 0; i < of_branches; ++i) {
+        FUZZ_REQUIRE(among(faces[i], n.faces) && among(places[i], instances));
+    }
+    for (size_t i = 0; i < of_nodes; ++i) {
+        FUZZ_REQUIRE(next[i] == -1 || (among(next[i], nodes) && gaps[i] >= 0 &&
+                                       next[static_cast<size_t>(next[i])] == static_cast<int64_t>(i)));
+    }
+}
+
+void use_sections(const nurbs_model *model, const Counts &n) {
+    const int64_t instances = use_instances(model, n);
+    const double normals[] = {0, 0, 1, 0.6, 0, 0.8}, offsets[] = {0.5, 0.25};
+    if (instances < 0 || instances > 16 || n.faces > 8) {
+        return;
+    }
+    const nurbs_call_options call = limited(3'000'000);
+    nurbs_meet *meet = nullptr;
+    if (FUZZ_OK(nurbs_model_sections_with(model, 2, normals, offsets, 1e-3, &call, &meet))) {
+        look_at_sections(meet, n, instances);
+        nurbs_meet_destroy(meet);
+        if (FUZZ_OK(nurbs_model_sections(model, 1, normals, offsets, 1e-3, &meet))) {
+            look_at_sections(meet, n, instances);
+            nurbs_meet_destroy(meet);
+        }
+    }
+}
+
 void use(const nurbs_model *model, bool all_edges) {
     const Counts n = counts_of(model);
     use_layers(model, n);
@@ -252,6 +299,7 @@ void use(const nurbs_model *model, bool all_edges) {
     }
     use_parts(model, n);
     use_rays(model, n);
+    use_sections(model, n);
     nurbs_list *list = nullptr;
     FUZZ_REQUIRE(nurbs_model_splines(model, &list) == NURBS_OK && list != nullptr);
     const List owner(list);

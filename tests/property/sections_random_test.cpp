@@ -57,8 +57,8 @@ struct Case {
         : data(random_surface(random, most_degree)), g(create(data)), size(extent(data)),
           normal(random_normal(random)), offset(0), tolerance(size * random.magnitude(1e-8, 1e-2)),
           noise(noise_of(data, size)) {
-        const Place at{random.between(data.lower(0), data.upper(0)),
-                       random.between(data.lower(1), data.upper(1))};
+        const surface_sections::Place at{random.between(data.lower(0), data.upper(0)),
+                                         random.between(data.lower(1), data.upper(1))};
         Point3 x{};
         require_ok(nurbs_eval(g.get(), 1, at.data(), 0, 0, x.data(), 0, 0, 0));
         offset = dot(normal, x);
@@ -74,7 +74,7 @@ struct Case {
 void expect_on_the_surface(const Case &c, const Ground &ground, const Branch &branch, int points) {
     const std::vector<double> t = branch.params(points);
     const std::vector<Point3> in_space = points_on(branch.space.get(), t);
-    const std::vector<Place> on = places_on(branch.on.get(), t);
+    const std::vector<surface_sections::Place> on = places_on(branch.on.get(), t);
     for (size_t i = 0; i < t.size(); ++i) {
         ASSERT_LE(std::abs(c.height(in_space[i])), branch.deviation + c.noise) << "at " << t[i];
         ASSERT_LE(ground.gap(on[i], in_space[i]), 2 * branch.deviation + c.noise) << "at " << t[i];
@@ -97,7 +97,7 @@ void expect_above_on_the_left(const Case &c, const Ground &ground, const Branch 
     for (size_t i = 1; i < 7; ++i) { // at the ends the surface may jump
         const double t = params[i];
         const std::vector<double> along = eval_derivs(branch.on.get(), 1, {t});
-        const Place at = ground.inside({along[0], along[1]});
+        const surface_sections::Place at = ground.inside({along[0], along[1]});
         const std::vector<double> by = eval_derivs(c.g.get(), 1, {at[0], at[1]});
         const double u = along[2] * (c.data.upper(1) - c.data.lower(1)),
                      v = along[3] * (c.data.upper(0) - c.data.lower(0));
@@ -111,13 +111,13 @@ void expect_above_on_the_left(const Case &c, const Ground &ground, const Branch 
     }
 }
 
-bool is_near(double x, const Place &range, double period) {
+bool is_near(double x, const surface_sections::Place &range, double period) {
     const double room = 1e-9 * period;
     return (x >= range[0] - room && x <= range[1] + room) || x + period <= range[1] + room;
 }
 
 // Whether a node covers a place.
-bool is_in_node(const Case &c, const Found &found, const Place &at) {
+bool is_in_node(const Case &c, const Found &found, const surface_sections::Place &at) {
     return std::ranges::any_of(found.nodes, [&](const MeetPart &node) {
         const auto period = [&](int k) { return c.data.upper(k) - c.data.lower(k); };
         return (node.kind == NURBS_NODE_TOUCH || node.kind == NURBS_NODE_UNDECIDED) &&
@@ -144,7 +144,7 @@ void expect_no_miss(const Case &c, const Found &found, int32_t axis, double para
     require_ok(nurbs_curve_level(line.get(), 1, form.data(), 0, count, params.data(), kinds.data(), nullptr,
                                  &count, nullptr));
     for (size_t i = 0; i < params.size(); ++i) {
-        Place at{};
+        surface_sections::Place at{};
         at[static_cast<size_t>(axis)] = param;
         at[static_cast<size_t>(1 - axis)] = params[i];
         if (kinds[i] != NURBS_HIT_CROSSING || is_in_node(c, found, at)) {

@@ -131,7 +131,7 @@ TEST(Sections, of_tangential_planes_are_touches) {
         expect_found(sections_of(ball.get(), normal, {1 - 1e-5}, 1e-6), 1, 0, 0);
     }
     const MeetPart top = sections_of(ball.get(), z_axis, {1}, 1e-6).nodes.front();
-    EXPECT_EQ(top.range[0], (Place{0, 1}));
+    EXPECT_EQ(top.range[0], (surface_sections::Place{0, 1}));
     EXPECT_EQ(top.range[1][1], 1);
     EXPECT_GT(top.range[1][0], 0.99);
     const MeetPart east = sections_of(ball.get(), x_axis, {1}, 1e-6).nodes.front();
@@ -223,7 +223,7 @@ TEST(Sections, at_saddles) {
         const Found found = sections_of(g.get(), z_axis, {height}, 1e-6);
         expect_found(found, 0, 2, 0);
         for (const Branch &branch : found.branches) {
-            for (const Place &at : places_on(branch.on.get(), branch.params(100))) {
+            for (const surface_sections::Place &at : places_on(branch.on.get(), branch.params(100))) {
                 EXPECT_EQ((at[0] - 0.5) * (at[1] - 0.5) > 0, height > 0);
             }
         }
@@ -252,8 +252,8 @@ TEST(Sections, along_borders_and_through_corners) {
     expect_found(sections_of(valley.get(), z_axis, {0}, tolerance), 0, 0, 1); // a crease, from above
     expect_found(sections_of(ridge.get(), z_axis, {0}, tolerance), 0, 2, 0); // and from below, there and back
     const MeetPart crease = sections_of(valley.get(), z_axis, {0}, tolerance).nodes.front();
-    EXPECT_EQ(crease.range[0], (Place{1, 1}));
-    EXPECT_EQ(crease.range[1], (Place{0, 2}));
+    EXPECT_EQ(crease.range[0], (surface_sections::Place{1, 1}));
+    EXPECT_EQ(crease.range[1], (surface_sections::Place{0, 2}));
 }
 
 TEST(Sections, of_level_pieces_are_touches_with_the_curves_around_them) {
@@ -270,7 +270,7 @@ TEST(Sections, of_level_pieces_are_touches_with_the_curves_around_them) {
     for (const Handle *g : {&peak, &pit}) {
         const Found found = sections_of(g->get(), z_axis, {0}, 1e-6);
         expect_found(found, 0, 0, 1);
-        EXPECT_EQ(found.nodes.front().at, (Place{1, 1}));
+        EXPECT_EQ(found.nodes.front().at, (surface_sections::Place{1, 1}));
     }
 }
 
@@ -335,8 +335,8 @@ TEST(Sections, of_the_same_surface_in_other_forms_have_the_same_topology) {
         SCOPED_TRACE(where(seed, data));
         const Handle g = create(data);
         const Point3 normal = random_direction(random);
-        const Place at{random.between(data.lower(0), data.upper(0)),
-                       random.between(data.lower(1), data.upper(1))};
+        const surface_sections::Place at{random.between(data.lower(0), data.upper(0)),
+                                         random.between(data.lower(1), data.upper(1))};
         const double offset = dot(normal, points_of(g.get(), {at}).front()), tolerance = 1e-7 * extent(data);
         const Found found = sections_of(g.get(), normal, {offset}, tolerance);
         const auto expect_same = [&](const Handle &other) {

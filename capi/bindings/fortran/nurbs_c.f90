@@ -3133,6 +3133,35 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), ranges(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
+        !> The ways that the branches of a meet make, from one to the next.
+        function nurbs_meet_ways(meet, cap, levels, firsts, sizes, closes, gaps, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: levels(*), firsts(*), sizes(*), count
+            integer(c_int32_t), intent(inout), optional :: closes(*)
+            real(c_double), intent(inout), optional :: gaps(*)
+            integer(c_int32_t) :: r
+        end function nurbs_meet_ways
+        !> Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
+        function nurbs_meet_faces(meet, cap, own_faces, own_instances, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_faces
+        !> How ways go on at the nodes of a meet, and on which faces of a model these are.
+        function nurbs_meet_joints(meet, cap, next_nodes, gaps, own_faces, own_instances, count) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: next_nodes(*), own_faces(*), own_instances(*), &
+                count
+            real(c_double), intent(inout), optional :: gaps(*)
+            integer(c_int32_t) :: r
+        end function nurbs_meet_joints
         !> What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
         !> BORDER on them, and the nodes of these parts.
         function nurbs_meet_trim(meet, face, out) bind(c) result(r)
@@ -4162,6 +4191,28 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_classify_with
+        !> Where planes of any directions cut the faces of a model where they stand in the whole
+        !> (nurbs_model_instances()), joined to ways over the edges that faces share.
+        function nurbs_model_sections(model, n, normals, offsets, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: normals(*), offsets(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_sections
+        !> nurbs_model_sections() as a call that can be watched and ended.
+        function nurbs_model_sections_with(model, n, normals, offsets, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: normals(*), offsets(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_sections_with
         !> The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
         !> notes on all that was not read.
         function nurbs_model_splines(model, out) bind(c) result(r)

@@ -432,6 +432,8 @@ module nurbs_constants
     ! a part near the plane in which branches are not told apart
     integer(c_int32_t), parameter :: NURBS_NODE_TOUCH = 3
     integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
+    ! an edge, a corner or a pole of faces of a model, where another branch goes on
+    integer(c_int32_t), parameter :: NURBS_NODE_EDGE = 5
 
     ! --- Kinds of contours
     ! f = N . d: what is seen as an outline along d

@@ -7,20 +7,23 @@ module nurbs_meets
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
         nurbs_surface_level_curves, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, nurbs_meet_nodes, &
-        nurbs_meet_trim, nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
-        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_meet_trim_with
+        nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, &
+        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
+        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_model_sections_with, nurbs_meet_trim_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
     use nurbs_splines
     use nurbs_faces
+    use nurbs_models
     implicit none
     private
 
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, reflections, level, level_curves, counts, branches, branch, nodes, trimmed
+        procedure :: sections, contours, reflections, level, level_curves, counts, branches, branch, nodes, ways, faces
+        procedure :: joints, model_sections, trimmed
     end type nurbs_meet
 
 contains
@@ -211,6 +214,101 @@ contains
         if (code == NURBS_OK) levels = levels + 1
         call settle(code, status)
     end subroutine nodes
+
+    !> Of each way its plane, the first branch and the number of branches, 1 if it closes, and the largest distance of
+    !> ends that go on in each other.
+    subroutine ways(this, levels, firsts, sizes, closes, gaps, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: levels(:), firsts(:), sizes(:)
+        integer(c_int32_t), allocatable, intent(inout) :: closes(:)
+        real(c_double), allocatable, intent(inout) :: gaps(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_ways(this%handle, 0_c_int64_t, count=n)
+        if (allocated(levels)) deallocate (levels)
+        if (allocated(firsts)) deallocate (firsts)
+        if (allocated(sizes)) deallocate (sizes)
+        if (allocated(closes)) deallocate (closes)
+        if (allocated(gaps)) deallocate (gaps)
+        allocate (levels(n), firsts(n), sizes(n), closes(n), gaps(n))
+        if (code == NURBS_OK) code = nurbs_meet_ways(this%handle, n, levels, firsts, sizes, closes, gaps)
+        if (code == NURBS_OK) then
+            levels = levels + 1
+            firsts = firsts + 1
+        end if
+        call settle(code, status)
+    end subroutine ways
+
+    !> The faces of a model on which the branches are.
+    subroutine faces(this, own_faces, own_instances, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: own_faces(:), own_instances(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_faces(this%handle, 0_c_int64_t, count=n)
+        if (allocated(own_faces)) deallocate (own_faces)
+        if (allocated(own_instances)) deallocate (own_instances)
+        allocate (own_faces(n), own_instances(n))
+        if (code == NURBS_OK) code = nurbs_meet_faces(this%handle, n, own_faces, own_instances)
+        if (code == NURBS_OK) then
+            own_faces = own_faces + 1
+            own_instances = own_instances + 1
+        end if
+        call settle(code, status)
+    end subroutine faces
+
+    !> How ways go on at the nodes, and on which faces of a model these are.
+    subroutine joints(this, next_nodes, gaps, own_faces, own_instances, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: next_nodes(:), own_faces(:), own_instances(:)
+        real(c_double), allocatable, intent(inout) :: gaps(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_joints(this%handle, 0_c_int64_t, count=n)
+        if (allocated(next_nodes)) deallocate (next_nodes)
+        if (allocated(gaps)) deallocate (gaps)
+        if (allocated(own_faces)) deallocate (own_faces)
+        if (allocated(own_instances)) deallocate (own_instances)
+        allocate (next_nodes(n), gaps(n), own_faces(n), own_instances(n))
+        if (code == NURBS_OK) code = nurbs_meet_joints(this%handle, n, next_nodes, gaps, own_faces, own_instances)
+        if (code == NURBS_OK) then
+            next_nodes = next_nodes + 1
+            own_faces = own_faces + 1
+            own_instances = own_instances + 1
+        end if
+        call settle(code, status)
+    end subroutine joints
+
+    !> Where planes cut the faces of a model, joined to ways over the edges that faces share.
+    subroutine model_sections(this, model, normals, offsets, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_model), intent(in) :: model
+        real(c_double), intent(in) :: normals(:, :), offsets(:), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        n = size(normals, 1, c_int64_t)
+        made = c_null_ptr
+        code = fitting([fits(normals, n, 3_c_int64_t), fits(offsets, n)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_model_sections_with(model%handle, n, transpose(normals), offsets, tolerance, &
+                    watched(call), made)
+            else
+                code = nurbs_model_sections(model%handle, n, transpose(normals), offsets, tolerance, made)
+            end if
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine model_sections
 
     !> What of the branches lies in a face of the surface that they are on.
     subroutine trimmed(this, meet, face, status, call)

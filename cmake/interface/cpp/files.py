@@ -29,7 +29,7 @@ STANDARD = {"algorithm": r"std::copy_n", "array": r"std::array", "cstddef": r"st
             "cstdint": r"std::u?int", "limits": r"std::numeric_limits", "optional": r"std::optional",
             "span": r"std::span", "string": r"std::string|std::to_string", "utility": r"std::pair|std::move",
             "vector": r"std::vector"}
-OURS = {"list": r"\bList\b|\bReadOptions\b|\bWriteOptions\b", "face": r"\bFace\b", "data": r"\bconst Data &", "placement": r"\bPlacement\b|\barc_\w+|\bfull_turn\b"}
+OURS = {"list": r"\bList\b|\bReadOptions\b|\bWriteOptions\b", "face": r"\bFace\b", "model": r"\bconst Model &", "data": r"\bconst Data &", "placement": r"\bPlacement\b|\barc_\w+|\bfull_turn\b"}
 
 
 def files(binding):

@@ -6,6 +6,7 @@
 #define NURBS_CPP_MEETS_HPP
 
 #include <nurbs/cpp/face.hpp>
+#include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <array>
@@ -22,6 +23,7 @@ inline constexpr std::int32_t node_border = NURBS_NODE_BORDER;
 inline constexpr std::int32_t node_seam = NURBS_NODE_SEAM;
 inline constexpr std::int32_t node_touch = NURBS_NODE_TOUCH;
 inline constexpr std::int32_t node_undecided = NURBS_NODE_UNDECIDED;
+inline constexpr std::int32_t node_edge = NURBS_NODE_EDGE;
 
 /// Kinds of contours.
 inline constexpr std::int32_t contour_silhouette = NURBS_CONTOUR_SILHOUETTE;
@@ -57,6 +59,30 @@ struct MeetNodes {
     std::vector<double> params;       ///< [n][2] of the surface; of a part its middle.
     /// [n][2][2] of parameters: the lower and upper end of the part on each axis.
     std::vector<double> ranges;
+};
+
+/// Branches one after the other, each of which goes on where the one before ends.
+struct MeetWays {
+    std::vector<std::int64_t> levels; ///< Which plane, or value, each belongs to.
+    std::vector<std::int64_t> firsts; ///< The first branch.
+    std::vector<std::int64_t> sizes;  ///< The number of branches.
+    std::vector<std::int32_t> closed; ///< 1 for a way that closes, else 0.
+    std::vector<double> gaps; ///< The largest distances in space between ends that go on in each other.
+};
+
+/// The faces of a model on which branches are; -1 in a meet of one surface.
+struct MeetFaces {
+    std::vector<std::int64_t> faces;     ///< The faces.
+    std::vector<std::int64_t> instances; ///< The instances of their parts.
+};
+
+/// How ways go on at nodes, and the faces of a model on which these are.
+struct MeetJoints {
+    /// The node of the branch that goes on, or that came here; -1: none.
+    std::vector<std::int64_t> next_nodes;
+    std::vector<double> gaps;            ///< How far apart in space the ends of both branches are.
+    std::vector<std::int64_t> faces;     ///< The faces; -1 in a meet of one surface.
+    std::vector<std::int64_t> instances; ///< The instances of their parts.
 };
 
 /// Curves where shapes meet: a handle that is copied in constant time and freed by its destructor.
@@ -190,6 +216,70 @@ public:
         found.ranges = detail::room(count, 2, 2);
         ask(count);
         return found;
+    }
+    /// The ways that the branches make, from one to the next.
+    [[nodiscard]] Returned<MeetWays> ways() const {
+        MeetWays found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_ways, get(), cap, found.levels.data(), found.firsts.data(),
+                         found.sizes.data(), found.closed.data(), found.gaps.data(), &count);
+        };
+        ask(0);
+        found.levels = detail::room<std::int64_t>(count);
+        found.firsts = detail::room<std::int64_t>(count);
+        found.sizes = detail::room<std::int64_t>(count);
+        found.closed = detail::room<std::int32_t>(count);
+        found.gaps = detail::room(count);
+        ask(count);
+        return found;
+    }
+    /// The faces of a model on which the branches are.
+    [[nodiscard]] Returned<MeetFaces> faces() const {
+        MeetFaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_faces, get(), cap, found.faces.data(), found.instances.data(), &count);
+        };
+        ask(0);
+        found.faces = detail::room<std::int64_t>(count);
+        found.instances = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
+    }
+    /// How ways go on at the nodes, and on which faces of a model these are.
+    [[nodiscard]] Returned<MeetJoints> joints() const {
+        MeetJoints found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_joints, get(), cap, found.next_nodes.data(), found.gaps.data(),
+                         found.faces.data(), found.instances.data(), &count);
+        };
+        ask(0);
+        found.next_nodes = detail::room<std::int64_t>(count);
+        found.gaps = detail::room(count);
+        found.faces = detail::room<std::int64_t>(count);
+        found.instances = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
+    }
+    /// Where planes cut the faces of a model, joined to ways over the edges that faces share.
+    [[nodiscard]] static Returned<Meet> model_sections(const Model &model, View<double> normals,
+                                                       View<double> offsets, double tolerance) {
+        const std::int64_t n = detail::records(normals, 3, "normals");
+        detail::require(offsets, n, "offsets");
+        return detail::made<Meet>(nurbs_model_sections, model.get(), n, normals.data(), offsets.data(),
+                                  tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> model_sections(const Model &model, View<double> normals,
+                                                       View<double> offsets, double tolerance,
+                                                       const CallOptions &call) {
+        const std::int64_t n = detail::records(normals, 3, "normals");
+        detail::require(offsets, n, "offsets");
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_model_sections_with, model.get(), n, normals.data(), offsets.data(),
+                                  tolerance, watch.get());
     }
     /// What of the branches lies in a face of the surface that they are on.
     [[nodiscard]] static Returned<Meet> trimmed(const Meet &meet, const Face &face) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t most_places = 4096;
 // Of a step after which a copy may be meant: at a pole it never ends.
-constexpr int most_halvings = 8;
+constexpr int most_fit_halvings = 8;
 // How often errors are looked at between two places: beside the middle at both sides, and twice for each piece that is passed.
 constexpr int64_t least_looks = 3, most_looks = 4096;
 
@@ -74,7 +74,7 @@ private:
             step_to(i == steps
                         ? t
                         : from.t + (t - from.t) * (static_cast<double>(i) / static_cast<double>(steps)),
-                    most_halvings);
+                    most_fit_halvings);
         }
         const auto passed = places_.begin() + first;
         if (std::none_of(passed, places_.end(), [&](const Place &place) {

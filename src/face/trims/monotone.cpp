@@ -81,9 +81,10 @@ public:
         for (int64_t span = axis.degree(); span < axis.count(); ++span) {
             if (axis[span] < axis[span + 1]) {
                 const refine::CurvePiece piece(*placed.curve, span);
-                add_span(placed, piece, turns.places(piece, number++));
+                add_span(placed, piece, {axis[span], axis[span + 1]}, turns.places(piece, number++));
             }
         }
+        ++curve_;
     }
     std::vector<Joint> close(const Point2 &turn) {
         if (begun_) {
@@ -93,10 +94,10 @@ public:
     }
 
 private:
-    void add_span(const PlacedCurve &placed, const refine::CurvePiece &span,
+    void add_span(const PlacedCurve &placed, const refine::CurvePiece &span, const Interval &range,
                   const std::vector<double> &places) {
         TrimPieces whole;
-        whole.add(piece_of(placed, span), coefficients_of(placed, span));
+        whole.add(piece_of(placed, span, range), coefficients_of(placed, span));
         const TrimPiece &piece = whole.all().front();
         step_to(piece);
         for (size_t i = 0; i + 1 < places.size(); ++i) {
@@ -104,6 +105,7 @@ private:
             out_.add_part(whole, piece, {places[i], places[i + 1]}, last_, end, {0, 0});
             last_ = end;
         }
+        behind_ = {curve_, range.upper};
     }
     // What rounding alone sets apart is one place.
     void step_to(const TrimPiece &piece) {
@@ -119,13 +121,16 @@ private:
     void join(const Point2 &next) {
         if (last_ != next) {
             joints_.push_back({last_, next});
-            out_.add_line(number_, last_, next);
+            out_.add_line(number_, last_, next, behind_.curve, behind_.param);
             last_ = next;
         }
     }
-    [[nodiscard]] TrimPiece piece_of(const PlacedCurve &placed, const refine::CurvePiece &span) const {
+    [[nodiscard]] TrimPiece piece_of(const PlacedCurve &placed, const refine::CurvePiece &span,
+                                     const Interval &range) const {
         TrimPiece piece;
         piece.loop = number_;
+        piece.curve = curve_;
+        piece.range = range;
         piece.degree = span.degree();
         piece.weighted = !span.weights().empty();
         for (size_t k = 0; k < 2; ++k) {
@@ -154,8 +159,15 @@ private:
         return result;
     }
 
+    struct CurvePlace {
+        int32_t curve = 0;
+        double param = 0;
+    };
+
     int32_t number_;
     TrimPieces &out_;
+    int32_t curve_ = 0;
+    CurvePlace behind_; // what was added
     bool begun_ = false;
     Point2 first_{}, last_{};
     std::vector<Joint> joints_;

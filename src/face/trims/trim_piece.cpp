@@ -175,12 +175,14 @@ void TrimPieces::add(TrimPiece piece, std::span<const double> coefficients) {
     pieces_.push_back(piece);
 }
 
-void TrimPieces::add_line(int32_t loop, const Point2 &start, const Point2 &end) {
+void TrimPieces::add_line(int32_t loop, const Point2 &start, const Point2 &end, int32_t curve, double param) {
     const std::array values{start[0], start[1], end[0], end[1]};
     TrimPiece piece;
     piece.start = start;
     piece.end = end;
     piece.loop = loop;
+    piece.curve = curve;
+    piece.range = {param, param};
     add(piece, values);
 }
 
@@ -208,6 +210,7 @@ void TrimPieces::add_part(const TrimPieces &from, const TrimPiece &piece, Interv
     TrimPiece copy = piece;
     copy.start = start;
     copy.end = end;
+    copy.range = {parameter_at(piece, part.lower), parameter_at(piece, part.upper)};
     add(copy, std::span(work).first(static_cast<size_t>((piece.degree + 1) * width)));
 }
 

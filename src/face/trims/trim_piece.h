@@ -20,7 +20,15 @@ struct TrimPiece {
     bool weighted = false;
     int64_t first = 0;  // of its coefficients
     Point2 noise{0, 0}; // how far evaluated coordinates may be from those of the stored curve
+    int32_t curve =
+        0; // of the loop as it was given, with the parameters from start to end: one for a segment behind a curve
+    Interval range{0, 0};
 };
+
+// Of the curve that it is a piece of.
+inline double parameter_at(const TrimPiece &piece, double place) noexcept {
+    return place == 1 ? piece.range.upper : (1 - place) * piece.range.lower + place * piece.range.upper;
+}
 
 // Pieces and their coefficients: (u, v), or (u w, v w, w).
 class TrimPieces {
@@ -47,8 +55,8 @@ public:
     [[nodiscard]] bool meets(const TrimPiece &piece, const Point2 &lower, const Point2 &upper) const noexcept;
 
     void add(TrimPiece piece, std::span<const double> coefficients);
-    // The segment between two places.
-    void add_line(int32_t loop, const Point2 &start, const Point2 &end);
+    // The segment between two places, behind the end of a curve.
+    void add_line(int32_t loop, const Point2 &start, const Point2 &end, int32_t curve, double param);
     // The part between two places of a piece of another set, moved, with these ends.
     void add_part(const TrimPieces &from, const TrimPiece &piece, Interval part, const Point2 &start,
                   const Point2 &end, const Point2 &move);

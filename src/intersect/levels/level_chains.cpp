@@ -191,6 +191,7 @@ private:
     void add_parts(const std::vector<size_t> &arcs, int32_t loop) {
         LevelChain chain;
         chain.loop = loop;
+        const size_t first = result_.chains.size();
         for (size_t i = 0; i < arcs.size(); ++i) {
             chain.arcs.push_back(arcs[i]);
             const bool last = i + 1 == arcs.size();
@@ -208,11 +209,24 @@ private:
                                    node_at(found_.arcs[chain.arcs.back()], false)};
                 }
                 if (!is_in_node(chain)) {
+                    if (result_.chains.size() > first) {
+                        go_on(result_.chains.back().nodes[1], chain.nodes[0]);
+                    }
                     result_.chains.push_back(chain);
                 }
                 chain.arcs.clear();
                 chain.nodes = {none, none};
             }
+        }
+        if (loop != none && result_.chains.size() > first && !result_.chains.back().closed) {
+            go_on(result_.chains.back().nodes[1], result_.chains[first].nodes[0]);
+        }
+    }
+    void go_on(int32_t from, int32_t to) {
+        if (result_.nodes[root(from)].kind == NodeKind::seam &&
+            result_.nodes[root(to)].kind == NodeKind::seam) {
+            result_.nodes[root(from)].next = to;
+            result_.nodes[root(to)].next = from;
         }
     }
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
 
 namespace nrb::intersect {
 
@@ -11,6 +14,9 @@ void Meet::append(Meet other) {
     int64_t loops = 0;
     for (const MeetBranch &branch : branches) {
         loops = std::max(loops, branch.loop + 1);
+    }
+    for (MeetNode &node : other.nodes) {
+        node.next += node.next < 0 ? 0 : first;
     }
     for (MeetBranch &branch : other.branches) {
         for (int64_t &node : branch.nodes) {
@@ -21,6 +27,93 @@ void Meet::append(Meet other) {
     }
     std::ranges::move(other.nodes, std::back_inserter(nodes));
     complete = complete && other.complete;
+}
+
+namespace {
+
+class Ways {
+public:
+    explicit Ways(Meet meet) : meet_(std::move(meet)), taken_(meet_.branches.size(), false) {
+        begun_at_.assign(meet_.nodes.size(), none);
+        for (size_t i = 0; i < meet_.branches.size(); ++i) {
+            if (const int64_t node = meet_.branches[i].nodes[0]; node >= 0) {
+                begun_at_[static_cast<size_t>(node)] = i;
+            }
+        }
+        before_.assign(meet_.branches.size(), none);
+        for (size_t i = 0; i < before_.size(); ++i) {
+            if (const size_t after = next(i); after != none) {
+                before_[after] = i;
+            }
+        }
+    }
+
+    Meet run() {
+        meet_.ways.clear();
+        std::vector<size_t> order(meet_.branches.size());
+        std::iota(order.begin(), order.end(), size_t{0});
+        std::ranges::sort(order, {}, [&](size_t i) { return std::pair(meet_.branches[i].level, i); });
+        for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+            const int64_t level = meet_.branches[order[begin]].level;
+            while (end < order.size() && meet_.branches[order[end]].level == level) {
+                ++end;
+            }
+            add_level(std::span(order).subspan(begin, end - begin));
+        }
+        meet_.branches = std::move(branches_);
+        return std::move(meet_);
+    }
+
+private:
+    static constexpr size_t none = static_cast<size_t>(-1);
+
+    // What goes on where a branch ends: the branch of a node that is its next one.
+    [[nodiscard]] size_t next(size_t branch) const noexcept {
+        const int64_t end = meet_.branches[branch].nodes[1];
+        const int64_t node = end < 0 ? -1 : meet_.nodes[static_cast<size_t>(end)].next;
+        return node < 0 ? none : begun_at_[static_cast<size_t>(node)];
+    }
+
+    void add_level(std::span<const size_t> branches) {
+        for (const size_t i : branches) {
+            if (!taken_[i]) {
+                add_way(first_of(i));
+            }
+        }
+    }
+    // Of a closed way the branch itself.
+    [[nodiscard]] size_t first_of(size_t branch) const noexcept {
+        size_t at = branch;
+        while (before_[at] != none && before_[at] != branch) {
+            at = before_[at];
+        }
+        return before_[at] == branch ? branch : at;
+    }
+    void add_way(size_t first) {
+        MeetWay way{meet_.branches[first].level, std::ssize(branches_), 0, meet_.branches[first].nodes[0] < 0,
+                    0};
+        for (size_t i = first; i != none && !taken_[i]; i = next(i)) {
+            taken_[i] = true;
+            if (const int64_t end = meet_.branches[i].nodes[1]; next(i) != none) {
+                way.gap = std::max(way.gap, meet_.nodes[static_cast<size_t>(end)].gap);
+                way.closed = way.closed || next(i) == first;
+            }
+            ++way.count;
+            branches_.push_back(std::move(meet_.branches[i]));
+        }
+        meet_.ways.push_back(way);
+    }
+
+    Meet meet_;
+    std::vector<bool> taken_;
+    std::vector<size_t> begun_at_, before_; // by nodes, by branches
+    std::vector<MeetBranch> branches_;
+};
+
+} // namespace
+
+Meet arranged(Meet meet) {
+    return Ways(std::move(meet)).run();
 }
 
 } // namespace nrb::intersect

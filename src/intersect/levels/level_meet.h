@@ -15,32 +15,49 @@ enum class NodeKind : int32_t {
     seam = 2,   // it closes there on an axis that is not periodic: the branch goes on on the other side
     touch = 3, // a part that is near all over, in which branches are not told apart: a pole, a saddle, a peak
     undecided = 4, // it is left open what there is
+    edge = 5,      // an edge or a vertex of a model, at which the branch of another face goes on
 };
 
 // Where branches end.
 struct MeetNode {
     int64_t level; // index of the value
     NodeKind kind;
-    std::array<double, 2> at;      // parameters
-    std::array<Interval, 2> range; // of a part
+    std::array<double, 2> at;         // parameters
+    std::array<Interval, 2> range;    // of a part
+    int64_t next = -1;                // the node of the branch that goes on here, or that came here; -1: none
+    int64_t face = -1, instance = -1; // of a model
+    double gap = 0;                   // in space, to the node that goes on
 };
 
 // Curves with common knots, in space and in the parameter domain.
 struct MeetBranch {
     int64_t level;
     SplinePtr space, on;
-    double deviation;             // of either, in space
-    std::array<int64_t, 2> nodes; // -1: closed
-    int64_t loop;                 // the closed way that it is part of, or all of; -1: of none
+    double deviation;                 // of either, in space
+    std::array<int64_t, 2> nodes;     // -1: closed
+    int64_t loop;                     // the closed way that it is part of, or all of; -1: of none
+    int64_t face = -1, instance = -1; // of a model
+};
+
+// Branches one after the other, each of which goes on where the one before ends.
+struct MeetWay {
+    int64_t level;
+    int64_t first, count; // branches
+    bool closed;          // the last one goes on in the first one
+    double gap;           // the largest one between them
 };
 
 struct Meet {
     std::vector<MeetBranch> branches; // those of a loop follow each other
     std::vector<MeetNode> nodes;
-    bool complete = true; // no node is undecided
+    std::vector<MeetWay> ways; // of arranged()
+    bool complete = true;      // no node is undecided
 
     // That of other levels.
     void append(Meet other);
 };
+
+// With its ways, of which the branches follow each other, those of a level by their first branches.
+Meet arranged(Meet meet);
 
 } // namespace nrb::intersect

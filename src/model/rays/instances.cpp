@@ -2,6 +2,7 @@
 #include "model/rays/instances.h"
 
 #include "base/error.h"
+#include "refine/forms/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,12 @@ Matrix matrix_of(const Rows &rows) noexcept {
         std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, m[i].begin());
     }
     return m;
+}
+
+double determinant_of(const Matrix &m) noexcept {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
 // By cofactors; not finite if there is none.
@@ -119,6 +126,7 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
     }
     const Matrix m = matrix_of(placement_);
     inverse_ = inverse_of(m);
+    mirrors_ = determinant_of(m) < 0;
     norm_ = growth_of(m);
     inverse_norm_ = growth_of(inverse_);
     const double condition = norm_ * inverse_norm_;
@@ -160,6 +168,45 @@ intersect::RayQuery Placement::moved(const intersect::RayQuery &query) const noe
     result.off = inverse_norm_ * query.off + error(query.origin);
     result.turned = norm_ * inverse_norm_ * query.turned + error_ * norm_ * inverse_norm_;
     return result;
+}
+
+Vector3 Placement::in_whole(const Vector3 &x) const noexcept {
+    const auto row = [&](size_t i) {
+        const double *m = placement_.data() + 4 * i;
+        return m[0] * x.x + m[1] * x.y + m[2] * x.z + m[3];
+    };
+    return identity_ ? x : Vector3{row(0), row(1), row(2)};
+}
+
+SplinePtr Placement::in_whole(const SplinePtr &curve) const {
+    if (identity_) {
+        return curve;
+    }
+    std::array<double, 9> matrix{};
+    std::array<double, 3> translation{};
+    for (size_t i = 0; i < 3; ++i) {
+        std::copy_n(placement_.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
+                    matrix.begin() + static_cast<std::ptrdiff_t>(3 * i));
+        translation[i] = placement_[4 * i + 3];
+    }
+    return refine::transform(*curve, {3, 3, matrix.data()}, translation.data());
+}
+
+// n . (M x + t) = o.
+Placement::Plane Placement::moved(const Plane &plane) const noexcept {
+    if (identity_) {
+        return plane;
+    }
+    const auto &[n, offset] = plane;
+    const auto column = [&](size_t k) {
+        return placement_[k] * n.x + placement_[4 + k] * n.y + placement_[8 + k] * n.z;
+    };
+    const Vector3 t{placement_[3], placement_[7], placement_[11]};
+    return {{column(0), column(1), column(2)}, offset - dot(n, t)};
+}
+
+double Placement::rounding(double size) const noexcept {
+    return identity_ ? 0 : 32 * eps * (norm_ * size + reach_);
 }
 
 intersect::Box3 Placement::placed(const intersect::Box3 &box) const noexcept {

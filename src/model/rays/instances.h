@@ -31,6 +31,19 @@ public:
     [[nodiscard]] Vector3 moved(const Vector3 &x) const noexcept;
     // How far off a point moved that way may be.
     [[nodiscard]] double error(const Vector3 &x) const noexcept;
+    // Of the whole, moved the other way.
+    [[nodiscard]] Vector3 in_whole(const Vector3 &x) const noexcept;
+    [[nodiscard]] SplinePtr in_whole(const SplinePtr &curve) const;
+    // A plane x . normal = offset of the whole, in the part.
+    struct Plane {
+        Vector3 normal;
+        double offset;
+    };
+    [[nodiscard]] Plane moved(const Plane &plane) const noexcept;
+    // How far rounding may move points and planes on these ways, in the whole: of a part of such a size.
+    [[nodiscard]] double rounding(double size) const noexcept;
+    // Whether it turns right hands into left ones.
+    [[nodiscard]] bool mirrors() const noexcept { return mirrors_; }
     // In the whole.
     [[nodiscard]] intersect::Box3 placed(const intersect::Box3 &box) const noexcept;
     // Distances grow by no more than these factors, to the part and to the whole.
@@ -40,7 +53,7 @@ public:
 private:
     [[nodiscard]] Vector3 turned(const Vector3 &x) const noexcept;
 
-    bool identity_;
+    bool identity_, mirrors_ = false;
     std::array<double, 12> placement_;
     std::array<std::array<double, 3>, 3> inverse_{};
     double norm_ = 1, inverse_norm_ = 1;

@@ -16,26 +16,6 @@ namespace {
 constexpr double rounding = 0x1p-44; // of the largest coordinate: of curves that are composed
 constexpr int64_t work_of_a_face = 20000;
 
-// Of each face the largest tolerance of those with which it shares edges: between neighbours there may be four times as much,
-// from the curve of one to its edge, to that of the other one, and to its curve.
-std::vector<double> widest_tolerances(const Model &model) {
-    std::vector<double> found;
-    for (const ModelFace &face : model.faces) {
-        found.push_back(face.face->tolerance());
-    }
-    for (const Edge &edge : model.edges) {
-        double most = 0;
-        for (const EdgeUse &use : edge.uses) {
-            most = std::max(most, model.faces[static_cast<size_t>(use.face)].face->tolerance());
-        }
-        for (const EdgeUse &use : edge.uses) {
-            double &own = found[static_cast<size_t>(use.face)];
-            own = std::max(own, most);
-        }
-    }
-    return found;
-}
-
 // How far an edge, which others may share, is from its curve.
 double deviation_of_loop(const face::Face &face, const face::Loop &loop) {
     double most = 0;
@@ -58,6 +38,24 @@ std::vector<double> rooms_of(const face::Face &face, double tolerance, double si
 }
 
 } // namespace
+
+std::vector<double> widest_tolerances(const Model &model) {
+    std::vector<double> found;
+    for (const ModelFace &face : model.faces) {
+        found.push_back(face.face->tolerance());
+    }
+    for (const Edge &edge : model.edges) {
+        double most = 0;
+        for (const EdgeUse &use : edge.uses) {
+            most = std::max(most, model.faces[static_cast<size_t>(use.face)].face->tolerance());
+        }
+        for (const EdgeUse &use : edge.uses) {
+            double &own = found[static_cast<size_t>(use.face)];
+            own = std::max(own, most);
+        }
+    }
+    return found;
+}
 
 Scene::Scene(const Model &model, bool closed) : instances_(instances_of(model)), edges_(model.faces.size()) {
     const std::vector<double> tolerances = widest_tolerances(model);

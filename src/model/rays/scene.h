@@ -17,6 +17,10 @@ struct PlacedFace {
     int64_t group; // faces of one solid, or of none, in one instance
 };
 
+// Of each face the largest tolerance of those with which it shares edges: between neighbours there may be four times as much,
+// from the curve of one to its edge, to that of the other one, and to its curve.
+std::vector<double> widest_tolerances(const Model &model);
+
 class Scene {
 public:
     // closed: what lies between neighbours is part of the boundary, however far edges are from curves. Throws what

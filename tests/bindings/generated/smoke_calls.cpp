@@ -842,6 +842,47 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("model_sections");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0}, {0.1}, 0.1);
+        show("out", found);
+    }
+    {
+        begin("meet_ways");
+        const auto found = in.meet.ways();
+        show("levels", found.levels);
+        show("firsts", found.firsts);
+        show("sizes", found.sizes);
+        show("closes", found.closed);
+        show("gaps", found.gaps);
+    }
+    {
+        begin("meet_ways closed");
+        const auto found = in.meet.ways();
+        show("levels", found.levels);
+        show("firsts", found.firsts);
+        show("sizes", found.sizes);
+        show("closes", found.closed);
+        show("gaps", found.gaps);
+    }
+    {
+        begin("meet_faces");
+        const auto found = in.meet.faces();
+        show("own_faces", found.faces);
+        show("own_instances", found.instances);
+    }
+    {
+        begin("meet_joints");
+        const auto found = in.meet.joints();
+        show("next_nodes", found.next_nodes);
+        show("gaps", found.gaps);
+        show("own_faces", found.faces);
+        show("own_instances", found.instances);
+    }
+    {
         begin("meet_trim");
         const auto found = n::Meet::trimmed(in.meet, in.face);
         show("out", found);
@@ -1120,6 +1161,15 @@ void data(const Inputs &in) {
         begin("surface_level_curves_with");
         const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
         const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("model_sections_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0}, {0.1}, 0.1, watched());
         show("out", found);
     }
     {

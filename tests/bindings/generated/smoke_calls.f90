@@ -1713,6 +1713,72 @@ contains
             call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0)
             call show('out', found)
         end block
+        call begin('model_sections')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0], [1, 3], order=[2, 1]), &
+                offsets=[0.1d0], tolerance=0.1d0)
+            call show('out', found)
+        end block
+        call begin('meet_ways')
+        block
+            integer(c_int64_t), allocatable :: levels_found(:)
+            integer(c_int64_t), allocatable :: firsts_found(:)
+            integer(c_int64_t), allocatable :: sizes_found(:)
+            integer(c_int32_t), allocatable :: closes_found(:)
+            real(c_double), allocatable :: gaps_found(:)
+            call meet%ways(levels=levels_found, firsts=firsts_found, sizes=sizes_found, closes=closes_found, &
+                gaps=gaps_found)
+            call show('levels', levels_found - 1)
+            call show('firsts', firsts_found - 1)
+            call show('sizes', sizes_found)
+            call show('closes', closes_found)
+            call show('gaps', gaps_found)
+        end block
+        call begin('meet_ways closed')
+        block
+            integer(c_int64_t), allocatable :: levels_found(:)
+            integer(c_int64_t), allocatable :: firsts_found(:)
+            integer(c_int64_t), allocatable :: sizes_found(:)
+            integer(c_int32_t), allocatable :: closes_found(:)
+            real(c_double), allocatable :: gaps_found(:)
+            call meet%ways(levels=levels_found, firsts=firsts_found, sizes=sizes_found, closes=closes_found, &
+                gaps=gaps_found)
+            call show('levels', levels_found - 1)
+            call show('firsts', firsts_found - 1)
+            call show('sizes', sizes_found)
+            call show('closes', closes_found)
+            call show('gaps', gaps_found)
+        end block
+        call begin('meet_faces')
+        block
+            integer(c_int64_t), allocatable :: own_faces_found(:)
+            integer(c_int64_t), allocatable :: own_instances_found(:)
+            call meet%faces(own_faces=own_faces_found, own_instances=own_instances_found)
+            call show('own_faces', own_faces_found - 1)
+            call show('own_instances', own_instances_found - 1)
+        end block
+        call begin('meet_joints')
+        block
+            integer(c_int64_t), allocatable :: next_nodes_found(:)
+            real(c_double), allocatable :: gaps_found(:)
+            integer(c_int64_t), allocatable :: own_faces_found(:)
+            integer(c_int64_t), allocatable :: own_instances_found(:)
+            call meet%joints(next_nodes=next_nodes_found, gaps=gaps_found, own_faces=own_faces_found, &
+                own_instances=own_instances_found)
+            call show('next_nodes', next_nodes_found - 1)
+            call show('gaps', gaps_found)
+            call show('own_faces', own_faces_found - 1)
+            call show('own_instances', own_instances_found - 1)
+        end block
         call begin('meet_trim')
         block
             type(nurbs_meet) :: found
@@ -2154,6 +2220,22 @@ contains
             call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
                 3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
             call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('model_sections_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0], [1, 3], order=[2, 1]), &
+                offsets=[0.1d0], tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('meet_trim_with')

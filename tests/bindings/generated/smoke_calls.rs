@@ -1429,6 +1429,52 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::level_curves(&given.surface, &heights, &[0.5], 0.01)?;
         show("out", &found);
     }
+    begin("model_sections");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = Meet::model_sections(&ball, &[0.0, 0.0, 1.0], &[0.1], 0.1)?;
+        show("out", &found);
+    }
+    begin("meet_ways");
+    {
+        let found = given.meet.ways()?;
+        show("levels", &found.levels);
+        show("firsts", &found.firsts);
+        show("sizes", &found.sizes);
+        show("closes", &found.closed);
+        show("gaps", &found.gaps);
+    }
+    begin("meet_ways closed");
+    {
+        let found = given.meet.ways()?;
+        show("levels", &found.levels);
+        show("firsts", &found.firsts);
+        show("sizes", &found.sizes);
+        show("closes", &found.closed);
+        show("gaps", &found.gaps);
+    }
+    begin("meet_faces");
+    {
+        let found = given.meet.faces()?;
+        show("own_faces", &found.faces);
+        show("own_instances", &found.instances);
+    }
+    begin("meet_joints");
+    {
+        let found = given.meet.joints()?;
+        show("next_nodes", &found.next_nodes);
+        show("gaps", &found.gaps);
+        show("own_faces", &found.faces);
+        show("own_instances", &found.instances);
+    }
     begin("meet_trim");
     {
         let found = Meet::trimmed(&given.meet, &given.face)?;
@@ -1876,6 +1922,26 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &heights,
             &[0.5],
             0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("model_sections_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = Meet::model_sections_with(
+            &ball,
+            &[0.0, 0.0, 1.0],
+            &[0.1],
+            0.1,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

@@ -259,6 +259,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_surface_contours, lib.nurbs_surface_contours_with),
         (lib.nurbs_surface_reflections, lib.nurbs_surface_reflections_with),
         (lib.nurbs_meet_trim, lib.nurbs_meet_trim_with),
+        (lib.nurbs_model_sections, lib.nurbs_model_sections_with),
         (lib.nurbs_surface_level, lib.nurbs_surface_level_with),
         (lib.nurbs_surface_level_curves, lib.nurbs_surface_level_curves_with),
         (lib.nurbs_reduce_knots, lib.nurbs_reduce_knots_with),

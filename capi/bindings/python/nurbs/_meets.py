@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
     from ._faces import Face
 
-__all__ = ["Meet", "MeetBranch", "MeetBranches", "MeetCounts", "MeetNodes"]
+__all__ = ["Meet", "MeetBranch", "MeetBranches", "MeetCounts", "MeetFaces", "MeetJoints", "MeetNodes", "MeetWays"]
 
 _Meet = TypeVar("_Meet", bound="Meet")
 
@@ -59,8 +59,37 @@ class MeetNodes(NamedTuple):
     ranges: Floats
 
 
+class MeetWays(NamedTuple):
+    """Of each way the plane (n,), its first branch (n,) and the number of its branches (n,), which follow each other, whether
+    it closes (n,), and the largest distance (n,) in space between ends that go on in each other."""
+
+    levels: Int64s
+    firsts: Int64s
+    sizes: Int64s
+    closed: Int32s
+    gaps: Floats
+
+
+class MeetFaces(NamedTuple):
+    """Of each branch the face (n,) of the model and the instance (n,) of its part; -1 in a meet of one surface."""
+
+    faces: Int64s
+    instances: Int64s
+
+
+class MeetJoints(NamedTuple):
+    """Of each node the node (n,) of the branch that goes on, or that came there (-1: none), how far apart in space (n,) the ends
+    of both are, and the face (n,) of the model with the instance (n,) of its part, -1 in a meet of one surface."""
+
+    next_nodes: Int64s
+    gaps: Floats
+    faces: Int64s
+    instances: Int64s
+
+
 class Meet:
-    """Where a surface meets planes: curves, and the nodes where they end, as Spline.sections() finds them.
+    """Where a surface or a model meets planes: curves, and the nodes where they end, as Spline.sections() and Model.sections()
+    find them.
 
         meet = surface.sections([0, 0, 1], [0.25, 0.5], 1e-6)
         for i, level in enumerate(meet.branches.levels):
@@ -142,6 +171,34 @@ class Meet:
         found = MeetNodes(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int32), numpy.empty((n, 2)),
                           numpy.empty((n, 2, 2)))
         call(lib.nurbs_meet_nodes, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def ways(self) -> MeetWays:
+        """The ways that the branches make, from one to the next."""
+        count = ctypes.c_int64()
+        call(lib.nurbs_meet_ways, self._handle, 0, None, None, None, None, None, ctypes.byref(count))
+        n = count.value
+        found = MeetWays(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64),
+                         numpy.empty(n, numpy.int32), numpy.empty(n))
+        call(lib.nurbs_meet_ways, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def faces(self) -> MeetFaces:
+        """The faces of a model on which the branches are."""
+        n = self.counts.branches
+        found = MeetFaces(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64))
+        call(lib.nurbs_meet_faces, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def joints(self) -> MeetJoints:
+        """How ways go on at the nodes, and on which faces of a model these are."""
+        n = self.counts.nodes
+        found = MeetJoints(numpy.empty(n, numpy.int64), numpy.empty(n), numpy.empty(n, numpy.int64),
+                           numpy.empty(n, numpy.int64))
+        call(lib.nurbs_meet_joints, self._handle, n, *addresses(*found), None)
         return found
 
     def trim(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:

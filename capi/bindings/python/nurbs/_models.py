@@ -11,12 +11,13 @@ from typing import Tuple, Type, TypeVar, Union, overload
 
 import numpy
 
-from ._arrays import address, exactly, if_given, parameters
+from ._arrays import address, exactly, if_given, parameters, vector
 from ._bytes import given as given_bytes, pickled, written
 from ._calls import listed, watched
 from ._faces import Face
 from ._files import Note, SplineList, _options
 from ._library import call, get, lib, text
+from ._meets import Meet
 from ._spline import Spline
 from ._write import file_bytes, to_file
 from .constants import NURBS_FORMAT_STEP
@@ -460,6 +461,17 @@ class Model:
         call(watched(lib.nurbs_model_classify, progress, work), self._handle, given.n, *given.layout, tolerance,
              sides.ctypes.data)
         return sides
+
+    # --- Sections ---
+
+    def sections(self, normals: ArrayLike, offsets: ArrayLike, tolerance: float, *, progress: Progress = None,
+                 work: Optional[int] = None) -> Meet:
+        """Where planes normal . x = offset, arrays (n, 3) and (n,), cut its faces where they stand, joined to ways over the edges
+        that faces share. One normal serves all offsets."""
+        planes = vector(offsets)
+        across = _points(numpy.broadcast_to(numpy.asarray(normals, float), (planes.size, 3)))
+        return Meet._made(watched(lib.nurbs_model_sections, progress, work), self._handle, planes.size,
+                          across.ctypes.data, planes.ctypes.data, tolerance)
 
 
 def _points(rows: Floats) -> Floats:

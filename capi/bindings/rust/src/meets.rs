@@ -2,11 +2,12 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
 
-use crate::arrays::{exactly, Records};
+use crate::arrays::{exactly, rows, Records};
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::face::Face;
 use crate::meet::Meet;
+use crate::model::Model;
 use crate::sizes::monomials;
 use crate::spline::Spline;
 use crate::sys;
@@ -50,6 +51,46 @@ pub struct MeetNodes {
     pub params: Vec<[f64; 2]>,
     /// `[n][2][2]` of parameters: the lower and upper end of the part on each axis.
     pub ranges: Vec<[f64; 2]>,
+}
+
+/// Branches one after the other, each of which goes on where the one before ends.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeetWays {
+    /// Which plane, or value, each belongs to.
+    pub levels: Vec<i64>,
+    /// The first branch.
+    pub firsts: Vec<i64>,
+    /// The number of branches.
+    pub sizes: Vec<i64>,
+    /// 1 for a way that closes, else 0.
+    pub closed: Vec<i32>,
+    /// The largest distances in space between ends that go on in each other.
+    pub gaps: Vec<f64>,
+}
+
+/// The faces of a model on which branches are; -1 in a meet of one surface.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct MeetFaces {
+    /// The faces.
+    pub faces: Vec<i64>,
+    /// The instances of their parts.
+    pub instances: Vec<i64>,
+}
+
+/// How ways go on at nodes, and the faces of a model on which these are.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeetJoints {
+    /// The node of the branch that goes on, or that came here; -1: none.
+    pub next_nodes: Vec<i64>,
+    /// How far apart in space the ends of both branches are.
+    pub gaps: Vec<f64>,
+    /// The faces; -1 in a meet of one surface.
+    pub faces: Vec<i64>,
+    /// The instances of their parts.
+    pub instances: Vec<i64>,
 }
 
 /// Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
@@ -306,6 +347,100 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetNodes { levels, kinds, params, ranges })
+    }
+
+    /// The ways that the branches make, from one to the next.
+    pub fn ways(&self) -> Result<MeetWays> {
+        let fill = |cap, levels, firsts, sizes, closed, gaps, count| unsafe {
+            sys::nurbs_meet_ways(self.raw(), cap, levels, firsts, sizes, closed, gaps, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut levels = vec![0; n];
+        let mut firsts = vec![0; n];
+        let mut sizes = vec![0; n];
+        let mut closed = vec![0; n];
+        let mut gaps = vec![0.0; n];
+        check(fill(
+            count,
+            levels.as_mut_ptr(),
+            firsts.as_mut_ptr(),
+            sizes.as_mut_ptr(),
+            closed.as_mut_ptr(),
+            gaps.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok(MeetWays { levels, firsts, sizes, closed, gaps })
+    }
+
+    /// The faces of a model on which the branches are.
+    pub fn faces(&self) -> Result<MeetFaces> {
+        let fill = |cap, faces, instances, count| unsafe {
+            sys::nurbs_meet_faces(self.raw(), cap, faces, instances, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut faces = vec![0; n];
+        let mut instances = vec![0; n];
+        check(fill(count, faces.as_mut_ptr(), instances.as_mut_ptr(), &mut count))?;
+        Ok(MeetFaces { faces, instances })
+    }
+
+    /// How ways go on at the nodes, and on which faces of a model these are.
+    pub fn joints(&self) -> Result<MeetJoints> {
+        let fill = |cap, next_nodes, gaps, faces, instances, count| unsafe {
+            sys::nurbs_meet_joints(self.raw(), cap, next_nodes, gaps, faces, instances, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut next_nodes = vec![0; n];
+        let mut gaps = vec![0.0; n];
+        let mut faces = vec![0; n];
+        let mut instances = vec![0; n];
+        check(fill(
+            count,
+            next_nodes.as_mut_ptr(),
+            gaps.as_mut_ptr(),
+            faces.as_mut_ptr(),
+            instances.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok(MeetJoints { next_nodes, gaps, faces, instances })
+    }
+
+    /// Where planes cut the faces of a model, joined to ways over the edges that faces share.
+    pub fn model_sections(model: &Model, normals: &[f64], offsets: &[f64], tolerance: f64) -> Result<Meet> {
+        let n = rows(normals, 3, "normals")?;
+        let offsets = exactly(offsets, n, "offsets")?;
+        Meet::made(|out| unsafe {
+            sys::nurbs_model_sections(model.raw(), n as i64, normals.as_ptr(), offsets, tolerance, out)
+        })
+    }
+
+    /// The same as `model_sections`; it can be watched and stopped.
+    pub fn model_sections_with(
+        model: &Model,
+        normals: &[f64],
+        offsets: &[f64],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        let n = rows(normals, 3, "normals")?;
+        let offsets = exactly(offsets, n, "offsets")?;
+        Meet::made(|out| unsafe {
+            sys::nurbs_model_sections_with(
+                model.raw(),
+                n as i64,
+                normals.as_ptr(),
+                offsets,
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
     }
 
     /// What of the branches lies in a face of the surface that they are on.

@@ -882,6 +882,8 @@ pub const NURBS_NODE_SEAM: i32 = 2;
 pub const NURBS_NODE_TOUCH: i32 = 3;
 /// a part in which it is left open what there is
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
+/// an edge, a corner or a pole of faces of a model, where another branch goes on
+pub const NURBS_NODE_EDGE: i32 = 5;
 
 // --- Kinds of contours
 /// f = N . d: what is seen as an outline along d
@@ -3898,6 +3900,41 @@ extern "C" {
         ranges: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// The ways that the branches of a meet make, from one to the next.
+    ///
+    /// May be null: `levels`, `firsts`, `sizes`, `closes`, `gaps`, `count`.
+    pub fn nurbs_meet_ways(
+        meet: *const nurbs_meet,
+        cap: i64,
+        levels: *mut i64,
+        firsts: *mut i64,
+        sizes: *mut i64,
+        closes: *mut i32,
+        gaps: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
+    ///
+    /// May be null: `own_faces`, `own_instances`, `count`.
+    pub fn nurbs_meet_faces(
+        meet: *const nurbs_meet,
+        cap: i64,
+        own_faces: *mut i64,
+        own_instances: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// How ways go on at the nodes of a meet, and on which faces of a model these are.
+    ///
+    /// May be null: `next_nodes`, `gaps`, `own_faces`, `own_instances`, `count`.
+    pub fn nurbs_meet_joints(
+        meet: *const nurbs_meet,
+        cap: i64,
+        next_nodes: *mut i64,
+        gaps: *mut f64,
+        own_faces: *mut i64,
+        own_instances: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
     /// What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
     /// BORDER on them, and the nodes of these parts.
     pub fn nurbs_meet_trim(
@@ -4953,6 +4990,28 @@ extern "C" {
         tolerance: f64,
         sides: *mut i32,
         call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Where planes of any directions cut the faces of a model where they stand in the whole
+    /// (nurbs_model_instances()), joined to ways over the edges that faces share.
+    pub fn nurbs_model_sections(
+        model: *const nurbs_model,
+        n: i64,
+        normals: *const f64,
+        offsets: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_model_sections() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_model_sections_with(
+        model: *const nurbs_model,
+        n: i64,
+        normals: *const f64,
+        offsets: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
     /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
     /// notes on all that was not read.

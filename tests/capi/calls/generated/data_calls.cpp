@@ -901,6 +901,41 @@ const Call group[] = {
          static constexpr double values[] = {0.5};
          return nurbs_surface_level_curves(in.surface, made_heights, 1, values, 0.01, &o.meet);
      }},
+    {"model_sections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double normals[] = {0, 0, 1};
+         static constexpr double offsets[] = {0.1};
+         return nurbs_model_sections(made_ball, 1, normals, offsets, 0.1, &o.meet);
+     }},
+    {"meet_ways",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_ways(in.meet, 4, o.spans, o.spans + 4, o.spans + 8, o.states, o.values, o.spans +
+             12);
+     }},
+    {"meet_ways closed",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_ways(in.meet, 4, nullptr, nullptr, nullptr, o.states, nullptr, nullptr);
+     }},
+    {"meet_faces",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_faces(in.meet, 4, o.spans, o.spans + 4, o.spans + 8);
+     }},
+    {"meet_joints",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_joints(in.meet, 8, o.spans, o.values, o.spans + 8, o.spans + 16, o.spans + 24);
+     }},
     {"meet_trim",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_trim(in.meet, in.face, &o.meet);
@@ -1346,6 +1381,26 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_level_curves_with(in.surface, made_heights, 1, values, 0.01, &call, &o.meet);
+     }},
+    {"model_sections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double normals[] = {0, 0, 1};
+         static constexpr double offsets[] = {0.1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_sections_with(made_ball, 1, normals, offsets, 0.1, &call, &o.meet);
      }},
     {"meet_trim_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "model/sections/model_sections.h"
+
+#include "base/watch.h"
+#include "model/sections/section_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace nrb::model {
+
+namespace {
+
+using intersect::Meet;
+using intersect::MeetBranch;
+using intersect::MeetNode;
+using intersect::NodeKind;
+
+// With a normal of about 1.
+SectionPlane scaled(const SectionPlane &plane) noexcept {
+    const int exponent = size_exponent(plane.normal);
+    return {times_power(plane.normal, -exponent), std::ldexp(plane.offset, -exponent)};
+}
+
+// By their normals; offsets that are farther away than numbers reach are of no plane.
+std::vector<ParallelPlanes> sorted(std::span<const SectionPlane> planes) {
+    struct Level {
+        double offset;
+        int64_t level;
+        auto operator<=>(const Level &) const = default;
+    };
+    std::map<std::array<double, 3>, std::vector<Level>> by_normal;
+    for (size_t i = 0; i < planes.size(); ++i) {
+        const auto &[normal, offset] = planes[i];
+        if (std::isfinite(offset)) {
+            by_normal[{normal.x, normal.y, normal.z}].push_back({offset, static_cast<int64_t>(i)});
+        }
+    }
+    std::vector<ParallelPlanes> groups;
+    for (auto &[normal, levels] : by_normal) {
+        std::ranges::sort(levels);
+        groups.push_back({{normal[0], normal[1], normal[2]}, {}, {}});
+        for (const Level &level : levels) {
+            groups.back().offsets.push_back(level.offset);
+            groups.back().levels.push_back(level.level);
+        }
+    }
+    return groups;
+}
+
+FaceSections cut_faces(const Model &model, const SharedBorders &borders,
+                       const std::vector<Instance> &instances, const std::vector<Placement> &placements,
+                       const std::vector<ParallelPlanes> &groups, double tolerance) {
+    FaceCutter cutter(model, borders, tolerance);
+    std::vector<std::vector<int64_t>> of_part(model.parts.size());
+    int64_t placed = 0;
+    for (size_t i = 0; i < model.faces.size(); ++i) {
+        of_part[static_cast<size_t>(model.faces[i].part)].push_back(static_cast<int64_t>(i));
+    }
+    for (const Instance &instance : instances) {
+        placed += std::ssize(of_part[static_cast<size_t>(instance.part)]);
+    }
+    FaceSections found;
+    Steps steps(placed);
+    for (size_t i = 0; i < instances.size(); ++i) {
+        for (const int64_t face : of_part[static_cast<size_t>(instances[i].part)]) {
+            for (const ParallelPlanes &planes : groups) {
+                cutter.add(face, static_cast<int64_t>(i), placements[i], planes, found);
+                count_work(100);
+            }
+            steps.next();
+        }
+    }
+    return found;
+}
+
+// Those that no branch has any more go; the others by their levels.
+void tidy_nodes(Meet &meet) {
+    std::vector<bool> stays(meet.nodes.size(), false);
+    for (size_t i = 0; i < meet.nodes.size(); ++i) {
+        const NodeKind kind = meet.nodes[i].kind;
+        stays[i] = kind == NodeKind::touch || kind == NodeKind::undecided;
+    }
+    for (const MeetBranch &branch : meet.branches) {
+        for (const int64_t node : branch.nodes) {
+            if (node >= 0) {
+                stays[static_cast<size_t>(node)] = true;
+            }
+        }
+    }
+    std::vector<size_t> order;
+    for (size_t i = 0; i < stays.size(); ++i) {
+        if (stays[i]) {
+            order.push_back(i);
+        }
+    }
+    std::ranges::sort(order, {}, [&](size_t i) { return std::pair(meet.nodes[i].level, i); });
+    std::vector<int64_t> place(meet.nodes.size(), -1);
+    std::vector<MeetNode> nodes;
+    for (const size_t i : order) {
+        place[i] = std::ssize(nodes);
+        nodes.push_back(meet.nodes[i]);
+    }
+    const auto renumber = [&](int64_t &node) { node = node < 0 ? node : place[static_cast<size_t>(node)]; };
+    for (MeetNode &node : nodes) {
+        renumber(node.next);
+        meet.complete = meet.complete && node.kind != NodeKind::undecided;
+    }
+    for (MeetBranch &branch : meet.branches) {
+        std::ranges::for_each(branch.nodes, renumber);
+    }
+    meet.nodes = std::move(nodes);
+}
+
+Meet with_loops(Meet meet) {
+    int64_t loops = 0;
+    for (const intersect::MeetWay &way : meet.ways) {
+        for (int64_t i = 0; way.closed && i < way.count; ++i) {
+            meet.branches[static_cast<size_t>(way.first + i)].loop = loops;
+        }
+        loops += way.closed ? 1 : 0;
+    }
+    return meet;
+}
+
+} // namespace
+
+Meet model_sections(const Model &model, std::span<const SectionPlane> planes, double tolerance) {
+    const LimitedSearch whole; // by a limit of the caller; each level of a face has the usual one of its own
+    std::vector<SectionPlane> own;
+    std::vector<Vector3> normals;
+    for (const SectionPlane &plane : planes) {
+        own.push_back(scaled(plane));
+        normals.push_back(own.back().normal);
+    }
+    const std::vector<Instance> instances = instances_of(model);
+    std::vector<Placement> placements;
+    for (size_t i = 0; i < instances.size(); ++i) {
+        placements.emplace_back(instances, i);
+    }
+    const SharedBorders borders(model);
+    FaceSections found = cut_faces(model, borders, instances, placements, sorted(own), tolerance);
+    SectionJoints(model, borders, placements, normals, found).run();
+    tidy_nodes(found.meet);
+    return with_loops(arranged(std::move(found.meet)));
+}
+
+} // namespace nrb::model
