@@ -181,6 +181,13 @@ nurbs_status nurbs_curve_features_with(const nurbs *g, uint32_t kinds, int64_t c
         call, [&] { return nurbs_curve_features(g, kinds, cap, params, found, values, count, complete); });
 }
 
+nurbs_status nurbs_extrema_with(const nurbs *g, uint32_t kinds, int64_t cap, double *params, double *values,
+                                int32_t *found, double *boxes, int64_t *count, int32_t *complete,
+                                const nurbs_call_options *call) {
+    return watched(
+        call, [&] { return nurbs_extrema(g, kinds, cap, params, values, found, boxes, count, complete); });
+}
+
 nurbs_status nurbs_roots_with(const nurbs *g, double value, double tolerance, int64_t cap, double *params,
                               int32_t *kinds, double *ranges, int64_t *count, int32_t *complete,
                               const nurbs_call_options *call) {

@@ -11,7 +11,7 @@ TYPES = {"int32_t": "i32", "int64_t": "i64", "uint32_t": "u32", "double": "f64",
          "void": "c_void"}
 KEYWORDS = {"type", "in", "ref", "box", "move", "match", "final", "use", "where", "loop"}
 # The header's ints that are passed as uint32_t.
-UNSIGNED = ("NURBS_FEATURE_",)
+UNSIGNED = ("NURBS_FEATURE_", "NURBS_EXTREMUM_")
 
 HEAD = f"""\
 // SPDX-License-Identifier: MIT

@@ -334,7 +334,7 @@ class Body:
         if value.kind == "array" and value.truth:
             return f"truths({text})"
         if value.unsigned:
-            return f"{text} as u32"
+            return f"bits({text})" if value.kind == "array" and not text.endswith("]") else f"{text} as u32"
         if value.truth:
             return f"{text} != 0"
         if value.kind == "number" and types.is_size(self.method, value):

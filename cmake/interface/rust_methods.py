@@ -14,7 +14,7 @@ FOLDER = "capi/bindings/rust/src"
 NOTICE = f"Generated from {header.PATH} and capi/bindings/table by: {header.COMMAND} - do not edit."
 # Names that a module uses: where they come from.
 CRATE = {
-    "arrays": ["by_axis", "counts_of", "exactly", "exactly_mut", "flat", "if_given", "knots_by_axis", "layout", "optional",
+    "arrays": ["bits", "by_axis", "counts_of", "exactly", "exactly_mut", "flat", "if_given", "knots_by_axis", "layout", "optional",
                "pairs_by_axis", "pointer_mut", "rows", "truths", "Records", "RecordsMut"],
     "call": ["Call"],
     "data": ["cloud_options_pointer", "fit_options_pointer", "CloudOptions", "CloudReport", "Data", "FitOptions", "FitReport"],

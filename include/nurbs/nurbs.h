@@ -5079,6 +5079,16 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 #define NURBS_FEATURE_TORSION 0x40           /**< the torsion changes its sign (dimension 3) */
 /** @} */
 
+/** \name Kinds of extrema
+ * Bits: an extremum that is not alone is a plateau too.
+ * @{ */
+#define NURBS_EXTREMUM_MINIMUM 0x01   /**< no value beside it is smaller */
+#define NURBS_EXTREMUM_MAXIMUM 0x02   /**< no value beside it is larger */
+#define NURBS_EXTREMUM_SADDLE 0x04    /**< f turns up along some axes, and down along others */
+#define NURBS_EXTREMUM_PLATEAU 0x08   /**< f is constant in the range */
+#define NURBS_EXTREMUM_UNDECIDED 0x10 /**< a range in which it is left open what there is */
+/** @} */
+
 /** \name Convexity of a curve in the plane
  * @{ */
 #define NURBS_CONVEXITY_NONE 0      /**< turns both ways, or through more than a full turn, or has a cusp */
@@ -5126,6 +5136,60 @@ NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int6
 NURBS_API nurbs_status nurbs_curve_features_with(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                                  int32_t *found, double *values, int64_t *count,
                                                  int32_t *complete, const nurbs_call_options *call);
+
+/** \brief Local extrema and saddles of a scalar spline f of 1 to 3 axes. (Its global minimum and maximum, with
+ * a proven bound: nurbs_extreme_point() with a direction of -1 and 1.)
+ *
+ * Seen along one axis, f turns down at a place if it rises before and falls after it, and up if it falls before
+ * and rises after it; at an end of the domain, if it falls or rises from there inwards. That includes knots where
+ * f has a kink; where it jumps, it counts as rising or falling from one limit to the other, and each of the two
+ * limits is a place. A minimum turns up along all axes, a maximum down, and a saddle up along some and down along
+ * others. On a side or an edge of the domain, or where f has a kink along some axes, the other axes are those
+ * principal directions of f there in which its derivative vanishes. A saddle on a side is one of the sub- or
+ * superlevel sets of f: not where f rises into the domain from one side and falls from another. So the minima less
+ * the saddles plus the maxima of a surface that is periodic along both axes are 0. Of a curve, a saddle is where
+ * the derivative is 0, from one side at least, and f goes on as it came.
+ *
+ * Along one axis the signs of Bernstein coefficients prove what there is, as in nurbs_roots(): in a range into
+ * which rounding cannot look there is an extremum of the kind that is told, and there may be more. Along more axes
+ * each is proven to be the only one in its range (a contraction by Krawczyk's operator), and the signs of second
+ * derivatives tell its kind. What is degenerate to rounding, such as a ridge of one height, is undecided; so is
+ * what has a weight that cannot be shown to be positive, and, along more axes, the height of a jump that changes
+ * its sign.
+ *
+ * Where control points, not homogeneous ones, say without rounding that f is constant, on spans or on sides where
+ * it ends or has a kink, that is a plateau, with its borders. Of a curve it is a minimum, maximum or saddle too by
+ * what f does before and after it. On a side or an edge of a surface or volume it is a minimum or maximum too if f
+ * is proven to turn up or down along all axes on which it has no extent, and it is left out where f goes on across
+ * it. f alone on all of its domain is a plateau, nothing else.
+ * \param[in] g a spline of dimension 1.
+ * \param[in] kinds sum of NURBS_EXTREMUM_ constants: what has one of these is listed.
+ * \param[in] cap length of the outputs: 0, or at least the number of extrema.
+ * \param[out] params [cap][axes] or NULL: where, in rising order of the first axis, then the second; the middle of
+ *   a plateau or of a range that is undecided. An extremum at the seam of a periodic axis is at its lower end.
+ * \param[out] values [cap] or NULL: f there; of a jump, the limit that is meant.
+ * \param[out] found [cap] or NULL: a sum of NURBS_EXTREMUM_ constants each.
+ * \param[out] boxes [cap][axes][2] or NULL: ranges of parameters, that hold the extremum, or all of a plateau. On
+ *   periodic axes they may begin in the period before or end in the next one.
+ * \param[out] count or NULL: number of extrema.
+ * \param[out] complete or NULL: 1 if there is nothing outside of the ranges, also of kinds that are not asked
+ *   for, and nothing is undecided; 0 also at the limit of work, where what was not looked at is undecided.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _FLAGS, _COUNT, _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap is
+ *   neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_extrema(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
+                                     double *values, int32_t *found, double *boxes, int64_t *count,
+                                     int32_t *complete);
+
+/** \brief nurbs_extrema() as a call that can be watched and ended.
+ * \param[in] g,kinds,cap as for nurbs_extrema().
+ * \param[out] params,values,found,boxes,count,complete as for nurbs_extrema().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_extrema(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_extrema_with(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
+                                          double *values, int32_t *found, double *boxes, int64_t *count,
+                                          int32_t *complete, const nurbs_call_options *call);
 
 /** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls
  * or, to rounding, stays on whole Bezier pieces. A jump begins a piece.

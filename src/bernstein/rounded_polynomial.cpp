@@ -219,11 +219,11 @@ RoundedPolynomial value_at(RoundedPolynomial a, int axis, double place) {
 }
 
 // a_0 = 0 gives a = x sum_j a_(j+1) n / (j+1) B_j of degree n - 1.
-int divide_end(RoundedPolynomial &a, int axis, bool upper) {
+int divide_end(RoundedPolynomial &a, int axis, bool upper, int most) {
     int times = 0;
     while (true) {
         const AxisLayers from = a.shape.along(axis);
-        if (!vanishes(end_value(a, axis, upper))) {
+        if (times >= most || !vanishes(end_value(a, axis, upper))) {
             return times;
         }
         if (from.degree == 0) {

@@ -4,6 +4,7 @@
 
 #include "bernstein/products.h"
 
+#include <limits>
 #include <vector>
 
 namespace nrb::inline bernstein {
@@ -57,8 +58,8 @@ RoundedPolynomial split(RoundedPolynomial &a, int axis, double place = 0.5);
 RoundedPolynomial value_at(RoundedPolynomial a, int axis, double place);
 
 // Divides by x, or by 1 - x if `upper`, as often as the coefficients at that end vanish to rounding; the
-// number of times, -1 for a polynomial that vanishes to rounding altogether.
-int divide_end(RoundedPolynomial &a, int axis, bool upper);
+// number of times, `most` of them, -1 for a polynomial that vanishes to rounding altogether.
+int divide_end(RoundedPolynomial &a, int axis, bool upper, int most = std::numeric_limits<int>::max());
 
 bool vanishes(const RoundedPolynomial &a) noexcept; // to rounding
 // 1 or -1: all coefficients have that sign for certain; else 0.

@@ -102,7 +102,11 @@ private:
 
 } // namespace
 
-CurveFunction::CurveFunction(const Spline &curve) : curve_(curve), maker_(curve, whole_domain(curve)) {}
+CurveFunction::CurveFunction(const Spline &curve)
+    : CurveFunction(curve, curve.axis(0).domain(), curve.axis(0).periodic()) {}
+
+CurveFunction::CurveFunction(const Spline &curve, Interval part, bool closed)
+    : curve_(curve), maker_(curve, {part}), periodic_(closed) {}
 
 int64_t CurveFunction::first_to(double parameter) const noexcept {
     const std::vector<double> &breaks = maker_.breaks(0);

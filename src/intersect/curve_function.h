@@ -18,6 +18,8 @@ struct FunctionPiece {
 class CurveFunction {
 public:
     explicit CurveFunction(const Spline &curve);
+    // Along a part of the curve; all of a periodic one may be closed.
+    CurveFunction(const Spline &curve, Interval part, bool closed);
     CurveFunction(const CurveFunction &) = delete;
     CurveFunction &operator=(const CurveFunction &) = delete;
     virtual ~CurveFunction() = default;
@@ -31,7 +33,7 @@ public:
     [[nodiscard]] int64_t first_to(double parameter) const noexcept;
     [[nodiscard]] Interval domain() const noexcept { return {part(0).lower, part(count() - 1).upper}; }
     [[nodiscard]] double period() const noexcept { return domain().upper - domain().lower; }
-    [[nodiscard]] bool periodic() const noexcept { return curve_.axis(0).periodic(); }
+    [[nodiscard]] bool periodic() const noexcept { return periodic_; }
     [[nodiscard]] double parameter(int64_t e, double place) const noexcept;
 
     // 1 or -1: f or -f exceeds the tolerance on the whole piece, as its control values tell; else 0.
@@ -45,6 +47,7 @@ protected:
 private:
     const Spline &curve_;
     pieces::PieceMaker maker_;
+    bool periodic_;
 };
 
 // An implicit form along a curve, which has to outlive the function. A form of degree 1 along Cartesian

@@ -45,9 +45,9 @@ private:
             x.range = {x.range.lower + period, x.range.upper + period};
         });
         std::rotate(zeros.begin(), zero, zeros.end());
-        std::vector<double> &jumps = signs_.jumps;
-        const auto jump = std::ranges::upper_bound(jumps, end);
-        std::for_each(jumps.begin(), jump, [period](double &at) { at += period; });
+        std::vector<SignJump> &jumps = signs_.jumps;
+        const auto jump = std::ranges::upper_bound(jumps, end, {}, &SignJump::at);
+        std::for_each(jumps.begin(), jump, [period](SignJump &x) { x.at += period; });
         std::rotate(jumps.begin(), jump, jumps.end());
     }
 
@@ -57,8 +57,8 @@ private:
              ++next_zero_) {
             add(signs_.zeros[next_zero_]);
         }
-        for (; next_jump_ < signs_.jumps.size() && signs_.jumps[next_jump_] < parameter; ++next_jump_) {
-            add_jump(signs_.jumps[next_jump_]);
+        for (; next_jump_ < signs_.jumps.size() && signs_.jumps[next_jump_].at < parameter; ++next_jump_) {
+            add_jump(signs_.jumps[next_jump_].at);
         }
     }
 
@@ -69,7 +69,7 @@ private:
         while (next_zero_ < signs_.zeros.size() && signs_.zeros[next_zero_].range.lower <= range.upper) {
             ++next_zero_;
         }
-        while (next_jump_ < signs_.jumps.size() && signs_.jumps[next_jump_] <= range.upper) {
+        while (next_jump_ < signs_.jumps.size() && signs_.jumps[next_jump_].at <= range.upper) {
             ++next_jump_;
         }
         const size_t zeros = next_zero_ - first_zero, jumps = next_jump_ - first_jump;
@@ -82,7 +82,7 @@ private:
             add(signs_.zeros[i]);
         }
         for (size_t i = first_jump; i < next_jump_; ++i) {
-            add_jump(signs_.jumps[i]);
+            add_jump(signs_.jumps[i].at);
         }
         if (zeros + jumps == 0) {
             hits_.list.push_back({place_of_least(f_, range), range, HitKind::contact});

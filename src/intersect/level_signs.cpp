@@ -45,6 +45,8 @@ public:
                 add_piece();
             }
         }
+        result_.first = first_sign_;
+        result_.last = zero_is_last_ ? 0 : sign_;
         close_seam();
         add_near();
         return std::move(result_);
@@ -127,7 +129,7 @@ private:
         if (zero_is_last_) {
             result_.zeros.back().after = sign;
         } else if (sign_ == -sign) {
-            result_.jumps.push_back(from);
+            result_.jumps.push_back({from, sign_});
         }
         if (first_sign_ == 0 && result_.zeros.empty() && result_.unknown.empty()) {
             first_sign_ = sign;
@@ -167,7 +169,7 @@ private:
         }
         const double start = f_.domain().lower, period = f_.period();
         std::vector<ZeroRange> &zeros = result_.zeros;
-        const bool at_start = !zeros.empty() && zeros.front().range.lower == start;
+        const bool at_start = !zeros.empty() && first_sign_ == 0 && zeros.front().range.lower == start;
         if (at_start && zero_is_last_ && zeros.size() > 1) {
             ZeroRange first = zeros.front();
             first.range = {first.range.lower + period, first.range.upper + period};
@@ -180,7 +182,7 @@ private:
         } else if (!at_start && zero_is_last_) {
             zeros.back().after = first_sign_;
         } else if (!at_start && sign_ == -first_sign_ && sign_ != 0) {
-            result_.jumps.insert(result_.jumps.begin(), start);
+            result_.jumps.insert(result_.jumps.begin(), {start, sign_});
         }
     }
 

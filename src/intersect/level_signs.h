@@ -22,13 +22,20 @@ struct ZeroRange {
     int before = 0, after = 0; // certain signs, 0: none, at an end of the curve
 };
 
+// A change from one certain sign to the other without a zero.
+struct SignJump {
+    double at;
+    int before;
+};
+
 struct LevelSigns {
     // Rising; on a periodic axis the last one may end in the next period. Those that touch are one.
     std::vector<ZeroRange> zeros;
     // The same, if the tolerance is above 0: where |f| may be at most that. All the rest is farther away.
     std::vector<Interval> near;
     std::vector<Interval> unknown; // the weight has no certain sign, or the limit of work was reached
-    std::vector<double> jumps;     // from one certain sign to the other without a zero
+    std::vector<SignJump> jumps;
+    int first = 0, last = 0; // at the ends of the curve; 0: a zero, or it is not certain
 };
 
 LevelSigns level_signs(const CurveFunction &f, double tolerance);

@@ -189,8 +189,8 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
     const bool homogeneous = sub.form() == Form::homogeneous;
     const bool weighted = weighted_ || homogeneous;
     piece.centre = centre_.empty() ? local_centre(sub) : centre_;
-    const CentredRecords records =
-        centred_records(sub, piece.centre, weighted, weighted ? weight_exponent(sub) : 0);
+    piece.weight_exponent = weighted ? weight_exponent(sub) : 0;
+    const CentredRecords records = centred_records(sub, piece.centre, weighted, piece.weight_exponent);
     const BernsteinNet net(sub, records, ends, degrees),
         sizes(sub, magnitudes_of(records, sub.form()), ends, degrees);
     piece.positive = !weighted || net.positive();

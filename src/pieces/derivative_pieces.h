@@ -14,6 +14,7 @@ struct HomogeneousPiece {
     RoundedPolynomial points; // A
     RoundedPolynomial weight;
     int exponent = 0;             // of the unit of length
+    int weight_exponent = 0;      // of that of weights
     bool positive = true;         // the weight, in the whole piece; otherwise its sign is not known
     int first_axis = 0;           // of the three that the spline has
     Part part{};                  // of the parameters, for the axes of the spline

@@ -157,6 +157,7 @@ ASK = [
     lambda c: c.g.normal_cone(c.tolerance()),
     lambda c: c.g.extreme_point(c.vector(), c.tolerance()),
     lambda c: c.g.features(),
+    lambda c: c.g.extrema(),
     lambda c: c.g.roots(0, c.tolerance()),
     lambda c: c.g.curve_level(1, [1] * (c.g.dimension + 1), c.tolerance()),
     lambda c: c.g.curve_intersections(c.h, c.tolerance()),

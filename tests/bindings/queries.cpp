@@ -145,6 +145,10 @@ static void curve_shapes() {
     const CurveFeatures kink = features(polyline(2, {0, 0, 1, 0, 1, 1}), feature_kink | feature_cusp);
     EXPECT(near(kink.params, {1}) && kink.found == std::vector{feature_kink});
     EXPECT(near(kink.values, {pi / 2}));
+    const Extrema tops =
+        extrema(Spline::create_bezier({1, 1}, 1, {0, 1, 1, 0}), extremum_maximum | extremum_saddle);
+    EXPECT(near(tops.params, {0, 1, 0.5, 0.5, 1, 0}) && near(tops.values, {1, 0.5, 1}) && tops.complete);
+    EXPECT(tops.found == (std::vector{extremum_maximum, extremum_saddle, extremum_maximum}));
     const Hits zeros = roots(Spline::create_bezier({2}, 1, {0.75, -1.25, 0.75}));
     EXPECT(near(zeros.params, {0.25, 0.75}) && zeros.kinds == (std::vector{hit_crossing, hit_crossing}) &&
            zeros.complete);

@@ -188,6 +188,7 @@ contains
         real(c_double), allocatable :: params(:), values(:)
         integer(c_int32_t), allocatable :: found(:), signs(:)
         real(c_double), allocatable :: ranges(:, :), others(:, :)
+        real(c_double), allocatable :: tops(:, :), boxes(:, :, :)
         real(c_double) :: corners(3, 2), bezier(4, 2), parabola(3, 1)
         logical :: complete
         bezier(:, 1) = [0, 1, 2, 3]
@@ -204,6 +205,8 @@ contains
         call g%create_bezier([2], parabola)
         call roots(g, params, signs, ranges, complete)
         call expect(near(params, [0.25d0, 0.75d0]) .and. complete .and. all(signs == NURBS_HIT_CROSSING), 'roots')
+        call extrema(g, NURBS_EXTREMUM_MINIMUM, tops, values, found, boxes, complete)
+        call expect(near(tops(:, 1), [0.5d0]) .and. complete .and. all(found == NURBS_EXTREMUM_MINIMUM), 'a minimum')
         call curve_level(ring, 1, [1d0, 2d0, 0d0], params, signs, ranges, complete)
         call expect(size(params) == 2 .and. complete .and. all(shape(ranges) == [2, 2]), 'a line through a ring')
         call curve_intersections(ring, base, params, values, signs, ranges, others, complete, tolerance=1d-9)

@@ -328,6 +328,18 @@ class Features(unittest.TestCase):
         near(kink.params, [1])
         near(kink.values, [pi / 2])
 
+    def test_extrema(self):
+        found = nurbs.Spline.bezier([[[0], [1]], [[1], [0]]]).extrema()
+        near(found.params, [[0, 0], [0, 1], [0.5, 0.5], [1, 0], [1, 1]])
+        near(found.values, [0, 1, 0.5, 1, 0])
+        self.assertEqual(found.found.tolist(), [nurbs.NURBS_EXTREMUM_MINIMUM, nurbs.NURBS_EXTREMUM_MAXIMUM,
+                                                nurbs.NURBS_EXTREMUM_SADDLE, nurbs.NURBS_EXTREMUM_MAXIMUM,
+                                                nurbs.NURBS_EXTREMUM_MINIMUM])
+        self.assertTrue(found.complete)
+        hill = nurbs.Spline.bezier([[0], [1], [0]]).extrema(nurbs.NURBS_EXTREMUM_MAXIMUM)
+        self.assertTrue(hill.boxes[0, 0, 0] <= 0.5 <= hill.boxes[0, 0, 1])
+        self.assertEqual(len(hill.params), 1)
+
     def test_monotone_pieces(self):
         found = nurbs.circle().monotone_pieces([1, 0])
         near(found.starts, [0, 0.5])

@@ -166,6 +166,9 @@ fn curve_shapes() -> Result<()> {
     let kink = corner.features(sys::NURBS_FEATURE_KINK | sys::NURBS_FEATURE_CUSP)?.found[0];
     assert_eq!(kink.kind, sys::NURBS_FEATURE_KINK);
     assert!(near(&[kink.param, kink.value], &[1., PI / 2.]));
+    let tops = Spline::bezier(&[1, 1], 1, &[0., 1., 1., 0.], None)?.extrema(sys::NURBS_EXTREMUM_SADDLE)?;
+    assert!(near(&tops.params, &[0.5, 0.5]) && near(&tops.values, &[0.5]) && tops.complete && tops.boxes.len() == 2);
+    assert_eq!(tops.found, [sys::NURBS_EXTREMUM_SADDLE]);
     let zeros = Spline::bezier(&[2], 1, &[0.75, -1.25, 0.75], None)?.roots(0., 0.)?;
     assert!(near(&zeros.params, &[0.25, 0.75]) && zeros.complete && zeros.ranges.len() == 2);
     assert_eq!(circle(1.)?.curve_level(1, &[1., 2., 0.], 0.)?.kinds, [sys::NURBS_HIT_CROSSING; 2]);

@@ -137,6 +137,10 @@ void measures(const nurbs *g, const nurbs_call_options *call) {
         return nurbs_curve_features_with(g, NURBS_FEATURE_INFLECTION, 0, nullptr, nullptr, nullptr, o.counts,
                                          o.states, call);
     });
+    twice([&](Outputs &o) {
+        return nurbs_extrema_with(g, NURBS_EXTREMUM_SADDLE, 0, nullptr, nullptr, nullptr, nullptr, o.counts,
+                                  o.states, call);
+    });
     twice(
         [&](Outputs &o) { return nurbs_fold_test_with(g, nullptr, o.states, o.values, o.values + 3, call); });
 }

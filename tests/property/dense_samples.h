@@ -67,18 +67,19 @@ inline std::vector<long double> long_point(const SplineData &data, const double 
 }
 
 // `per_span` places in every span of both knot vectors, its ends among them.
-struct Place {
+struct SampledPlace {
     double t;
     bool left;
 };
-inline std::vector<Place> dense_places(const SplineData &f, const SplineData &g, int axis, int per_span) {
+inline std::vector<SampledPlace> dense_places(const SplineData &f, const SplineData &g, int axis,
+                                              int per_span) {
     const auto at = static_cast<size_t>(axis);
     std::vector<double> breaks = f.knots[at];
     breaks.insert(breaks.end(), g.knots[at].begin(), g.knots[at].end());
     std::sort(breaks.begin(), breaks.end());
     breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
     std::erase_if(breaks, [&](double t) { return t < f.lower(axis) || t > f.upper(axis); });
-    std::vector<Place> places;
+    std::vector<SampledPlace> places;
     for (size_t i = 0; i + 1 < breaks.size(); ++i) {
         for (int j = 0; j <= per_span; ++j) {
             const double x = static_cast<double>(j) / per_span;
@@ -105,13 +106,14 @@ inline long double sampling_error(const SplineData &data) {
 
 // Largest distance over a dense grid of a curve or surface, less that.
 inline long double dense_deviation(const SplineData &f, const SplineData &g, int per_span) {
-    std::vector<std::vector<Place>> places;
+    std::vector<std::vector<SampledPlace>> places;
     for (int k = 0; k < 2; ++k) {
-        places.push_back(k < f.axes() ? dense_places(f, g, k, per_span) : std::vector<Place>{{0, false}});
+        places.push_back(k < f.axes() ? dense_places(f, g, k, per_span)
+                                      : std::vector<SampledPlace>{{0, false}});
     }
     long double largest = 0;
-    for (const Place &u : places[0]) {
-        for (const Place &v : places[1]) {
+    for (const SampledPlace &u : places[0]) {
+        for (const SampledPlace &v : places[1]) {
             const double param[] = {u.t, v.t};
             const reference::Sides left{u.left, v.left, false};
             const auto a = long_point(f, param, left), b = long_point(g, param, left);

@@ -23,14 +23,14 @@ FoundShape recognize(const nurbs *g, double tolerance) {
 
 // The largest distance over `per_span` places in every span, less what sampling may be off by.
 long double sampled_deviation(const SplineData &data, const FoundShape &shape, int per_span) {
-    std::vector<std::vector<Place>> places;
+    std::vector<std::vector<SampledPlace>> places;
     for (int k = 0; k < 2; ++k) {
         places.push_back(k < data.axes() ? dense_places(data, data, k, per_span)
-                                         : std::vector<Place>{{0, false}});
+                                         : std::vector<SampledPlace>{{0, false}});
     }
     long double largest = 0;
-    for (const Place &u : places[0]) {
-        for (const Place &v : places[1]) {
+    for (const SampledPlace &u : places[0]) {
+        for (const SampledPlace &v : places[1]) {
             const double param[] = {u.t, v.t};
             const auto p = long_point(data, param, {u.left, v.left, false});
             largest = std::max(largest, shape_distance(shape, p));

@@ -251,7 +251,7 @@ TEST(Reduction, bounds_of_homogeneous_splines_are_bounds) {
         const Made result = reduce_knots(made, 0, extent(data));
         auto f = homogeneous(made), h = homogeneous(result.spline.get());
         long double found = 0;
-        for (const Place &place : dense_places(f, h, 0, 8)) {
+        for (const SampledPlace &place : dense_places(f, h, 0, 8)) {
             const reference::Sides left{place.left, false, false};
             const auto a = long_point(f, &place.t, left), b = long_point(h, &place.t, left);
             long double square = 0;

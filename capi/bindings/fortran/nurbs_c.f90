@@ -2713,6 +2713,30 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_features_with
+        !> Local extrema and saddles of a scalar spline f of 1 to 3 axes.
+        function nurbs_extrema(g, kinds, cap, params, values, found, boxes, count, complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kinds
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), values(*), boxes(*)
+            integer(c_int32_t), intent(inout), optional :: found(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_extrema
+        !> nurbs_extrema() as a call that can be watched and ended.
+        function nurbs_extrema_with(g, kinds, cap, params, values, found, boxes, count, complete, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kinds
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), values(*), boxes(*)
+            integer(c_int32_t), intent(inout), optional :: found(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_extrema_with
         !> The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or,
         !> to rounding, stays on whole Bezier pieces.
         function nurbs_curve_monotone_pieces(g, direction, cap, starts, signs, count, complete) bind(c) &

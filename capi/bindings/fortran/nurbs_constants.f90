@@ -386,6 +386,18 @@ module nurbs_constants
     ! the torsion changes its sign (dimension 3)
     integer(c_int32_t), parameter :: NURBS_FEATURE_TORSION = int(z'40', c_int32_t)
 
+    ! --- Kinds of extrema
+    ! no value beside it is smaller
+    integer(c_int32_t), parameter :: NURBS_EXTREMUM_MINIMUM = int(z'01', c_int32_t)
+    ! no value beside it is larger
+    integer(c_int32_t), parameter :: NURBS_EXTREMUM_MAXIMUM = int(z'02', c_int32_t)
+    ! f turns up along some axes, and down along others
+    integer(c_int32_t), parameter :: NURBS_EXTREMUM_SADDLE = int(z'04', c_int32_t)
+    ! f is constant in the range
+    integer(c_int32_t), parameter :: NURBS_EXTREMUM_PLATEAU = int(z'08', c_int32_t)
+    ! a range in which it is left open what there is
+    integer(c_int32_t), parameter :: NURBS_EXTREMUM_UNDECIDED = int(z'10', c_int32_t)
+
     ! --- Convexity of a curve in the plane
     ! turns both ways, or through more than a full turn, or has a cusp
     integer(c_int32_t), parameter :: NURBS_CONVEXITY_NONE = 0

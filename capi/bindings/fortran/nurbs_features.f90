@@ -4,15 +4,15 @@
 module nurbs_features
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_curve_features, nurbs_curve_monotone_pieces, nurbs_curve_convexity, nurbs_straightness, &
-        nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_test, nurbs_curve_features_with, &
-        nurbs_fold_test_with
+    use nurbs_c, only: nurbs_curve_features, nurbs_extrema, nurbs_curve_monotone_pieces, nurbs_curve_convexity, &
+        nurbs_straightness, nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_test, &
+        nurbs_curve_features_with, nurbs_extrema_with, nurbs_fold_test_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
-    public :: curve_features, monotone_pieces, curve_convexity, straightness, planarity, boundary_contacts
+    public :: curve_features, extrema, monotone_pieces, curve_convexity, straightness, planarity, boundary_contacts
     public :: singular_points, fold_test
 
 contains
@@ -51,6 +51,45 @@ contains
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine curve_features
+
+    !> params(n, axes) where a scalar spline has extrema, saddles or plateaus, values(n) there, found(n) a sum of
+    !> NURBS_EXTREMUM_ constants each, and boxes(2, axes, n), outside of which there is nothing. kinds: a sum of
+    !> NURBS_EXTREMUM_ constants.
+    subroutine extrema(g, kinds, params, values, found, boxes, complete, status, call)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: kinds
+        real(c_double), allocatable, intent(inout) :: params(:, :), values(:), boxes(:, :, :)
+        integer(c_int32_t), allocatable, intent(inout) :: found(:)
+        logical, intent(inout), optional :: complete
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: axes, n
+        real(c_double), allocatable :: params_c(:, :)
+        axes = axes_of(g%handle)
+        n = 0
+        answer = 0
+        if (present(call)) then
+            code = nurbs_extrema_with(g%handle, kinds, 0_c_int64_t, count=n, call=watched(call))
+        else
+            code = nurbs_extrema(g%handle, kinds, 0_c_int64_t, count=n)
+        end if
+        if (allocated(values)) deallocate (values)
+        if (allocated(found)) deallocate (found)
+        if (allocated(boxes)) deallocate (boxes)
+        allocate (params_c(axes, n), values(n), found(n), boxes(2, axes, n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_extrema_with(g%handle, kinds, n, params_c, values, found, boxes, complete=answer, &
+                    call=watched(call))
+            else
+                code = nurbs_extrema(g%handle, kinds, n, params_c, values, found, boxes, complete=answer)
+            end if
+        end if
+        params = transpose(params_c)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine extrema
 
     !> Lower ends starts(n) of the pieces on which a curve runs one way along a direction(dim), with signs(n): 1, -1 or
     !> 0 where it rises, falls or stays.

@@ -23,6 +23,13 @@ inline constexpr std::uint32_t feature_kink = NURBS_FEATURE_KINK;
 inline constexpr std::uint32_t feature_jump = NURBS_FEATURE_JUMP;
 inline constexpr std::uint32_t feature_torsion = NURBS_FEATURE_TORSION;
 
+/// Kinds of extrema, any sum of which may be asked for.
+inline constexpr std::uint32_t extremum_minimum = NURBS_EXTREMUM_MINIMUM;
+inline constexpr std::uint32_t extremum_maximum = NURBS_EXTREMUM_MAXIMUM;
+inline constexpr std::uint32_t extremum_saddle = NURBS_EXTREMUM_SADDLE;
+inline constexpr std::uint32_t extremum_plateau = NURBS_EXTREMUM_PLATEAU;
+inline constexpr std::uint32_t extremum_undecided = NURBS_EXTREMUM_UNDECIDED;
+
 /// Convexity of a curve in the plane.
 inline constexpr std::int32_t convexity_none = NURBS_CONVEXITY_NONE;
 inline constexpr std::int32_t convexity_left = NURBS_CONVEXITY_LEFT;
@@ -77,6 +84,61 @@ inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds, co
     found.params = detail::room(count);
     found_bits = detail::room<std::int32_t>(count);
     found.values = detail::room(count);
+    ask(count);
+    found.found.assign(found_bits.begin(), found_bits.end());
+    found.complete = complete != 0;
+    return found;
+}
+
+/// Parameters [n][axes], the values there, a sum of extremum_ constants each, and the boxes [n][axes][2]
+/// outside of which there is nothing.
+struct Extrema {
+    std::vector<double> params;       ///< [n][axes], in rising order of the first axis, then the second.
+    std::vector<double> values;       ///< Of the spline there.
+    std::vector<std::uint32_t> found; ///< A sum of extremum_ constants each.
+    std::vector<double> boxes;        ///< Ranges of parameters, [n][axes] of lower and upper ends.
+    bool complete;                    ///< Whether nothing is undecided.
+};
+
+/// Local extrema, saddles and plateaus of a scalar spline that have one of these kinds, a sum of extremum_
+/// constants.
+inline Returned<Extrema> extrema(const Spline &g, std::uint32_t kinds) {
+    Extrema found{};
+    std::vector<std::int32_t> found_bits;
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_extrema, g.get(), kinds, cap, found.params.data(), found.values.data(),
+                     found_bits.data(), found.boxes.data(), &count, &complete);
+    };
+    ask(0);
+    const std::int64_t axes = detail::axes(g.get());
+    found.params = detail::room(count, axes);
+    found.values = detail::room(count);
+    found_bits = detail::room<std::int32_t>(count);
+    found.boxes = detail::room(count, axes, 2);
+    ask(count);
+    found.found.assign(found_bits.begin(), found_bits.end());
+    found.complete = complete != 0;
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<Extrema> extrema(const Spline &g, std::uint32_t kinds, const CallOptions &call) {
+    Extrema found{};
+    const detail::Watch watch(call);
+    std::vector<std::int32_t> found_bits;
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_extrema_with, g.get(), kinds, cap, found.params.data(), found.values.data(),
+                     found_bits.data(), found.boxes.data(), &count, &complete, watch.get());
+    };
+    ask(0);
+    const std::int64_t axes = detail::axes(g.get());
+    found.params = detail::room(count, axes);
+    found.values = detail::room(count);
+    found_bits = detail::room<std::int32_t>(count);
+    found.boxes = detail::room(count, axes, 2);
     ask(count);
     found.found.assign(found_bits.begin(), found_bits.end());
     found.complete = complete != 0;

@@ -2291,6 +2291,26 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("extrema");
+        const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
+        const auto found = n::extrema(heights, 31u);
+        show("params", found.params);
+        show("values", found.values);
+        show("found", found.found);
+        show("boxes", found.boxes);
+        show("complete", found.complete);
+    }
+    {
+        begin("extrema count");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = n::extrema(ramp, 3u);
+        show("params", found.params);
+        show("values", found.values);
+        show("found", found.found);
+        show("boxes", found.boxes);
+        show("complete", found.complete);
+    }
+    {
         begin("curve_monotone_pieces");
         const auto found = n::monotone_pieces(in.curve, {0.1, 0.9});
         show("starts", found.starts);
@@ -2875,6 +2895,26 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("found", found.found);
         show("values", found.values);
+        show("complete", found.complete);
+    }
+    {
+        begin("extrema_with");
+        const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
+        const auto found = n::extrema(heights, 31u, watched());
+        show("params", found.params);
+        show("values", found.values);
+        show("found", found.found);
+        show("boxes", found.boxes);
+        show("complete", found.complete);
+    }
+    {
+        begin("extrema_with count");
+        const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
+        const auto found = n::extrema(ramp, 3u, watched());
+        show("params", found.params);
+        show("values", found.values);
+        show("found", found.found);
+        show("boxes", found.boxes);
         show("complete", found.complete);
     }
     {

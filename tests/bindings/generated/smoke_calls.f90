@@ -3923,6 +3923,43 @@ contains
             call show('values', values_found)
             call show('complete', complete_found)
         end block
+        call begin('extrema')
+        block
+            type(nurbs_spline) :: heights
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: values_found(:)
+            integer(c_int32_t), allocatable :: found_found(:)
+            real(c_double), allocatable :: boxes_found(:, :, :)
+            logical :: complete_found
+            call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
+                3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
+            call extrema(g=heights, kinds=31, params=params_found, values=values_found, found=found_found, &
+                boxes=boxes_found, complete=complete_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('values', values_found)
+            call show('found', found_found)
+            call show('boxes', flat(boxes_found))
+            call show('complete', complete_found)
+        end block
+        call begin('extrema count')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: values_found(:)
+            integer(c_int32_t), allocatable :: found_found(:)
+            real(c_double), allocatable :: boxes_found(:, :, :)
+            logical :: complete_found
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            call extrema(g=ramp, kinds=3, params=params_found, values=values_found, found=found_found, &
+                boxes=boxes_found, complete=complete_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('values', values_found)
+            call show('found', found_found)
+            call show('boxes', flat(boxes_found))
+            call show('complete', complete_found)
+        end block
         call begin('curve_monotone_pieces')
         block
             real(c_double), allocatable :: starts_found(:)
@@ -4880,6 +4917,45 @@ contains
             call show('params', params_found)
             call show('found', found_found)
             call show('values', values_found)
+            call show('complete', complete_found)
+        end block
+        call begin('extrema_with')
+        block
+            type(nurbs_spline) :: heights
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: values_found(:)
+            integer(c_int32_t), allocatable :: found_found(:)
+            real(c_double), allocatable :: boxes_found(:, :, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
+                3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
+            call extrema(g=heights, kinds=31, params=params_found, values=values_found, found=found_found, &
+                boxes=boxes_found, complete=complete_found, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('values', values_found)
+            call show('found', found_found)
+            call show('boxes', flat(boxes_found))
+            call show('complete', complete_found)
+        end block
+        call begin('extrema_with count')
+        block
+            type(nurbs_spline) :: ramp
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: values_found(:)
+            integer(c_int32_t), allocatable :: found_found(:)
+            real(c_double), allocatable :: boxes_found(:, :, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call ramp%create_bezier(degrees=[2], points=reshape([0.0d0, 0.25d0, 1.0d0], [3, 1], order=[2, 1]))
+            call extrema(g=ramp, kinds=3, params=params_found, values=values_found, found=found_found, &
+                boxes=boxes_found, complete=complete_found, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('values', values_found)
+            call show('found', found_found)
+            call show('boxes', flat(boxes_found))
             call show('complete', complete_found)
         end block
         call begin('fold_test_with')

@@ -3312,6 +3312,34 @@ fn query(given: &Given) -> nurbs::Result<()> {
         }
         show("complete", &found.complete);
     }
+    begin("extrema");
+    {
+        let heights = Spline::create(
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0],
+            1,
+            &[0.0, 1.0, 1.0, 2.0],
+            None,
+            0,
+        )?;
+        let found = heights.extrema(31)?;
+        show("params", &found.params);
+        show("values", &found.values);
+        show("found", &found.found);
+        show("boxes", &found.boxes);
+        show("complete", &found.complete);
+    }
+    begin("extrema count");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = ramp.extrema(3)?;
+        show("params", &found.params);
+        show("values", &found.values);
+        show("found", &found.found);
+        show("boxes", &found.boxes);
+        show("complete", &found.complete);
+    }
     begin("curve_monotone_pieces");
     {
         let found = given.curve.monotone_pieces(&[0.1, 0.9])?;
@@ -4041,6 +4069,34 @@ fn query(given: &Given) -> nurbs::Result<()> {
             show("found", &row.kind);
             show("values", &row.value);
         }
+        show("complete", &found.complete);
+    }
+    begin("extrema_with");
+    {
+        let heights = Spline::create(
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0],
+            1,
+            &[0.0, 1.0, 1.0, 2.0],
+            None,
+            0,
+        )?;
+        let found = heights.extrema_with(31, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("values", &found.values);
+        show("found", &found.found);
+        show("boxes", &found.boxes);
+        show("complete", &found.complete);
+    }
+    begin("extrema_with count");
+    {
+        let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
+        let found = ramp.extrema_with(3, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("values", &found.values);
+        show("found", &found.found);
+        show("boxes", &found.boxes);
         show("complete", &found.complete);
     }
     begin("fold_test_with");

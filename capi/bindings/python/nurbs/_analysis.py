@@ -12,8 +12,10 @@ from ._arrays import address, if_given
 from ._base import SplineBase
 from ._calls import listed, watched
 from ._library import call, get, lib
-from .constants import (NURBS_FEATURE_CURVATURE_MAXIMUM, NURBS_FEATURE_CURVATURE_MINIMUM, NURBS_FEATURE_CUSP,
-                        NURBS_FEATURE_INFLECTION, NURBS_FEATURE_JUMP, NURBS_FEATURE_KINK, NURBS_FEATURE_TORSION)
+from .constants import (NURBS_EXTREMUM_MAXIMUM, NURBS_EXTREMUM_MINIMUM, NURBS_EXTREMUM_PLATEAU, NURBS_EXTREMUM_SADDLE,
+                        NURBS_EXTREMUM_UNDECIDED, NURBS_FEATURE_CURVATURE_MAXIMUM, NURBS_FEATURE_CURVATURE_MINIMUM,
+                        NURBS_FEATURE_CUSP, NURBS_FEATURE_INFLECTION, NURBS_FEATURE_JUMP, NURBS_FEATURE_KINK,
+                        NURBS_FEATURE_TORSION)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -21,8 +23,8 @@ if TYPE_CHECKING:
     from ._arrays import Booleans, Floats, Int32s
     from ._calls import Progress
 
-__all__ = ["CurveFeatures", "MonotonePieces", "Straightness", "Planarity", "BoundaryContacts", "SingularPoints", "Fold",
-           "Recognized", "ShapeFactor"]
+__all__ = ["CurveFeatures", "MonotonePieces", "Straightness", "Planarity", "BoundaryContacts", "SingularPoints",
+           "Extrema", "Fold", "Recognized", "ShapeFactor"]
 
 
 class CurveFeatures(NamedTuple):
@@ -77,6 +79,17 @@ class SingularPoints(NamedTuple):
     complete: bool
 
 
+class Extrema(NamedTuple):
+    """Parameters (n, axes) in rising order, the values there, a sum of NURBS_EXTREMUM_ constants each, the boxes
+    (n, axes, 2) outside of which there is nothing, and whether nothing is undecided."""
+
+    params: Floats
+    values: Floats
+    found: Int32s
+    boxes: Floats
+    complete: bool
+
+
 class Fold(NamedTuple):
     """A NURBS_FOLD_ constant, and parameters (axes,) of either sign, NaN if none are known."""
 
@@ -106,6 +119,8 @@ class ShapeFactor(NamedTuple):
 
 _PLANE = (NURBS_FEATURE_INFLECTION | NURBS_FEATURE_CURVATURE_MAXIMUM | NURBS_FEATURE_CURVATURE_MINIMUM
           | NURBS_FEATURE_CUSP | NURBS_FEATURE_KINK | NURBS_FEATURE_JUMP)
+_EXTREMA = (NURBS_EXTREMUM_MINIMUM | NURBS_EXTREMUM_MAXIMUM | NURBS_EXTREMUM_SADDLE | NURBS_EXTREMUM_PLATEAU
+            | NURBS_EXTREMUM_UNDECIDED)
 
 
 class Analysis(SplineBase):
@@ -119,6 +134,14 @@ class Analysis(SplineBase):
             kinds = _PLANE | NURBS_FEATURE_TORSION if self.dimension == 3 else _PLANE
         return listed(CurveFeatures, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty(n)),
                        watched(lib.nurbs_curve_features, progress, work, 2), self._handle, kinds)
+
+    def extrema(self, kinds: int = _EXTREMA, *, progress: Progress = None, work: Optional[int] = None) -> Extrema:
+        """Local minima and maxima, saddles and plateaus of a spline of dimension 1, and what is undecided; of all kinds
+        unless a sum of NURBS_EXTREMUM_ constants is given."""
+        axes = self.axes
+        return listed(Extrema, lambda n: (numpy.empty((n, axes)), numpy.empty(n), numpy.empty(n, numpy.int32),
+                                          numpy.empty((n, axes, 2))),
+                      watched(lib.nurbs_extrema, progress, work, 2), self._handle, kinds)
 
     def monotone_pieces(self, direction: ArrayLike) -> MonotonePieces:
         """The pieces of a curve on which direction . C(t) rises, falls or stays; direction (dimension,)."""

@@ -238,6 +238,8 @@ PROTOTYPES = {
     "nurbs_extreme_point": "i pppdppp",
     "nurbs_curve_features": "i pulppppp",
     "nurbs_curve_features_with": "i pulpppppp",
+    "nurbs_extrema": "i pulpppppp",
+    "nurbs_extrema_with": "i pulppppppp",
     "nurbs_curve_monotone_pieces": "i pplpppp",
     "nurbs_curve_convexity": "i pp",
     "nurbs_straightness": "i pppp",

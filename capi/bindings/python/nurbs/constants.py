@@ -263,6 +263,13 @@ NURBS_FEATURE_KINK = 0x10  # a knot where the direction of the tangent jumps
 NURBS_FEATURE_JUMP = 0x20  # a knot where the curve jumps
 NURBS_FEATURE_TORSION = 0x40  # the torsion changes its sign (dimension 3)
 
+# --- Kinds of extrema
+NURBS_EXTREMUM_MINIMUM = 0x01  # no value beside it is smaller
+NURBS_EXTREMUM_MAXIMUM = 0x02  # no value beside it is larger
+NURBS_EXTREMUM_SADDLE = 0x04  # f turns up along some axes, and down along others
+NURBS_EXTREMUM_PLATEAU = 0x08  # f is constant in the range
+NURBS_EXTREMUM_UNDECIDED = 0x10  # a range in which it is left open what there is
+
 # --- Convexity of a curve in the plane
 NURBS_CONVEXITY_NONE = 0  # turns both ways, or through more than a full turn, or has a cusp
 NURBS_CONVEXITY_LEFT = 1  # turns to the left only, by at most a full turn

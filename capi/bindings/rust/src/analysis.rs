@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Features of curves and surfaces; `complete` tells that nothing was missed.
 
-use crate::arrays::{exactly, if_given, truths};
+use crate::arrays::{bits, exactly, if_given, truths};
 use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::spline::Spline;
@@ -28,6 +28,23 @@ pub struct Features {
     /// In rising order of their parameters.
     pub found: Vec<Feature>,
     /// Whether nothing was missed.
+    pub complete: bool,
+}
+
+/// Parameters `[n][axes]`, the values there, a sum of `NURBS_EXTREMUM_` constants each, and the boxes
+/// `[n][axes][2]` outside of which there is nothing.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Extrema {
+    /// `[n][axes]`, in rising order of the first axis, then the second.
+    pub params: Vec<f64>,
+    /// Of the spline there.
+    pub values: Vec<f64>,
+    /// A sum of `NURBS_EXTREMUM_` constants each.
+    pub found: Vec<u32>,
+    /// Ranges of parameters, `[n][axes]` of lower and upper ends.
+    pub boxes: Vec<[f64; 2]>,
+    /// Whether nothing is undecided.
     pub complete: bool,
 }
 
@@ -156,6 +173,68 @@ impl Spline {
                 .collect(),
             complete: complete != 0,
         })
+    }
+
+    /// Local extrema, saddles and plateaus of a scalar spline that have one of these kinds, a sum of
+    /// `NURBS_EXTREMUM_` constants.
+    pub fn extrema(&self, kinds: u32) -> Result<Extrema> {
+        let mut complete = 0;
+        let mut fill = |cap, params, values, found, boxes, count| unsafe {
+            sys::nurbs_extrema(self.raw(), kinds, cap, params, values, found, boxes, count, &mut complete)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let axes = self.axes()? as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut values = vec![0.0; n];
+        let mut found = vec![0; n];
+        let mut boxes = vec![[0.0; 2]; n * axes];
+        check(fill(
+            count,
+            params.as_mut_ptr(),
+            values.as_mut_ptr(),
+            found.as_mut_ptr(),
+            boxes.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(Extrema { params, values, found: bits(found), boxes, complete: complete != 0 })
+    }
+
+    /// The same as `extrema`; it can be watched and stopped.
+    pub fn extrema_with(&self, kinds: u32, call: &mut Call) -> Result<Extrema> {
+        let mut complete = 0;
+        let mut fill = |cap, params, values, found, boxes, count| unsafe {
+            sys::nurbs_extrema_with(
+                self.raw(),
+                kinds,
+                cap,
+                params,
+                values,
+                found,
+                boxes,
+                count,
+                &mut complete,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let axes = self.axes()? as usize;
+        let mut params = vec![0.0; n * axes];
+        let mut values = vec![0.0; n];
+        let mut found = vec![0; n];
+        let mut boxes = vec![[0.0; 2]; n * axes];
+        check(fill(
+            count,
+            params.as_mut_ptr(),
+            values.as_mut_ptr(),
+            found.as_mut_ptr(),
+            boxes.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(Extrema { params, values, found: bits(found), boxes, complete: complete != 0 })
     }
 
     /// The pieces of a curve on which it runs one way along a direction `[dim]`.

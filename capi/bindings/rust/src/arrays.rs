@@ -230,6 +230,11 @@ pub(crate) fn flat<const N: usize>(rows: &mut [[f64; N]]) -> &mut [f64] {
     unsafe { std::slice::from_raw_parts_mut(rows.as_mut_ptr().cast(), rows.len() * N) }
 }
 
+/// Sums of bits, which C passes as signed numbers.
+pub(crate) fn bits(values: Vec<i32>) -> Vec<u32> {
+    values.into_iter().map(|value| value as u32).collect()
+}
+
 pub(crate) fn truths(values: Vec<i32>) -> Vec<bool> {
     values.into_iter().map(|value| value != 0).collect()
 }

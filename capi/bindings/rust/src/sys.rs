@@ -829,6 +829,18 @@ pub const NURBS_FEATURE_JUMP: u32 = 0x20;
 /// the torsion changes its sign (dimension 3)
 pub const NURBS_FEATURE_TORSION: u32 = 0x40;
 
+// --- Kinds of extrema
+/// no value beside it is smaller
+pub const NURBS_EXTREMUM_MINIMUM: u32 = 0x01;
+/// no value beside it is larger
+pub const NURBS_EXTREMUM_MAXIMUM: u32 = 0x02;
+/// f turns up along some axes, and down along others
+pub const NURBS_EXTREMUM_SADDLE: u32 = 0x04;
+/// f is constant in the range
+pub const NURBS_EXTREMUM_PLATEAU: u32 = 0x08;
+/// a range in which it is left open what there is
+pub const NURBS_EXTREMUM_UNDECIDED: u32 = 0x10;
+
 // --- Convexity of a curve in the plane
 /// turns both ways, or through more than a full turn, or has a cusp
 pub const NURBS_CONVEXITY_NONE: i32 = 0;
@@ -3435,6 +3447,35 @@ extern "C" {
         params: *mut f64,
         found: *mut i32,
         values: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Local extrema and saddles of a scalar spline f of 1 to 3 axes.
+    ///
+    /// May be null: `params`, `values`, `found`, `boxes`, `count`, `complete`.
+    pub fn nurbs_extrema(
+        g: *const nurbs,
+        kinds: u32,
+        cap: i64,
+        params: *mut f64,
+        values: *mut f64,
+        found: *mut i32,
+        boxes: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_extrema() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `values`, `found`, `boxes`, `count`, `complete`, `call`.
+    pub fn nurbs_extrema_with(
+        g: *const nurbs,
+        kinds: u32,
+        cap: i64,
+        params: *mut f64,
+        values: *mut f64,
+        found: *mut i32,
+        boxes: *mut f64,
         count: *mut i64,
         complete: *mut i32,
         call: *const nurbs_call_options,

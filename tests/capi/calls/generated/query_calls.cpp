@@ -163,6 +163,23 @@ const Call group[] = {
          return nurbs_curve_features(in.loop, 63, 16, o.values, o.states, o.values + 16, o.spans, o.states +
              16);
      }, true},
+    {"extrema",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_heights(in, make_heights);
+         if (made_heights.status() != NURBS_OK) {
+             return made_heights.status();
+         }
+         return nurbs_extrema(made_heights, 31, 4, o.values, o.values + 8, o.states, o.values + 12, o.spans,
+             o.states + 4);
+     }, true},
+    {"extrema count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         return nurbs_extrema(made_ramp, 3, 0, nullptr, nullptr, nullptr, nullptr, o.spans, o.states);
+     }, true},
     {"curve_monotone_pieces",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double direction[] = {0.1, 0.9};
@@ -681,6 +698,28 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_curve_features_with(in.loop, 63, 16, o.values, o.states, o.values + 16, o.spans, o.states
              + 16, &call);
+     }, true},
+    {"extrema_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_heights(in, make_heights);
+         if (made_heights.status() != NURBS_OK) {
+             return made_heights.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_extrema_with(made_heights, 31, 4, o.values, o.values + 8, o.states, o.values + 12,
+             o.spans, o.states + 4, &call);
+     }, true},
+    {"extrema_with count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_ramp(in, make_ramp);
+         if (made_ramp.status() != NURBS_OK) {
+             return made_ramp.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_extrema_with(made_ramp, 3, 0, nullptr, nullptr, nullptr, nullptr, o.spans, o.states,
+             &call);
      }, true},
     {"fold_test_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

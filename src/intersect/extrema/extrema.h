@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Where scalar splines have local extrema and saddles.
+#pragma once
+
+#include "intersect/extrema/extremum.h"
+
+namespace nrb::intersect {
+
+// In rising order of the axes. Precondition: dimension 1. Throws Status::not_representable.
+Extrema extrema_of(const SplinePtr &spline);
+
+} // namespace nrb::intersect

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What is found where a scalar spline is stationary or turns.
+#pragma once
+
+#include "spline/part.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace nrb::intersect {
+
+// Bits.
+namespace extremum_kind {
+inline constexpr uint32_t minimum = 1, maximum = 2, saddle = 4, plateau = 8, undecided = 16;
+}
+
+// The extremum is in the range; f is constant on that of a plateau. On periodic axes ranges may leave the domain.
+struct Extremum {
+    std::array<double, max_axes> at{};
+    Part range{};
+    double value = 0;
+    uint32_t kinds = 0;
+};
+
+// There is nothing outside of the ranges.
+struct Extrema {
+    std::vector<Extremum> list;
+    [[nodiscard]] bool complete() const noexcept {
+        return std::ranges::none_of(
+            list, [](const Extremum &x) { return (x.kinds & extremum_kind::undecided) != 0; });
+    }
+};
+
+// What f does seen along an axis from below: 1 or -1, it rises or falls before a place and after it.
+inline uint32_t turn_of(int before, int after) noexcept {
+    return before == after ? extremum_kind::saddle
+           : before > 0    ? extremum_kind::maximum
+                           : extremum_kind::minimum;
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The derivative of a scalar curve, as far as its signs matter.
+#pragma once
+
+#include "intersect/curve_function.h"
+
+namespace nrb::intersect {
+
+class SlopeFunction final : public CurveFunction {
+public:
+    SlopeFunction(const Spline &curve, Interval part, bool closed);
+
+    [[nodiscard]] int far(int64_t e, double tolerance) const override;
+    [[nodiscard]] FunctionPiece piece(int64_t e) const override;
+    // Whether the curve is constant on a piece, as its control points tell.
+    [[nodiscard]] bool is_constant(int64_t e) const;
+    // Of the curve itself, in the domain; at the ends from inside.
+    [[nodiscard]] double value(double parameter) const;
+
+private:
+    [[nodiscard]] int64_t span(int64_t e) const noexcept {
+        return curve().axis(0).find_span(part(e).lower, false);
+    }
+};
+
+} // namespace nrb::intersect
