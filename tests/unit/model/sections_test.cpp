@@ -1,6 +1,7 @@
 // Sections of parts that are placed in parts, against those of the parts themselves.
 #include "eval/curve_point.h"
 #include "io/step/read_step.h"
+#include "model/rays/instances.h"
 #include "model/sections/model_sections.h"
 #include "support/step_reading.h"
 #include "support/step_solids.h"
