@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,9 +36,13 @@ double rounding(const Covering &covering) noexcept {
 Crossings::Crossings(const Spline &surface, const Covering &covering, std::span<const ClosedLoop> loops,
                      double tolerance)
     : surface_(surface), covering_(covering), near_(tolerance + rounding(covering)), hits_(covering, loops) {
+    doubled_.assign(hits_.curves().size(), false);
     for (const LoopHit &hit : hits_.all()) {
-        if (runs_along(hit) && !is_allowed(hit)) {
-            fail_at(hit, Status::crossing, "runs along", true);
+        if (runs_along(hit)) {
+            if (!is_allowed(hit)) {
+                fail_at(hit, Status::crossing, "runs along", true);
+            }
+            doubled_[hit.a] = doubled_[hit.b] = true;
         }
     }
 }
@@ -69,7 +72,7 @@ bool Crossings::is_allowed(const LoopHit &hit) const {
 
 bool Crossings::runs_against(const LoopHit &hit) const {
     const auto [lower, upper] = hit.range_a;
-    const auto ahead = [&](double share) { return hits_.foot(hit, lower + share * (upper - lower)); };
+    const auto ahead = [&](double share) { return foot(hit, lower + share * (upper - lower)); };
     return ahead(0.375) > ahead(0.625);
 }
 
@@ -83,13 +86,19 @@ double Crossings::extent(size_t curve, Interval range) const {
     return most;
 }
 
+// On b, of the place of a at t.
+double Crossings::foot(const LoopHit &hit, double t) const {
+    const Point2 x = hits_.place(hit.a, t);
+    return hits_.foot(hit.b, {x[0] - hit.move[0], x[1] - hit.move[1]});
+}
+
 // No farther away, in all of the range, than counts as nothing. Rounding hides more where curves touch than of a place.
 bool Crossings::runs_beside(const LoopHit &hit) const {
     const double most = std::max(near_, 0x1p-30 * covering_.extent());
     for (int i = 0; i <= range_samples; ++i) {
         const double share = static_cast<double>(i) / range_samples;
         const double t = hit.range_a.lower + share * (hit.range_a.upper - hit.range_a.lower);
-        if (gap(hit.a, t, hit.b, hits_.foot(hit, t)) > most) {
+        if (gap(hit.a, t, hit.b, foot(hit, t)) > most) {
             return false;
         }
     }
@@ -135,20 +144,20 @@ void Crossings::fail_at(const LoopHit &hit, Status status, const char *verb, boo
          there(hit.b, hit.at_b, hit.range_b).c_str());
 }
 
-// The hit of a loop that is nearest to a place, those between ends of curves before the others.
+// The hit of a loop that is nearest to a place, those between ends of curves before the others; if there is none, one of other loops,
+// by which this one may be turned.
 const LoopHit *Crossings::nearest(int loop, const Point2 &x) const {
+    constexpr int worst = 3;
     const LoopHit *best = nullptr;
-    auto least = std::pair(2, std::numeric_limits<double>::infinity());
+    auto least = std::pair(worst, 0.0);
     for (const LoopHit &hit : hits_.all()) {
         const bool of_loop = hits_.curves()[hit.a].loop == loop || hits_.curves()[hit.b].loop == loop;
-        if (!of_loop || is_joint(hit)) {
-            continue;
-        }
+        const bool inner = is_inner_crossing(hit);
+        const int rank = is_joint(hit) || (!of_loop && !inner) ? worst : !of_loop ? 2 : inner ? 0 : 1;
         const auto [u, v] = covering_.in_domain(hits_.place(hit.a, hit.at_a));
         const double away = std::hypot((u - x[0]) / covering_.period(0), (v - x[1]) / covering_.period(1));
-        const auto found = std::pair(is_inner_crossing(hit) ? 0 : 1, away);
-        if (found < least) {
-            least = found;
+        if (std::pair(rank, away) < least) {
+            least = {rank, away};
             best = &hit;
         }
     }
@@ -161,6 +170,36 @@ void Crossings::check_hits() const {
             fail_at(hit, Status::crossing, "crosses");
         }
     }
+}
+
+// Where a loop runs along both sides of a seam, or of a cut, what runs across has the same beside it before and behind.
+void Crossings::check_doubled() const {
+    for (const LoopHit &hit : hits_.all()) {
+        const LoopHit turned{hit.b,       hit.a,       hit.at_b, hit.at_a,
+                             hit.range_b, hit.range_a, hit.kind, {-hit.move[0], -hit.move[1]}};
+        if (is_inner_crossing(hit) &&
+            ((doubled_[hit.b] && goes_through(hit)) || (doubled_[hit.a] && goes_through(turned)))) {
+            fail_at(hit, Status::crossing, "crosses");
+        }
+    }
+}
+
+// Whether a is on both sides of b, farther away than twice the tolerance.
+bool Crossings::goes_through(const LoopHit &hit) const {
+    constexpr int both_ways = 4 * range_samples;
+    const Interval domain = hits_.curves()[hit.a].spline->axis(0).domain();
+    bool left = false, right = false;
+    for (int i = 0; i <= both_ways; ++i) {
+        const double t = domain.lower + (domain.upper - domain.lower) * i / both_ways;
+        const double under = foot(hit, t);
+        if (gap(hit.a, t, hit.b, under) > 2 * near_) {
+            const Point2 x = hits_.place(hit.a, t);
+            const double side = hits_.side(hit.b, under, {x[0] - hit.move[0], x[1] - hit.move[1]});
+            left = left || side > 0;
+            right = right || side < 0;
+        }
+    }
+    return left && right;
 }
 
 void Crossings::check(const TrimMap &trims) const {
@@ -183,6 +222,7 @@ void Crossings::check(const TrimMap &trims) const {
         fail(Status::orientation, "loop %d has its left side where other loops have their right side",
              astray->loop);
     }
+    check_doubled();
     for (const LoopHit &hit : hits_.all()) {
         if (hit.kind == HitKind::undecided && !is_joint(hit) && !runs_beside(hit)) {
             fail_at(hit, Status::not_converged, "comes undecidably near");

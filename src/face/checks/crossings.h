@@ -6,6 +6,9 @@
 #include "face/checks/loop_hits.h"
 #include "face/trims/trim_map.h"
 
+#include <span>
+#include <vector>
+
 namespace nrb::face {
 
 // To the left of a loop is the inside, to its right the outside: places have the value 1 or 0. Around a crossing lie three
@@ -27,6 +30,9 @@ public:
     void check_hits() const;
 
 private:
+    void check_doubled() const;
+    [[nodiscard]] bool goes_through(const LoopHit &hit) const;
+    [[nodiscard]] double foot(const LoopHit &hit, double t) const;
     [[nodiscard]] bool runs_along(const LoopHit &hit) const;
     [[nodiscard]] bool runs_against(const LoopHit &hit) const;
     [[nodiscard]] bool is_allowed(const LoopHit &hit) const;
@@ -43,6 +49,7 @@ private:
     const Covering &covering_;
     double near_; // in space, rounding included
     LoopHits hits_;
+    std::vector<bool> doubled_; // of the curves: whether they run along others, as allowed
 };
 
 } // namespace nrb::face

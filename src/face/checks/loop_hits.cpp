@@ -167,7 +167,7 @@ void LoopHits::compare(size_t a, size_t b, const Point2 &move) {
                          hit.range_a,
                          {std::min(hit.from_b, hit.to_b), std::max(hit.from_b, hit.to_b)},
                          hit.kind,
-                         move});
+                         {move[0] / scale_[0], move[1] / scale_[1]}});
     }
 }
 
@@ -178,12 +178,17 @@ Point2 LoopHits::place(size_t curve, double t) const {
     return {x[0] / scale_[0], x[1] / scale_[1]};
 }
 
-double LoopHits::foot(const LoopHit &hit, double t) const {
-    const Spline &other = *curves_[hit.b].spline;
-    const Point2 x = place(hit.a, t);
-    const Point2 scaled{x[0] * scale_[0] - hit.move[0], x[1] * scale_[1] - hit.move[1]};
-    const closest::Query query{scaled.data(), nullptr, 0, closest::usual_budget(other), false, true};
-    return closest::locator_of(other).nearest(query).params[0];
+double LoopHits::foot(size_t curve, const Point2 &x) const {
+    const Spline &spline = *curves_[curve].spline;
+    const Point2 scaled{x[0] * scale_[0], x[1] * scale_[1]};
+    const closest::Query query{scaled.data(), nullptr, 0, closest::usual_budget(spline), false, true};
+    return closest::locator_of(spline).nearest(query).params[0];
+}
+
+double LoopHits::side(size_t curve, double t, const Point2 &x) const {
+    std::array<double, 4> jet{}; // point and tangent
+    eval::evaluate_points(*curves_[curve].spline, {}, 1, {&t, 1, 1, 1, 1}, {jet.data(), 1, 4, 4, 1});
+    return jet[2] * (x[1] * scale_[1] - jet[1]) - jet[3] * (x[0] * scale_[0] - jet[0]);
 }
 
 std::string LoopHits::name(size_t curve) const {

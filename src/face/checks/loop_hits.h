@@ -25,7 +25,7 @@ struct LoopHit {
     double at_a, at_b;
     Interval range_a, range_b;
     intersect::HitKind kind;
-    Point2 move; // of b, by periods; scaled
+    Point2 move; // of b, by periods
 };
 
 // Curves are compared in all copies that closed axes make of them, as far as their boxes meet; each coordinate in units of about a
@@ -39,8 +39,10 @@ public:
     [[nodiscard]] const std::vector<LoopHit> &all() const noexcept { return hits_; }
     // In the plane that covers the domain.
     [[nodiscard]] Point2 place(size_t curve, double t) const;
-    // The parameter of b at its place nearest to that of a at t.
-    [[nodiscard]] double foot(const LoopHit &hit, double t) const;
+    // The parameter of a curve at its place nearest to another one.
+    [[nodiscard]] double foot(size_t curve, const Point2 &x) const;
+    // Positive to the left of the tangent at t.
+    [[nodiscard]] double side(size_t curve, double t, const Point2 &x) const;
     [[nodiscard]] std::string name(size_t curve) const;
     // Whether b begins where a ends: the next curve of a loop, or a segment that may be there.
     [[nodiscard]] bool follows(size_t a, size_t b) const noexcept;
