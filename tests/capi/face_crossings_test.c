@@ -149,11 +149,16 @@ static void loops_that_run_along_each_other(Rule rule) {
                                          0.25, 0.75, 0.75, 0.25, 0.75, 0.25, 0.25)),
                            &out_),
                   "runs along");
-    /* A cut from the outline to a hole. */
+    /* A cut from the outline to a hole, from the end of the curve, and within it. */
     CHECK_FACE(of_loops(rule,
                         LOOPS(POLYGON(0.125, 0.125, 0.875, 0.125, 0.875, 0.875, 0.125, 0.875, 0.125, 0.125,
                                       0.25, 0.25, 0.25, 0.5, 0.5, 0.5, 0.5, 0.25, 0.25, 0.25, 0.125, 0.125)),
                         &out_));
+    CHECK_FACE(
+        of_loops(rule,
+                 LOOPS(POLYGON(0.875, 0.125, 0.875, 0.875, 0.125, 0.875, 0.125, 0.25, 0.25, 0.25, 0.25, 0.5,
+                               0.5, 0.5, 0.5, 0.25, 0.25, 0.25, 0.125, 0.25, 0.125, 0.125, 0.875, 0.125)),
+                 &out_));
 }
 
 /* What overlaps is 0.001 wide in the domain, 0.002 in space. */

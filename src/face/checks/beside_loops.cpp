@@ -53,6 +53,9 @@ size_t BesideLoops::longer_side(const TrimPiece &piece) const noexcept {
 
 // Of all pieces in whose boxes it lies, in all copies.
 void BesideLoops::cut(const Point2 &x) {
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1])) {
+        return;
+    }
     const Point2 place = covering_.in_domain(x), &room = trims_.room();
     const Point2 lower{place[0] - room[0], place[1] - room[1]}, upper{place[0] + room[0], place[1] + room[1]};
     const auto all = std::span(trims_.pieces().all());

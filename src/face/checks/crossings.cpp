@@ -86,10 +86,15 @@ double Crossings::extent(size_t curve, Interval range) const {
     return most;
 }
 
-// On b, of the place of a at t.
+// On b, in its range, of the place of a at t: all of a curve may be nearest to itself.
 double Crossings::foot(const LoopHit &hit, double t) const {
+    return hits_.foot(hit.b, place_beside(hit, t), hit.range_b);
+}
+
+// Of a at t, where b is.
+Point2 Crossings::place_beside(const LoopHit &hit, double t) const {
     const Point2 x = hits_.place(hit.a, t);
-    return hits_.foot(hit.b, {x[0] - hit.move[0], x[1] - hit.move[1]});
+    return {x[0] - hit.move[0], x[1] - hit.move[1]};
 }
 
 // No farther away, in all of the range, than counts as nothing. Rounding hides more where curves touch than of a place.
@@ -191,10 +196,10 @@ bool Crossings::goes_through(const LoopHit &hit) const {
     bool left = false, right = false;
     for (int i = 0; i <= both_ways; ++i) {
         const double t = domain.lower + (domain.upper - domain.lower) * i / both_ways;
-        const double under = foot(hit, t);
+        const Point2 x = place_beside(hit, t);
+        const double under = hits_.foot(hit.b, x, hits_.curves()[hit.b].spline->axis(0).domain());
         if (gap(hit.a, t, hit.b, under) > 2 * near_) {
-            const Point2 x = hits_.place(hit.a, t);
-            const double side = hits_.side(hit.b, under, {x[0] - hit.move[0], x[1] - hit.move[1]});
+            const double side = hits_.side(hit.b, under, x);
             left = left || side > 0;
             right = right || side < 0;
         }

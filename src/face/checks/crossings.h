@@ -17,8 +17,8 @@ namespace nrb::face {
 // tolerance: what is thinner than twice the tolerance is no crossing.
 class Crossings {
 public:
-    // Throws Status::crossing for curves that run along each other in one direction, or of two loops, but for the two that may run around a
-    // closed axis along both sides of a seam.
+    // Throws Status::crossing for curves that run along each other, but for those of a loop that goes there and back, and of two
+    // that run around a closed axis in opposite directions.
     Crossings(const Spline &surface, const Covering &covering, std::span<const ClosedLoop> loops,
               double tolerance);
 
@@ -33,6 +33,7 @@ private:
     void check_doubled() const;
     [[nodiscard]] bool goes_through(const LoopHit &hit) const;
     [[nodiscard]] double foot(const LoopHit &hit, double t) const;
+    [[nodiscard]] Point2 place_beside(const LoopHit &hit, double t) const;
     [[nodiscard]] bool runs_along(const LoopHit &hit) const;
     [[nodiscard]] bool runs_against(const LoopHit &hit) const;
     [[nodiscard]] bool is_allowed(const LoopHit &hit) const;

@@ -178,10 +178,13 @@ Point2 LoopHits::place(size_t curve, double t) const {
     return {x[0] / scale_[0], x[1] / scale_[1]};
 }
 
-double LoopHits::foot(size_t curve, const Point2 &x) const {
+double LoopHits::foot(size_t curve, const Point2 &x, Interval range) const {
     const Spline &spline = *curves_[curve].spline;
     const Point2 scaled{x[0] * scale_[0], x[1] * scale_[1]};
-    const closest::Query query{scaled.data(), nullptr, 0, closest::usual_budget(spline), false, true};
+    const Interval domain = spline.axis(0).domain();
+    const bool inside = domain.lower <= range.lower && range.upper <= domain.upper;
+    const closest::Query query{
+        scaled.data(), inside ? &range : nullptr, 0, closest::usual_budget(spline), false, true};
     return closest::locator_of(spline).nearest(query).params[0];
 }
 

@@ -39,8 +39,8 @@ public:
     [[nodiscard]] const std::vector<LoopHit> &all() const noexcept { return hits_; }
     // In the plane that covers the domain.
     [[nodiscard]] Point2 place(size_t curve, double t) const;
-    // The parameter of a curve at its place nearest to another one.
-    [[nodiscard]] double foot(size_t curve, const Point2 &x) const;
+    // The parameter of a curve at its place nearest to another one, in a range if that lies in the domain.
+    [[nodiscard]] double foot(size_t curve, const Point2 &x, Interval range) const;
     // Positive to the left of the tangent at t.
     [[nodiscard]] double side(size_t curve, double t, const Point2 &x) const;
     [[nodiscard]] std::string name(size_t curve) const;
