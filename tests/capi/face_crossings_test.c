@@ -231,6 +231,28 @@ static void seams_and_poles(void) {
     }
 }
 
+/* A hole across both sides of a seam, and one beside it. */
+static void holes_in_whole_surfaces(void) {
+    nurbs *surface = made_cylinder();
+    double u[2], v[2];
+    CHECK_OK(nurbs_domain(surface, 0, u));
+    CHECK_OK(nurbs_domain(surface, 1, v));
+    const double middle = v[0] / 2 + v[1] / 2, radius = 0.0625 * (u[1] - u[0]);
+    for (int beside = 0; beside < 2; ++beside) {
+        nurbs *curves[] = {segment(u[0], v[0], u[1], v[0]), segment(u[1], v[0], u[1], v[1]),
+                           segment(u[1], v[1], u[0], v[1]), segment(u[0], v[1], u[0], v[0]),
+                           circle_in_domain(u[0] + 2 * beside * radius, middle, radius)};
+        const nurbs_status status = nurbs_face_create(surface, 2, SIZES(4, 1), (const nurbs *const *)curves,
+                                                      NULL, NULL, 1e-9, NURBS_CHECK_CROSSINGS, NULL, &out_);
+        CHECK_INT(status, beside ? NURBS_OK : NURBS_ERROR_CROSSING);
+        nurbs_face_destroy(out_);
+        for (int i = 0; i < 5; ++i) {
+            nurbs_destroy(curves[i]);
+        }
+    }
+    nurbs_destroy(surface);
+}
+
 /* Holes on both sides of the seam of a cylinder, which cross in another copy of the domain. */
 static void copies_of_a_closed_axis(void) {
     nurbs *surface = made_cylinder();
@@ -277,6 +299,7 @@ int main(void) {
     segments_that_close_gaps(rule);
     loops_as_oriented(rule);
     seams_and_poles();
+    holes_in_whole_surfaces();
     copies_of_a_closed_axis();
     nurbs_destroy(surface);
     return check_summary("face_crossings");
