@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "bounds/box.h"
 #include "face/checks/crossings.h"
 #include "face/trims/monotone.h"
@@ -117,6 +118,25 @@ void make_curves(FaceParts &parts, const Covering &covering) {
     }
 }
 
+// What is told of the progress of a call leaves room for the check, which may take longest.
+class BeforeCheck {
+public:
+    explicit BeforeCheck(const FaceParts &parts) noexcept {
+        constexpr double share = 0.25;
+        if (parts.check_crossings) {
+            phase_.emplace(share);
+        }
+    }
+
+private:
+    std::optional<Phase> phase_;
+};
+
+Covering covering_of(const FaceParts &parts) {
+    const BeforeCheck before(parts);
+    return {*parts.surface, parts.tolerance};
+}
+
 } // namespace
 
 void make_curves(FaceParts &parts) {
@@ -129,13 +149,16 @@ void make_curves(FaceParts &parts) {
 }
 
 Face::Face(FaceParts parts, std::vector<double> *gaps)
-    : surface_(parts.surface), tolerance_(parts.tolerance), covering_(*surface_, tolerance_) {
+    : surface_(parts.surface), tolerance_(parts.tolerance), covering_(covering_of(parts)) {
     if (parts.loops.empty()) {
         parts.loops = natural_loops(covering_);
         parts.as_oriented = true;
         parts.check_crossings = false;
     }
-    make_curves(parts, covering_);
+    {
+        const BeforeCheck before(parts);
+        make_curves(parts, covering_);
+    }
     loops_ = std::move(parts.loops);
     std::vector<ClosedLoop> closed;
     const TrimPieces plane = pieces(closed, gaps, parts.keep_gaps);

@@ -71,6 +71,20 @@ bool runs_one_way(const Spline &curve) noexcept {
 LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops)
     : covering_(covering), scale_{std::exp2(-std::ilogb(covering.period(0))),
                                   std::exp2(-std::ilogb(covering.period(1)))} {
+    add(loops);
+    constexpr int64_t for_a_point = 100000;
+    const UsualLimit usual(usual_work(points(), for_a_point));
+    const intersect::BoxTree tree(boxes_);
+    const Phase phase(0.75);
+    Steps steps(std::ssize(curves_));
+    for (size_t a = 0; a < curves_.size(); ++a) {
+        compare(a, tree);
+        steps.next();
+    }
+}
+
+void LoopHits::add(std::span<const ClosedLoop> loops) {
+    const Phase phase(0.125);
     for (const ClosedLoop &loop : loops) {
         const auto number = static_cast<int>(sizes_.size());
         const bool around = loop.placed.turn != Point2{0, 0};
@@ -83,14 +97,6 @@ LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops)
                 {nullptr, number, -1, around});
         }
         sizes_.push_back(index);
-    }
-    constexpr int64_t for_a_point = 100000;
-    const UsualLimit usual(usual_work(points(), for_a_point));
-    const intersect::BoxTree tree(boxes_);
-    Steps steps(std::ssize(curves_));
-    for (size_t a = 0; a < curves_.size(); ++a) {
-        compare(a, tree);
-        steps.next();
     }
 }
 

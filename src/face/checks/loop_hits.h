@@ -48,6 +48,7 @@ public:
     [[nodiscard]] bool follows(size_t a, size_t b) const noexcept;
 
 private:
+    void add(std::span<const ClosedLoop> loops);
     void add(const Spline &curve, Point2 shift, LoopCurve of);
     void compare(size_t a, const intersect::BoxTree &tree);
     void compare(size_t a, size_t b, const Point2 &move);
