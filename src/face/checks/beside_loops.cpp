@@ -183,9 +183,6 @@ std::optional<Point2> BesideLoops::astray_in(const Part &part, const std::array<
 // Both places count, so that nothing is said of what is too thin to be at both.
 bool BesideLoops::is_astray(const Sample &sample) const {
     const Point2 step = step_aside(sample);
-    if (!std::isfinite(step[0]) || !std::isfinite(step[1])) {
-        return false;
-    }
     return std::ranges::any_of(std::array{1.0, -1.0}, [&](double side) {
         const Point2 once{side * step[0], side * step[1]};
         return is_wrong(moved(sample.at, once)) && is_wrong(moved(moved(sample.at, once), once));
@@ -193,6 +190,9 @@ bool BesideLoops::is_astray(const Sample &sample) const {
 }
 
 bool BesideLoops::is_wrong(const Point2 &x) const noexcept {
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1])) {
+        return false;
+    }
     const std::optional<int> value = trims_.value(x);
     return value && *value != 0 && *value != 1;
 }

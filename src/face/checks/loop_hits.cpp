@@ -29,6 +29,12 @@ SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &mo
     return refine::transform(curve, {2, 2, matrix}, move.data());
 }
 
+// 1 by a power of two about as large as a period; that may be denormal, or overflow.
+double unit_of(double period) noexcept {
+    constexpr int most = 1000;
+    return std::exp2(-std::clamp(std::ilogb(period), -most, most));
+}
+
 // With room for what rounding does to copies.
 Box3 flat_box(const bounds::Box &box, const Point2 &move, const Point2 &scale) noexcept {
     Box3 flat;
@@ -69,8 +75,7 @@ bool runs_one_way(const Spline &curve) noexcept {
 } // namespace
 
 LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops)
-    : covering_(covering), scale_{std::exp2(-std::ilogb(covering.period(0))),
-                                  std::exp2(-std::ilogb(covering.period(1)))} {
+    : covering_(covering), scale_{unit_of(covering.period(0)), unit_of(covering.period(1))} {
     add(loops);
     constexpr int64_t for_a_point = 100000;
     const UsualLimit usual(usual_work(points(), for_a_point));
