@@ -144,11 +144,9 @@ nurbs_status nurbs_face_create(const nurbs *surface, int64_t loops, const int64_
         checked_array(loops, "sizes");
         check_apart({memory("gaps", gaps, loops)}, {memory("sizes", sizes, loops)});
         face::FaceParts parts{surface->spline,
-                              loops_of(loops, sizes, {*surface->spline, curves, edges, keys}),
-                              tolerance,
-                              (flags & NURBS_AS_ORIENTED) != 0,
-                              (flags & NURBS_CHECK_CROSSINGS) != 0,
-                              (flags & NURBS_KEEP_GAPS) != 0};
+                              loops_of(loops, sizes, {*surface->spline, curves, edges, keys}), tolerance,
+                              (flags & NURBS_AS_ORIENTED) != 0, (flags & NURBS_KEEP_GAPS) != 0};
+        parts.check_crossings = (flags & NURBS_CHECK_CROSSINGS) != 0;
         *out = new nurbs_face{std::make_shared<const face::Face>(std::move(parts), &found)};
     });
     if (status == NURBS_OK || status == NURBS_ERROR_GAP) {

@@ -21,13 +21,13 @@ struct FaceParts {
     double tolerance = 0; // of space
     bool as_oriented =
         false; // the inside is to the left of the loops as they run; else they are turned to be so
-    bool check_crossings = false; // loops that cross are refused
-    bool keep_gaps = false;       // larger ones than the tolerance are closed, too
+    bool keep_gaps = false; // larger ones than the tolerance are closed, too
     // Of curves that are made, beyond the distance of their edges from the surface; 0: half of the tolerance.
     double precision = 0;
     bool prove =
         true; // that curves which are made are within the tolerance; else deviation_of() proves it later
-    NearestPlace nearest{}; // of the surface, if it is known
+    NearestPlace nearest{};       // of the surface, if it is known
+    bool check_crossings = false; // loops that cross are refused
 };
 
 // Makes the curves that are missing, in the direction of their loops, as a face that is made of the parts does. Throws what
