@@ -130,7 +130,7 @@ bool Crossings::is_end(size_t curve, double at, bool upper) const {
 }
 
 // Where one curve of a loop goes on in the other.
-bool Crossings::is_joint(const LoopHit &hit) const {
+bool Crossings::is_succession(const LoopHit &hit) const {
     const auto goes_on = [&](size_t a, double at_a, size_t b, double at_b) {
         return hits_.follows(a, b) && is_end(a, at_a, true) && is_end(b, at_b, false);
     };
@@ -158,7 +158,7 @@ const LoopHit *Crossings::nearest(int loop, const Point2 &x) const {
     for (const LoopHit &hit : hits_.all()) {
         const bool of_loop = hits_.curves()[hit.a].loop == loop || hits_.curves()[hit.b].loop == loop;
         const bool inner = is_inner_crossing(hit);
-        const int rank = is_joint(hit) || (!of_loop && !inner) ? worst : !of_loop ? 2 : inner ? 0 : 1;
+        const int rank = is_succession(hit) || (!of_loop && !inner) ? worst : !of_loop ? 2 : inner ? 0 : 1;
         const auto [u, v] = covering_.in_domain(hits_.place(hit.a, hit.at_a));
         const double away = std::hypot((u - x[0]) / covering_.period(0), (v - x[1]) / covering_.period(1));
         if (std::pair(rank, away) < least) {
@@ -210,7 +210,7 @@ bool Crossings::goes_through(const LoopHit &hit) const {
 void Crossings::check(const TrimMap &trims) const {
     BesideLoops beside(surface_, covering_, trims, near_);
     for (const LoopHit &hit : hits_.all()) {
-        if (is_joint(hit)) {
+        if (is_succession(hit)) {
             continue;
         }
         for (const double t : {hit.range_a.lower, hit.at_a, hit.range_a.upper}) {
@@ -229,7 +229,7 @@ void Crossings::check(const TrimMap &trims) const {
     }
     check_doubled();
     for (const LoopHit &hit : hits_.all()) {
-        if (hit.kind == HitKind::undecided && !is_joint(hit) && !runs_beside(hit)) {
+        if (hit.kind == HitKind::undecided && !is_succession(hit) && !runs_beside(hit)) {
             fail_at(hit, Status::not_converged, "comes undecidably near");
         }
     }

@@ -38,7 +38,7 @@ private:
     [[nodiscard]] bool runs_against(const LoopHit &hit) const;
     [[nodiscard]] bool is_allowed(const LoopHit &hit) const;
     [[nodiscard]] bool is_inner_crossing(const LoopHit &hit) const;
-    [[nodiscard]] bool is_joint(const LoopHit &hit) const;
+    [[nodiscard]] bool is_succession(const LoopHit &hit) const;
     [[nodiscard]] bool is_end(size_t curve, double at, bool upper) const;
     [[nodiscard]] double gap(size_t a, double at_a, size_t b, double at_b) const;
     [[nodiscard]] double extent(size_t curve, Interval range) const;
