@@ -84,6 +84,7 @@ static_assert(static_cast<int>(Status::rank) == NURBS_ERROR_RANK);
 static_assert(static_cast<int>(Status::scale) == NURBS_ERROR_SCALE);
 static_assert(static_cast<int>(Status::orientation) == NURBS_ERROR_ORIENTATION);
 static_assert(static_cast<int>(Status::same) == NURBS_ERROR_SAME);
+static_assert(static_cast<int>(Status::crossing) == NURBS_ERROR_CROSSING);
 static_assert(static_cast<int>(Status::outside_domain) == NURBS_ERROR_OUTSIDE_DOMAIN);
 static_assert(static_cast<int>(Status::not_representable) == NURBS_ERROR_NOT_REPRESENTABLE);
 static_assert(static_cast<int>(Status::knots_merge) == NURBS_ERROR_KNOTS_MERGE);

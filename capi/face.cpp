@@ -137,14 +137,16 @@ nurbs_status nurbs_face_create(const nurbs *surface, int64_t loops, const int64_
         }
         check_kind(*surface->spline, 2, "surface");
         check_tolerance(tolerance);
-        if ((flags & ~(NURBS_AS_ORIENTED | NURBS_KEEP_GAPS)) != 0) {
-            fail(Status::flags, "flags = 0x%x, expected NURBS_AS_ORIENTED or NURBS_KEEP_GAPS", flags);
+        if ((flags & ~(NURBS_AS_ORIENTED | NURBS_CHECK_CROSSINGS | NURBS_KEEP_GAPS)) != 0) {
+            fail(Status::flags,
+                 "flags = 0x%x, expected NURBS_AS_ORIENTED, NURBS_CHECK_CROSSINGS or NURBS_KEEP_GAPS", flags);
         }
         checked_array(loops, "sizes");
         check_apart({memory("gaps", gaps, loops)}, {memory("sizes", sizes, loops)});
         face::FaceParts parts{surface->spline,
                               loops_of(loops, sizes, {*surface->spline, curves, edges, keys}), tolerance,
                               (flags & NURBS_AS_ORIENTED) != 0, (flags & NURBS_KEEP_GAPS) != 0};
+        parts.check_crossings = (flags & NURBS_CHECK_CROSSINGS) != 0;
         *out = new nurbs_face{std::make_shared<const face::Face>(std::move(parts), &found)};
     });
     if (status == NURBS_OK || status == NURBS_ERROR_GAP) {

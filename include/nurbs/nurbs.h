@@ -356,6 +356,7 @@ enum {
     NURBS_ERROR_SCALE = 67,       /**< a value or weight is above the scale of the statistics */
     NURBS_ERROR_ORIENTATION = 68, /**< loops of a face have no common inside, or enclose nothing */
     NURBS_ERROR_SAME = 69,        /**< one handle where two different shapes are needed */
+    NURBS_ERROR_CROSSING = 70,    /**< loops of a face cross themselves or each other */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -437,6 +438,8 @@ enum {
 #define NURBS_NAN_POINTS 0x01000000u
 /** \brief nurbs_face_create(): the inside is to the left of the loops as they run. */
 #define NURBS_AS_ORIENTED 0x01000000u
+/** \brief nurbs_face_create(): loops that cross themselves or each other are refused. */
+#define NURBS_CHECK_CROSSINGS 0x02000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -6688,8 +6691,21 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * and direction, by which loops lie in which: those that do not run around a closed axis are turned so that
  * loops in an even number of others enclose what is inside. Where loops run around a closed axis, these say
  * what is inside before the others. With NURBS_AS_ORIENTED no loop is turned. A loop that is turned has its
- * curves in the opposite order and each of them reversed, t -> -t. Costs: curves that are made take a nearest
- * point for each place that they go through, the rest is linear in the number of spans.
+ * curves in the opposite order and each of them reversed, t -> -t.
+ *
+ * With NURBS_CHECK_CROSSINGS loops that cross themselves or each other are refused, in all copies of a closed
+ * domain. To the left of a loop is the inside, to its right the outside. Where curves cross, places lie to the
+ * left, or to the right, of one curve more than that. So all hits of the curves are found, as by
+ * nurbs_curve_intersections() with a tolerance of 0, and samples beside the parts of the loops between them show
+ * whether there are such places. These are taken at the tolerance and at twice the tolerance from the curve: what
+ * is thinner is no crossing. Loops may touch each other and themselves, in points and where curves end. Curves
+ * that run along each other are refused, but for those of one loop that go there and back, as along a seam, and
+ * those of two loops that run around a closed axis in opposite directions. Loops that lie in each other as no
+ * face has them are refused with NURBS_ERROR_ORIENTATION. Segments that close gaps larger than the tolerance are
+ * curves too.
+ *
+ * Costs: curves that are made take a nearest point for each place that they go through, the rest is linear in the
+ * number of spans. The check takes n log n for n curves, and the search for hits of those whose boxes meet.
  * \param[in] surface a surface.
  * \param[in] loops number of loops; 0: the whole surface, bounded by those of its boundaries that neither
  *   meet nor are poles, from the lower left corner on.
@@ -6704,8 +6720,8 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  *   the loop.
  * \param[in] tolerance the largest distance in space that counts as none, >= 0: of ends that are to meet, of
  *   edges from the surface, of curves beyond the domain.
- * \param[in] flags NURBS_AS_ORIENTED; NURBS_KEEP_GAPS: gaps larger than the tolerance are closed by segments,
- *   too.
+ * \param[in] flags NURBS_AS_ORIENTED; NURBS_CHECK_CROSSINGS; NURBS_KEEP_GAPS: gaps larger than the tolerance are
+ *   closed by segments, too.
  * \param[out] gaps [loops] or NULL: the largest distance in space of two ends that are to meet, for each
  *   loop; written in case of NURBS_ERROR_GAP, too, where curves do not meet.
  * \param[out] out the new face.
@@ -6713,7 +6729,9 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  *   _GAP naming the loop if curves do not meet, or the edge that is off the surface; _OUTSIDE_DOMAIN naming a
  *   curve that leaves the domain on an axis that is not closed; _WEIGHT_SIGN; _ORIENTATION naming a loop that
  *   encloses nothing, or has its left side where another one has its right side; _NOT_CONVERGED for an edge
- *   without a curve under it.
+ *   without a curve under it; with NURBS_CHECK_CROSSINGS _CROSSING naming two curves with their loops and the
+ *   parameters where they cross, and _NOT_CONVERGED naming two of which it is left open whether they do, by
+ *   rounding or at the usual limit of work.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_create(const nurbs *surface, int64_t loops, const int64_t *sizes,
                                          const nurbs *const *curves, const nurbs *const *edges,

@@ -74,6 +74,7 @@ enum class Status : int32_t {
     scale = 67,
     orientation = 68,
     same = 69,
+    crossing = 70,
     // domain
     outside_domain = 100,
     // numbers

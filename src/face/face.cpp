@@ -3,12 +3,15 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "bounds/box.h"
+#include "face/checks/crossings.h"
 #include "face/trims/monotone.h"
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace nrb::face {
 
@@ -115,6 +118,25 @@ void make_curves(FaceParts &parts, const Covering &covering) {
     }
 }
 
+// What is told of the progress of a call leaves room for the check, which may take longest.
+class BeforeCheck {
+public:
+    explicit BeforeCheck(const FaceParts &parts) noexcept {
+        constexpr double share = 0.25;
+        if (parts.check_crossings) {
+            phase_.emplace(share);
+        }
+    }
+
+private:
+    std::optional<Phase> phase_;
+};
+
+Covering covering_of(const FaceParts &parts) {
+    const BeforeCheck before(parts);
+    return {*parts.surface, parts.tolerance};
+}
+
 } // namespace
 
 void make_curves(FaceParts &parts) {
@@ -127,16 +149,21 @@ void make_curves(FaceParts &parts) {
 }
 
 Face::Face(FaceParts parts, std::vector<double> *gaps)
-    : surface_(parts.surface), tolerance_(parts.tolerance), covering_(*surface_, tolerance_) {
+    : surface_(parts.surface), tolerance_(parts.tolerance), covering_(covering_of(parts)) {
     if (parts.loops.empty()) {
         parts.loops = natural_loops(covering_);
         parts.as_oriented = true;
+        parts.check_crossings = false;
     }
-    make_curves(parts, covering_);
+    {
+        const BeforeCheck before(parts);
+        make_curves(parts, covering_);
+    }
     loops_ = std::move(parts.loops);
-    const TrimPieces plane = pieces(gaps, parts.keep_gaps);
-    const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
-    trims_ = std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, !parts.as_oriented);
+    std::vector<ClosedLoop> closed;
+    const TrimPieces plane = pieces(closed, gaps, parts.keep_gaps);
+    const bool turn = !parts.as_oriented;
+    trims_ = parts.check_crossings ? uncrossed_map(plane, closed, turn) : map(plane, turn);
     for (size_t i = 0; i < loops_.size(); ++i) {
         if (trims_->turned()[i]) {
             loops_[i] = turned(loops_[i]);
@@ -144,8 +171,31 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
     }
 }
 
+std::unique_ptr<const TrimMap> Face::map(const TrimPieces &plane, bool turn, bool astray) const {
+    const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
+    return std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, turn, astray);
+}
+
+// Where there is no inside at all, that may be because loops cross.
+std::unique_ptr<const TrimMap> Face::uncrossed_map(const TrimPieces &plane, std::span<const ClosedLoop> loops,
+                                                   bool turn) const {
+    const Crossings crossings(*surface_, covering_, loops, tolerance_);
+    std::unique_ptr<const TrimMap> trims;
+    try {
+        trims = map(plane, turn);
+    } catch (const Error &error) {
+        if (error.status() == Status::orientation) {
+            crossings.check_hits();
+            crossings.check(*map(plane, turn, true));
+        }
+        throw;
+    }
+    crossings.check(*trims);
+    return trims;
+}
+
 // Gaps are told of all loops, whichever is the first to be too large.
-TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
+TrimPieces Face::pieces(std::vector<ClosedLoop> &closed, std::vector<double> *gaps, bool keep) {
     TrimPieces plane;
     Borders borders(covering_, tolerance_);
     std::vector<double> found;
@@ -153,14 +203,20 @@ TrimPieces Face::pieces(std::vector<double> *gaps, bool keep) {
         for (size_t j = 0; j < loops_[i].size(); ++j) {
             check_curve(*loops_[i][j].curve, i, j);
         }
-        const PlacedLoop loop = placed(*surface_, covering_, loops_[i], tolerance_);
+        closed.push_back({placed(*surface_, covering_, loops_[i], tolerance_), {}});
+        ClosedLoop &own = closed.back();
+        const PlacedLoop &loop = own.placed;
         for (size_t j = 0; j < loop.curves.size(); ++j) {
             borders.check(loop.curves[j], i, j);
         }
         double largest = 0;
         for (const Joint &joint : append_monotone(loop.curves, static_cast<int32_t>(i), loop.turn, plane)) {
-            largest = std::max(largest, gap_between(*surface_, covering_, joint.from, joint.to));
+            const double gap = gap_between(*surface_, covering_, joint.from, joint.to);
+            largest = std::max(largest, gap);
             joints_.push_back(joint);
+            if (!(gap <= tolerance_)) {
+                own.segments.push_back(joint);
+            }
         }
         found.push_back(largest);
     }

@@ -9,6 +9,7 @@
 #include "face/trims/trim_map.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace nrb::face {
@@ -25,7 +26,8 @@ struct FaceParts {
     double precision = 0;
     bool prove =
         true; // that curves which are made are within the tolerance; else deviation_of() proves it later
-    NearestPlace nearest{}; // of the surface, if it is known
+    NearestPlace nearest{};       // of the surface, if it is known
+    bool check_crossings = false; // loops that cross are refused
 };
 
 // Makes the curves that are missing, in the direction of their loops, as a face that is made of the parts does. Throws what
@@ -37,7 +39,7 @@ class Face {
 public:
     // gaps, if not null: the largest gap of each loop, in space; filled where loops are not closed, too. Throws Status::gap for a
     // gap larger than the tolerance, outside_domain for a curve that leaves it by more, orientation for loops that have no
-    // common inside, weight_sign for a weight that is not positive.
+    // common inside, weight_sign for a weight that is not positive; with check_crossings what Crossings does.
     Face(FaceParts parts, std::vector<double> *gaps);
     Face(const Face &) = delete;
     Face &operator=(const Face &) = delete;
@@ -53,7 +55,11 @@ public:
     [[nodiscard]] const std::vector<Joint> &joints() const noexcept { return joints_; }
 
 private:
-    [[nodiscard]] TrimPieces pieces(std::vector<double> *gaps, bool keep);
+    [[nodiscard]] TrimPieces pieces(std::vector<ClosedLoop> &closed, std::vector<double> *gaps, bool keep);
+    [[nodiscard]] std::unique_ptr<const TrimMap> map(const TrimPieces &plane, bool turn,
+                                                     bool astray = false) const;
+    [[nodiscard]] std::unique_ptr<const TrimMap>
+    uncrossed_map(const TrimPieces &plane, std::span<const ClosedLoop> loops, bool turn) const;
 
     SplinePtr surface_;
     std::vector<Loop> loops_;

@@ -32,6 +32,12 @@ struct PlacedLoop {
     Point2 turn{0, 0}; // by which it comes back to its start: periods of closed axes
 };
 
+// With the segments that close gaps which are larger than the tolerance.
+struct ClosedLoop {
+    PlacedLoop placed;
+    std::vector<Joint> segments;
+};
+
 // The curves of a loop one after the other in the plane that covers the domain, each in the copy in which it begins nearest to
 // where the one before it ends. At a pole the way leads around it, the inside to the left; where a loop comes back on the
 // meridian that it came on, once around.

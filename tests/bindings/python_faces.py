@@ -85,6 +85,15 @@ class Loops(unittest.TestCase):
         np.testing.assert_allclose(face.gaps, [1.5])
         self.assertAlmostEqual(face.area().value, 1.5, 12)
 
+    def test_loops_that_cross_are_refused_if_asked_for(self):
+        apart, across = [square(0.25, 0.75), square(0.375, 0.5)], [square(0.25, 0.75), square(0.74, 0.875)]
+        self.assertAlmostEqual(nurbs.Face(plane(), apart, check_crossings=True).area().value,
+                               nurbs.Face(plane(), apart).area().value, 12)
+        nurbs.Face(plane(), across)
+        with self.assertRaises(nurbs.ArgumentError) as caught:
+            nurbs.Face(plane(), across, check_crossings=True)
+        self.assertEqual(caught.exception.name, "NURBS_ERROR_CROSSING")
+
 
 class Answers(unittest.TestCase):
     def setUp(self):

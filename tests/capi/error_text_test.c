@@ -97,6 +97,7 @@ static void names(void) {
                NAME(NURBS_ERROR_CYCLE),
                NAME(NURBS_ERROR_ORIENTATION),
                NAME(NURBS_ERROR_SAME),
+               NAME(NURBS_ERROR_CROSSING),
                NAME(NURBS_ERROR_INTERNAL)};
     const size_t count = sizeof all / sizeof *all;
     size_t known = 0;

@@ -140,7 +140,8 @@ Loops any_loops(Input &in, const nurbs *surface) {
     }
     loops.gaps.resize(loops.sizes.size());
     loops.tolerance = in.rarely() ? in.anything() : std::ldexp(1.0, -in.below(40));
-    loops.flags = (in.coin() ? NURBS_AS_ORIENTED : 0) | (in.below(4) == 0 ? NURBS_KEEP_GAPS : 0);
+    loops.flags = (in.coin() ? NURBS_AS_ORIENTED : 0) | (in.below(4) == 0 ? NURBS_KEEP_GAPS : 0) |
+                  (in.below(4) == 0 ? NURBS_CHECK_CROSSINGS : 0);
     loops.flags ^= in.rarely() ? 1u << in.below(32) : 0;
     return loops;
 }

@@ -33,6 +33,22 @@ inline Face face_of(const nurbs *surface, const Curves &loops, double tolerance 
     return Face(face);
 }
 
+// Of the check for crossings.
+inline nurbs_status checked(const nurbs *surface, const Curves &loops, double tolerance, uint32_t flags = 0) {
+    std::vector<int64_t> sizes;
+    std::vector<const nurbs *> curves;
+    for (const auto &loop : loops) {
+        sizes.push_back(std::ssize(loop));
+        curves.insert(curves.end(), loop.begin(), loop.end());
+    }
+    nurbs_face *face = nullptr;
+    const nurbs_status status =
+        nurbs_face_create(surface, std::ssize(sizes), sizes.data(), curves.data(), nullptr, nullptr,
+                          tolerance, flags | NURBS_CHECK_CROSSINGS, nullptr, &face);
+    nurbs_face_destroy(face);
+    return status;
+}
+
 inline std::vector<int32_t> sides(const nurbs_face *face, const Vec &places, double tolerance = 0) {
     std::vector<int32_t> found(places.size() / 2);
     require_ok(nurbs_face_classify(face, std::ssize(found), places.data(), 0, 0, tolerance, found.data()));

@@ -129,6 +129,8 @@ module nurbs_constants
     ! loops of a face have no common inside, or enclose nothing
     integer(c_int32_t), parameter :: NURBS_ERROR_ORIENTATION = 68
     integer(c_int32_t), parameter :: NURBS_ERROR_SAME = 69  ! one handle where two different shapes are needed
+    ! loops of a face cross themselves or each other
+    integer(c_int32_t), parameter :: NURBS_ERROR_CROSSING = 70
     ! a parameter or knot lies outside the domain
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     ! a value of the result overflows double precision
@@ -201,6 +203,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NAN_POINTS = int(z'01000000', c_int32_t)
     ! nurbs_face_create(): the inside is to the left of the loops as they run.
     integer(c_int32_t), parameter :: NURBS_AS_ORIENTED = int(z'01000000', c_int32_t)
+    ! nurbs_face_create(): loops that cross themselves or each other are refused.
+    integer(c_int32_t), parameter :: NURBS_CHECK_CROSSINGS = int(z'02000000', c_int32_t)
 
     ! --- Form of a knot vector, as reported by nurbs_knot_form()
     ! the first degree + 1 knots are equal

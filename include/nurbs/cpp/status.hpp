@@ -77,6 +77,7 @@ enum class Status : nurbs_status {
     scale = NURBS_ERROR_SCALE,
     orientation = NURBS_ERROR_ORIENTATION,
     same = NURBS_ERROR_SAME,
+    crossing = NURBS_ERROR_CROSSING,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -118,6 +119,7 @@ inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
 inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
 inline constexpr std::uint32_t as_oriented = NURBS_AS_ORIENTED;
+inline constexpr std::uint32_t check_crossings = NURBS_CHECK_CROSSINGS;
 inline constexpr std::uint32_t product_dot = NURBS_PRODUCT_DOT;
 inline constexpr std::uint32_t product_cross = NURBS_PRODUCT_CROSS;
 inline constexpr std::uint32_t homogeneous_records = NURBS_HOMOGENEOUS;

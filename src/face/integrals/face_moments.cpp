@@ -20,7 +20,7 @@ constexpr int first_level = 1, last_level = 3;
 constexpr int64_t work_of_a_node = 300;
 constexpr int64_t least_work = 1500000000;
 constexpr int64_t rules_for_a_panel = 24;
-constexpr int most_halvings = 40;
+constexpr int most_panel_halvings = 40;
 
 struct PanelPart {
     Panel panel;
@@ -92,7 +92,7 @@ private:
         if (part.levels[axis] < last_level) {
             ++part.levels[axis];
             add(part);
-        } else if (part.halvings < most_halvings) {
+        } else if (part.halvings < most_panel_halvings) {
             halve(part, axis);
         } else {
             part.error = 0;

@@ -24,12 +24,12 @@ constexpr int most_probes = 16;
 } // namespace
 
 TrimMap::TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops,
-                 bool turn)
+                 bool turn, bool astray)
     : pieces_(std::move(folded.pieces)), passages_(std::move(folded.passages)), covering_(&covering),
       turned_(loops.size(), false) {
     fill_buckets();
     set_room();
-    orient(loops, turn);
+    orient(loops, turn, astray);
 }
 
 void TrimMap::set_room() noexcept {
@@ -106,15 +106,26 @@ bool TrimMap::walk(const Point2 &x, size_t except, Add &&add) const {
 }
 
 int TrimMap::side(const Point2 &x) const noexcept {
-    Point2 at = x;
     bool on = false;
+    const std::optional<int> found = sum(x, on);
+    return !found ? -1 : on ? 0 : *found > 0 ? 1 : -1;
+}
+
+std::optional<int> TrimMap::value(const Point2 &x) const noexcept {
+    bool on = false;
+    const std::optional<int> found = sum(x, on);
+    return on ? std::nullopt : found;
+}
+
+std::optional<int> TrimMap::sum(const Point2 &x, bool &on) const noexcept {
+    Point2 at = x;
     for (const int k : {0, 1}) {
         const Interval domain = covering_->domain(k);
         double &coordinate = at[static_cast<size_t>(k)];
         if (covering_->closed(k)) {
             coordinate = covering_->in_domain(at)[static_cast<size_t>(k)];
         } else if (!(domain.lower <= coordinate && coordinate <= domain.upper)) {
-            return -1;
+            return std::nullopt;
         }
     }
     int value = corner_;
@@ -132,7 +143,7 @@ int TrimMap::side(const Point2 &x) const noexcept {
         }
     }
     on = walk(at, none, add) || on;
-    return on ? 0 : value > 0 ? 1 : -1;
+    return value;
 }
 
 int TrimMap::value_at_top(double u) const noexcept {
@@ -216,7 +227,7 @@ std::optional<PassedSums> TrimMap::sums_left_of(size_t i, size_t k, double share
     return found;
 }
 
-void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
+void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn, bool astray) {
     for (size_t i = 0; i < loops.size(); ++i) {
         if (!loops[i].around && std::abs(loops[i].area) <= loops[i].noise) {
             fail(Status::orientation, "loop %zu encloses nothing", i);
@@ -227,7 +238,7 @@ void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn) {
         turn_loops(loops, left);
     }
     if (!loops.empty()) {
-        set_corner(loops);
+        set_corner(loops, astray);
     }
 }
 
@@ -258,7 +269,7 @@ void TrimMap::turn_loops(std::vector<LoopShape> loops, const std::vector<std::op
 
 // What is passed says how much values differ. Loops that run along each other, as both sides of a seam do, leave slivers between
 // them, so that what holds over most of the columns decides.
-void TrimMap::set_corner(const std::vector<LoopShape> &loops) {
+void TrimMap::set_corner(const std::vector<LoopShape> &loops, bool astray) {
     constexpr double sliver = 0x1p-20, most_astray = 0x1p-7; // of all columns
     corner_ = 0;
     Heights heights;
@@ -279,7 +290,7 @@ void TrimMap::set_corner(const std::vector<LoopShape> &loops) {
         lower = mostly_inside(loops) ? dominant - 1 : dominant;
     }
     corner_ = -lower;
-    if (total - height(lower) - height(lower + 1) > most_astray * total) {
+    if (!astray && total - height(lower) - height(lower + 1) > most_astray * total) {
         fail_astray();
     }
 }

@@ -19,11 +19,16 @@ namespace nrb::face {
 class TrimMap {
 public:
     // The value at the corner is that for which places are 1 or 0, but for slivers. Throws Status::orientation if there is none, as
-    // far as columns through the first loops and between them tell. With `turn` loops that do not run around an axis are turned where that is needed.
-    TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops, bool turn);
+    // far as columns through the first loops and between them tell. With `turn` loops that do not run around an axis are turned where that is needed;
+    // with `astray` the value need not be 1 or 0 anywhere.
+    TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops, bool turn,
+            bool astray = false);
 
     // 1 inside, 0 on a curve to rounding, -1 outside.
     [[nodiscard]] int side(const Point2 &x) const noexcept;
+    // The sum at a place: other than 1 and 0 only where loops cross or lie in each other as those of no face. None outside of the
+    // domain, and on a curve to rounding.
+    [[nodiscard]] std::optional<int> value(const Point2 &x) const noexcept;
     [[nodiscard]] const TrimPieces &pieces() const noexcept { return pieces_; }
     // How far, along each axis, rounding may move pieces and places.
     [[nodiscard]] const Point2 &room() const noexcept { return room_; }
@@ -69,19 +74,21 @@ private:
     [[nodiscard]] size_t bucket(double u) const noexcept;
     template <class Add>
     bool walk(const Point2 &x, size_t except, Add &&add) const;
+    // None outside of the domain. on: becomes true if x lies on a curve, to rounding.
+    [[nodiscard]] std::optional<int> sum(const Point2 &x, bool &on) const noexcept;
     [[nodiscard]] std::optional<PassedSums> sums(const Point2 &x, size_t except) const;
     // What is passed from the left side of a loop on, at some place of it; none if it lies on others everywhere.
     [[nodiscard]] std::optional<PassedSums> sums_left_of(int32_t loop) const;
     [[nodiscard]] std::optional<PassedSums> sums_left_of(size_t i, size_t k, double share) const;
     // Of a loop, those that are upright (k = 1) or not (k = 0), the longest along axis k first.
     [[nodiscard]] std::vector<size_t> longest_pieces(int32_t loop, size_t k) const;
-    void orient(const std::vector<LoopShape> &loops, bool turn);
+    void orient(const std::vector<LoopShape> &loops, bool turn, bool astray);
     // What is passed from the left side of each loop on; none of those that lie on others. Throws Status::orientation if those are
     // more than a face can have.
     [[nodiscard]] std::vector<std::optional<PassedSums>>
     checked_sums(const std::vector<LoopShape> &loops) const;
     void turn_loops(std::vector<LoopShape> loops, const std::vector<std::optional<PassedSums>> &found);
-    void set_corner(const std::vector<LoopShape> &loops);
+    void set_corner(const std::vector<LoopShape> &loops, bool astray);
     [[noreturn]] void fail_astray() const;
     // Columns through loops, and through the widest parts of the domain between ends of pieces.
     [[nodiscard]] std::vector<double> probe_columns() const;

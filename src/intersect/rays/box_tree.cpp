@@ -45,6 +45,14 @@ double Box3::distance(const Vector3 &x) const noexcept {
     return length(Vector3{away[0], away[1], away[2]});
 }
 
+bool Box3::meets(const Box3 &other) const noexcept {
+    bool apart = false;
+    for (size_t c = 0; c < 3; ++c) {
+        apart = apart || lower[c] > other.upper[c] || upper[c] < other.lower[c];
+    }
+    return !apart;
+}
+
 BoxTree::BoxTree(const std::vector<Box3> &boxes) {
     std::vector<int32_t> order(boxes.size());
     std::iota(order.begin(), order.end(), 0);

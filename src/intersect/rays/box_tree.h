@@ -22,6 +22,7 @@ struct Box3 {
     [[nodiscard]] double size() const noexcept;
     // No point of the box is nearer.
     [[nodiscard]] double distance(const Vector3 &x) const noexcept;
+    [[nodiscard]] bool meets(const Box3 &other) const noexcept;
 };
 
 // Boxes are halved at the middle one along the axis on which they are farthest apart. Children of node i are i + 1 and right(i).
@@ -38,6 +39,9 @@ public:
     // The same for the boxes no farther from a point than a distance, in any order.
     template <class Visit>
     void walk_near(const Vector3 &x, double distance, Visit &&visit) const;
+    // And for those that meet a box.
+    template <class Visit>
+    void walk_box(const Box3 &box, Visit &&visit) const;
 
 private:
     struct Node {
@@ -45,6 +49,8 @@ private:
         int32_t right; // or -1 - number
     };
     int32_t build(const std::vector<Box3> &boxes, std::vector<int32_t> &order, size_t first, size_t last);
+    template <class Keep, class Visit>
+    void walk_kept(Keep &&keep, Visit &&visit) const;
 
     std::vector<Node> nodes_;
 };
@@ -94,8 +100,8 @@ int64_t BoxTree::walk(const RayQuery &query, Limit &&limit, Visit &&visit) const
     return visits;
 }
 
-template <class Visit>
-void BoxTree::walk_near(const Vector3 &x, double distance, Visit &&visit) const {
+template <class Keep, class Visit>
+void BoxTree::walk_kept(Keep &&keep, Visit &&visit) const {
     std::vector<int32_t> stack;
     if (!nodes_.empty()) {
         stack.push_back(0);
@@ -104,7 +110,7 @@ void BoxTree::walk_near(const Vector3 &x, double distance, Visit &&visit) const 
         const int32_t node = stack.back();
         stack.pop_back();
         const Node &own = nodes_[static_cast<size_t>(node)];
-        if (own.box.distance(x) > distance) {
+        if (!keep(own.box)) {
             continue;
         }
         if (own.right < 0) {
@@ -114,6 +120,16 @@ void BoxTree::walk_near(const Vector3 &x, double distance, Visit &&visit) const 
         stack.push_back(own.right);
         stack.push_back(node + 1);
     }
+}
+
+template <class Visit>
+void BoxTree::walk_near(const Vector3 &x, double distance, Visit &&visit) const {
+    walk_kept([&](const Box3 &box) { return !(box.distance(x) > distance); }, visit);
+}
+
+template <class Visit>
+void BoxTree::walk_box(const Box3 &box, Visit &&visit) const {
+    walk_kept([&](const Box3 &own) { return own.meets(box); }, visit);
 }
 
 } // namespace nrb::intersect

@@ -652,6 +652,15 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("face_create without crossings");
+        const n::Spline south = n::Spline::create_bezier({1}, 2, {0.0, 0.0, 1.0, 0.0});
+        const n::Spline east = n::Spline::create_bezier({1}, 2, {1.0, 0.0, 1.0, 3.0});
+        const n::Spline north = n::Spline::create_bezier({1}, 2, {1.0, 3.0, 0.0, 3.0});
+        const n::Spline west = n::Spline::create_bezier({1}, 2, {0.0, 3.0, 0.0, 0.0});
+        const auto found = n::Face::create(in.surface, {4}, std::vector<n::Spline>{south, east, north, west}, {}, {}, 0.001, 33554432u);
+        show("out", found);
+    }
+    {
         begin("face_create of edges");
         const n::Spline first_edge = n::Spline::create_bezier({2}, 3, {0.25, 1.0, 1.0625, 0.5, 1.0, 1.1875, 0.75, 1.0, 1.5625});
         const n::Spline second_edge = n::Spline::create_bezier({2}, 3, {0.75, 1.0, 1.5625, 0.625, 1.5, 1.875, 0.5, 2.0, 2.25});
@@ -1035,6 +1044,15 @@ void data(const Inputs &in) {
         const n::Spline north = n::Spline::create_bezier({1}, 2, {1.0, 3.0, 0.0, 3.0});
         const n::Spline west = n::Spline::create_bezier({1}, 2, {0.0, 3.0, 0.0, 0.0});
         const auto found = n::Face::create(in.surface, {1, 4}, std::vector<n::Spline>{in.outline, south, east, north, west}, {}, {0, 7, -8, 0, 9}, 0.001, 67108864u, watched());
+        show("out", found);
+    }
+    {
+        begin("face_create_with without crossings");
+        const n::Spline south = n::Spline::create_bezier({1}, 2, {0.0, 0.0, 1.0, 0.0});
+        const n::Spline east = n::Spline::create_bezier({1}, 2, {1.0, 0.0, 1.0, 3.0});
+        const n::Spline north = n::Spline::create_bezier({1}, 2, {1.0, 3.0, 0.0, 3.0});
+        const n::Spline west = n::Spline::create_bezier({1}, 2, {0.0, 3.0, 0.0, 0.0});
+        const auto found = n::Face::create(in.surface, {4}, std::vector<n::Spline>{south, east, north, west}, {}, {}, 0.001, 33554432u, watched());
         show("out", found);
     }
     {

@@ -1446,6 +1446,25 @@ contains
                 (-8_c_int64_t), 0_c_int64_t, 9_c_int64_t], tolerance=0.001d0, flags=67108864)
             call show('out', found)
         end block
+        call begin('face_create without crossings')
+        block
+            type(nurbs_spline) :: south
+            type(nurbs_spline) :: east
+            type(nurbs_spline) :: north
+            type(nurbs_spline) :: west
+            type(nurbs_spline) :: curves_given(4)
+            type(nurbs_face) :: found
+            call south%create_bezier(degrees=[1], points=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            call east%create_bezier(degrees=[1], points=reshape([1.0d0, 0.0d0, 1.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call north%create_bezier(degrees=[1], points=reshape([1.0d0, 3.0d0, 0.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call west%create_bezier(degrees=[1], points=reshape([0.0d0, 3.0d0, 0.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            curves_given(1) = south
+            curves_given(2) = east
+            curves_given(3) = north
+            curves_given(4) = west
+            call found%create(surface=surface, sizes=[4], curves=curves_given, tolerance=0.001d0, flags=33554432)
+            call show('out', found)
+        end block
         call begin('face_create of edges')
         block
             type(nurbs_spline) :: first_edge
@@ -2013,6 +2032,27 @@ contains
             curves_given(5) = west
             call found%create(surface=surface, sizes=[1, 4], curves=curves_given, keys=[0_c_int64_t, 7_c_int64_t, &
                 (-8_c_int64_t), 0_c_int64_t, 9_c_int64_t], tolerance=0.001d0, flags=67108864, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_create_with without crossings')
+        block
+            type(nurbs_spline) :: south
+            type(nurbs_spline) :: east
+            type(nurbs_spline) :: north
+            type(nurbs_spline) :: west
+            type(nurbs_spline) :: curves_given(4)
+            type(nurbs_call) :: watching
+            type(nurbs_face) :: found
+            call south%create_bezier(degrees=[1], points=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            call east%create_bezier(degrees=[1], points=reshape([1.0d0, 0.0d0, 1.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call north%create_bezier(degrees=[1], points=reshape([1.0d0, 3.0d0, 0.0d0, 3.0d0], [2, 2], order=[2, 1]))
+            call west%create_bezier(degrees=[1], points=reshape([0.0d0, 3.0d0, 0.0d0, 0.0d0], [2, 2], order=[2, 1]))
+            curves_given(1) = south
+            curves_given(2) = east
+            curves_given(3) = north
+            curves_given(4) = west
+            call found%create(surface=surface, sizes=[4], curves=curves_given, tolerance=0.001d0, flags=33554432, &
+                call=watching)
             call show('out', found)
         end block
         call begin('face_create_with of edges')

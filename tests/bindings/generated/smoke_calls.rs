@@ -1186,6 +1186,23 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("face_create without crossings");
+    {
+        let south = Spline::bezier(&[1], 2, &[0.0, 0.0, 1.0, 0.0], None)?;
+        let east = Spline::bezier(&[1], 2, &[1.0, 0.0, 1.0, 3.0], None)?;
+        let north = Spline::bezier(&[1], 2, &[1.0, 3.0, 0.0, 3.0], None)?;
+        let west = Spline::bezier(&[1], 2, &[0.0, 3.0, 0.0, 0.0], None)?;
+        let found = Face::create(
+            &given.surface,
+            &[4],
+            &[Some(&south), Some(&east), Some(&north), Some(&west)],
+            &[],
+            &[],
+            0.001,
+            33554432,
+        )?;
+        show("out", &found);
+    }
     begin("face_create of edges");
     {
         let first_edge = Spline::bezier(
@@ -1672,6 +1689,24 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[0, 7, -8, 0, 9],
             0.001,
             67108864,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_create_with without crossings");
+    {
+        let south = Spline::bezier(&[1], 2, &[0.0, 0.0, 1.0, 0.0], None)?;
+        let east = Spline::bezier(&[1], 2, &[1.0, 0.0, 1.0, 3.0], None)?;
+        let north = Spline::bezier(&[1], 2, &[1.0, 3.0, 0.0, 3.0], None)?;
+        let west = Spline::bezier(&[1], 2, &[0.0, 3.0, 0.0, 0.0], None)?;
+        let found = Face::create_with(
+            &given.surface,
+            &[4],
+            &[Some(&south), Some(&east), Some(&north), Some(&west)],
+            &[],
+            &[],
+            0.001,
+            33554432,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

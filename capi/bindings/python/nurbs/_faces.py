@@ -20,7 +20,7 @@ from ._intersections import cast
 from ._library import call, get, lib
 from ._measure import Measured, Moments, moments_of
 from ._spline import Spline
-from .constants import NURBS_AS_ORIENTED, NURBS_KEEP_GAPS
+from .constants import NURBS_AS_ORIENTED, NURBS_CHECK_CROSSINGS, NURBS_KEEP_GAPS
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -97,18 +97,19 @@ class Face:
     def __init__(self, surface: Spline, loops: Optional[Iterable[Loop]] = (), *,
                  edges: Optional[Iterable[Loop]] = None, keys: Optional[Iterable[Union[int, Iterable[int]]]] = None,
                  tolerance: float = 0.0, as_oriented: bool = False, keep_gaps: bool = False,
-                 progress: Progress = None, work: Optional[int] = None) -> None:
+                 check_crossings: bool = False, progress: Progress = None, work: Optional[int] = None) -> None:
         """Of loops of curves in the domain, each a list, or a curve that closes; without loops the whole surface.
         `edges` are their curves in space, in lists as long; where a curve is None, or loops is, it is made under its
         edge. `keys` are numbers of edges, the same in all faces that share one, negative against the loop; 0 is none.
         `tolerance` is the largest distance in space that counts as none. With as_oriented the inside is to the left of
-        the loops as they run, with keep_gaps larger gaps are closed by segments, too. Raises ArgumentError, of
-        NURBS_ERROR_GAP with `gaps` (loops,)."""
+        the loops as they run, with keep_gaps larger gaps are closed by segments, too, with check_crossings loops that
+        cross themselves or each other are refused. Raises ArgumentError, of NURBS_ERROR_GAP with `gaps` (loops,)."""
         if self._handle:
             raise TypeError("a Face does not change: it cannot be initialised again")
         of_curves, of_edges = _listed(loops), _listed(edges)
         sizes = [len(loop) for loop in of_curves or of_edges or ()]
-        flags = NURBS_AS_ORIENTED * bool(as_oriented) | NURBS_KEEP_GAPS * bool(keep_gaps)
+        flags = (NURBS_AS_ORIENTED * bool(as_oriented) | NURBS_KEEP_GAPS * bool(keep_gaps) |
+                 NURBS_CHECK_CROSSINGS * bool(check_crossings))
         made = self.create(surface, sizes, _flat("loops", of_curves or None, sizes), _flat("edges", of_edges, sizes),
                            _flat("keys", _listed(keys), sizes), tolerance, flags, progress=progress, work=work)
         # The handle goes from one owner to the other.
@@ -119,8 +120,8 @@ class Face:
                edges: Optional[Iterable[Optional[Spline]]] = None, keys: Optional[ArrayLike] = None,
                tolerance: float = 0.0, flags: int = 0, *, progress: Progress = None,
                work: Optional[int] = None) -> Face:
-        """The same of one list of curves: `sizes` are the numbers of curves of the loops, `flags` NURBS_AS_ORIENTED and
-        NURBS_KEEP_GAPS."""
+        """The same of one list of curves: `sizes` are the numbers of curves of the loops, `flags` NURBS_AS_ORIENTED,
+        NURBS_CHECK_CROSSINGS and NURBS_KEEP_GAPS."""
         counts = vector(sizes, numpy.int64)
         total = int(counts.clip(0).sum())
         numbers, gaps = if_given(keys, total, "keys", numpy.int64), numpy.full(counts.size, numpy.nan)

@@ -77,6 +77,7 @@ NURBS_ERROR_RANK = 66  # data or conditions do not determine the result
 NURBS_ERROR_SCALE = 67  # a value or weight is above the scale of the statistics
 NURBS_ERROR_ORIENTATION = 68  # loops of a face have no common inside, or enclose nothing
 NURBS_ERROR_SAME = 69  # one handle where two different shapes are needed
+NURBS_ERROR_CROSSING = 70  # loops of a face cross themselves or each other
 NURBS_ERROR_OUTSIDE_DOMAIN = 100  # a parameter or knot lies outside the domain
 NURBS_ERROR_NOT_REPRESENTABLE = 200  # a value of the result overflows double precision
 NURBS_ERROR_KNOTS_MERGE = 202  # knots that differ would become equal or change their order
@@ -126,6 +127,7 @@ NURBS_REVERSED = 0x04000000  # nurbs_snap_boundary(): the two boundaries run aga
 # nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
 NURBS_NAN_POINTS = 0x01000000
 NURBS_AS_ORIENTED = 0x01000000  # nurbs_face_create(): the inside is to the left of the loops as they run.
+NURBS_CHECK_CROSSINGS = 0x02000000  # nurbs_face_create(): loops that cross themselves or each other are refused.
 
 # --- Form of a knot vector, as reported by nurbs_knot_form()
 NURBS_FORM_CLAMPED_START = 0x01  # the first degree + 1 knots are equal

@@ -522,6 +522,8 @@ pub const NURBS_ERROR_SCALE: nurbs_status = 67;
 pub const NURBS_ERROR_ORIENTATION: nurbs_status = 68;
 /// one handle where two different shapes are needed
 pub const NURBS_ERROR_SAME: nurbs_status = 69;
+/// loops of a face cross themselves or each other
+pub const NURBS_ERROR_CROSSING: nurbs_status = 70;
 /// a parameter or knot lies outside the domain
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 /// a value of the result overflows double precision
@@ -600,6 +602,8 @@ pub const NURBS_REVERSED: u32 = 0x04000000;
 pub const NURBS_NAN_POINTS: u32 = 0x01000000;
 /// nurbs_face_create(): the inside is to the left of the loops as they run.
 pub const NURBS_AS_ORIENTED: u32 = 0x01000000;
+/// nurbs_face_create(): loops that cross themselves or each other are refused.
+pub const NURBS_CHECK_CROSSINGS: u32 = 0x02000000;
 
 // --- Form of a knot vector, as reported by nurbs_knot_form()
 /// the first degree + 1 knots are equal

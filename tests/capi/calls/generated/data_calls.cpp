@@ -656,6 +656,29 @@ const Call group[] = {
          return nurbs_face_create(in.surface, 2, sizes, curves, nullptr, keys, 0.001, NURBS_KEEP_GAPS, nullptr,
              &o.face);
      }},
+    {"face_create without crossings",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_south(in, make_south);
+         if (made_south.status() != NURBS_OK) {
+             return made_south.status();
+         }
+         Made made_east(in, make_east);
+         if (made_east.status() != NURBS_OK) {
+             return made_east.status();
+         }
+         Made made_north(in, make_north);
+         if (made_north.status() != NURBS_OK) {
+             return made_north.status();
+         }
+         Made made_west(in, make_west);
+         if (made_west.status() != NURBS_OK) {
+             return made_west.status();
+         }
+         static constexpr int64_t sizes[] = {4};
+         const nurbs *const curves[] = {made_south, made_east, made_north, made_west};
+         return nurbs_face_create(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001, NURBS_CHECK_CROSSINGS,
+             nullptr, &o.face);
+     }},
     {"face_create of edges",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_first_edge(in, make_first_edge);
@@ -1151,6 +1174,31 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_create_with(in.surface, 2, sizes, curves, nullptr, keys, 0.001, NURBS_KEEP_GAPS,
              nullptr, &call, &o.face);
+     }},
+    {"face_create_with without crossings",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_south(in, make_south);
+         if (made_south.status() != NURBS_OK) {
+             return made_south.status();
+         }
+         Made made_east(in, make_east);
+         if (made_east.status() != NURBS_OK) {
+             return made_east.status();
+         }
+         Made made_north(in, make_north);
+         if (made_north.status() != NURBS_OK) {
+             return made_north.status();
+         }
+         Made made_west(in, make_west);
+         if (made_west.status() != NURBS_OK) {
+             return made_west.status();
+         }
+         static constexpr int64_t sizes[] = {4};
+         const nurbs *const curves[] = {made_south, made_east, made_north, made_west};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_create_with(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001,
+             NURBS_CHECK_CROSSINGS, nullptr, &call, &o.face);
      }},
     {"face_create_with of edges",
      [](const Inputs &in, Output &o) -> nurbs_status {

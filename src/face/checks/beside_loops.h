@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What lies at both sides of the loops of a face.
+#pragma once
+
+#include "base/watch.h"
+#include "face/trims/trim_map.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace nrb::face {
+
+// Between cuts, what is beside a loop is the same.
+class BesideLoops {
+public:
+    // near: how far from a curve what is beside it is looked at, and twice as far, in space.
+    BesideLoops(const Spline &surface, const Covering &covering, const TrimMap &trims, double near);
+
+    // Curves meet at a place of the plane that covers the domain.
+    void cut(const Point2 &x);
+
+    struct Astray {
+        int loop;
+        Point2 at; // in the domain
+    };
+    // A place of a loop with a side that is neither inside nor outside; none if there is no such place. Loops that are not cut are
+    // looked at in a few places, all pieces of the others in a few each.
+    [[nodiscard]] std::optional<Astray> astray();
+
+private:
+    struct Cut {
+        size_t piece;
+        double share; // of the piece, along its longer side
+        friend auto operator<=>(const Cut &, const Cut &) = default;
+    };
+    struct Part {
+        size_t piece;
+        Interval share;
+        bool cut; // where it begins
+    };
+    struct Sample {
+        Point2 at, tangent;
+    };
+    [[nodiscard]] size_t longer_side(const TrimPiece &piece) const noexcept;
+    [[nodiscard]] std::vector<Part> parts_of(size_t first, size_t last) const;
+    [[nodiscard]] std::optional<Point2> astray_of(std::span<const Part> parts, Steps &steps) const;
+    [[nodiscard]] std::optional<Point2> astray_of_uncut(std::span<const Part> parts) const;
+    [[nodiscard]] std::optional<Point2> astray_in(const Part &part, const std::array<Point2, 2> &ends) const;
+    [[nodiscard]] Sample sample(size_t piece, double share) const noexcept;
+    [[nodiscard]] bool is_astray(const Sample &sample) const;
+    [[nodiscard]] bool is_wrong(const Point2 &x) const noexcept;
+    [[nodiscard]] Point2 step_aside(const Sample &sample) const;
+
+    const Spline &surface_;
+    const Covering &covering_;
+    const TrimMap &trims_;
+    double near_;
+    std::vector<Cut> cuts_;
+};
+
+} // namespace nrb::face
