@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -43,8 +42,10 @@ ParameterRanges widened(const ParameterRanges &ranges) noexcept {
     return wide;
 }
 
-bool contains(const Interval &whole, const Interval &part) noexcept {
-    return whole.lower <= part.lower && part.upper <= whole.upper;
+std::vector<Interval> along_axis(const std::vector<ParameterRanges> &parts, size_t k) {
+    std::vector<Interval> all;
+    std::ranges::transform(parts, std::back_inserter(all), [k](const auto &part) { return part[k]; });
+    return all;
 }
 
 class Grouping {
@@ -70,49 +71,35 @@ public:
     }
 
 private:
-    // From one end of the first axis to the other. Of two that touch the one that reaches no farther stands for nothing more.
+    // From one end of the first axis to the other.
     void join_neighbours() {
         std::vector<ParameterRanges> wide;
         std::ranges::transform(parts_, std::back_inserter(wide), widened);
         std::iota(order_.begin(), order_.end(), size_t{0});
         std::ranges::sort(order_, {}, [&](size_t i) { return std::pair(wide[i][0].lower, i); });
-        OpenIntervals open;
+        OpenIntervals open(along_axis(wide, 1));
         for (const size_t i : order_) {
             const auto &[along, across] = wide[i];
-            bool covered = false;
-            open.visit(across, [&](const OpenIntervals::Item &item) {
-                if (item.end < along.lower) {
-                    return true;
-                }
-                sets_.join(item.number, i);
-                covered = covered || (item.end >= along.upper && contains(item.range, across));
-                return !covered && item.end <= along.upper && contains(across, item.range);
-            });
-            if (!covered) {
-                open.add({across, along.upper, i});
-            }
+            open.visit(across, along.lower, [&](size_t j) { sets_.join(j, i); });
+            open.add(across, {i, along.upper});
         }
     }
 
-    // One on this side that holds one on the other stands for it: those beside each other are joined already.
     void join_at_seams() {
         for (size_t k = 0; k < 2; ++k) {
             if (!borders_.wraps(k)) {
                 continue;
             }
             const Interval domain = domain_along(grid_, k);
-            OpenIntervals at_end;
+            OpenIntervals at_end(along_axis(parts_, 1 - k));
             for (size_t j = 0; j < parts_.size(); ++j) {
                 if (parts_[j][k].upper == domain.upper) {
-                    at_end.add({parts_[j][1 - k], std::numeric_limits<double>::infinity(), j});
+                    at_end.add(parts_[j][1 - k], {j, 0});
                 }
             }
             for (size_t i = 0; i < parts_.size(); ++i) {
                 if (parts_[i][k].lower == domain.lower) {
-                    at_end.visit(parts_[i][1 - k], [&](const OpenIntervals::Item &item) {
-                        sets_.join(i, item.number);
-                        return contains(parts_[i][1 - k], item.range);
-                    });
+                    at_end.visit(parts_[i][1 - k], 0, [&](size_t j) { sets_.join(i, j); });
                 }
             }
         }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int most_halvings = 96;
 constexpr size_t most_clusters = 4096; // of a piece; then what is left of it is not halved
+constexpr size_t most_clusters_of_all = 100000;
 // Of the slopes of arcs: what is less even is halved, since errors of curves are told by the least slope.
 constexpr double least_evenness = 1.0 / 16;
 constexpr int depth_of_evenness = 24;
@@ -107,7 +108,8 @@ void BoxSearch::run(int64_t piece, const PieceDomain &domain, LevelNet net, Leve
     while (!stack_.empty()) {
         Box box = std::move(stack_.back());
         stack_.pop_back();
-        if (work_ended() || found_.clusters.size() - before > most_clusters) {
+        const size_t clusters = found_.clusters.size();
+        if (work_ended() || clusters - before > most_clusters || clusters > most_clusters_of_all) {
             take_cluster(box, false);
         } else {
             look(box);

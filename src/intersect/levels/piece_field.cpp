@@ -53,7 +53,8 @@ LevelNet PieceField::net_of(int64_t piece, const Function &function) const {
     const pieces::HomogeneousPiece made = maker_.piece(index[0] * maker_.count(1) + index[1]);
     RoundedPolynomial f = function(made);
     divide_at_poles(made, index, f);
-    count_work(64 * std::ssize(f.values));
+    const int64_t size = std::ssize(f.values);
+    count_work(size * (64 + size)); // products of factors of about half the degree
     LevelNet net;
     net.degrees = degrees_of(made, f);
     net.least_weight = least_weight();

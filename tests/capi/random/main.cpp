@@ -54,8 +54,8 @@ struct Shared {
 
 // How many answers a call looks for.
 int64_t searches(const char *name, int64_t batch) {
-    constexpr std::array each{"closest_points",   "closest_local", "farthest_points",
-                              "signed_distances", "contours",      "sections"};
+    constexpr std::array each{"closest_points", "closest_local", "farthest_points", "signed_distances",
+                              "contours",       "sections",      "reflections"};
     const bool many =
         std::ranges::any_of(each, [name](const char *part) { return std::strstr(name, part) != nullptr; });
     return many ? batch : 1;
