@@ -13,6 +13,7 @@
 namespace face_crossings_files_test {
 
 using namespace support;
+using namespace support::models;
 using faces::checked;
 
 namespace {

@@ -10,6 +10,7 @@
 namespace model_bytes_test {
 
 using namespace support;
+using namespace support::models;
 using namespace step_test;
 
 namespace {

@@ -11,6 +11,7 @@
 namespace model_files_test {
 
 using namespace support;
+using namespace support::models;
 using namespace step_test;
 using std::numbers::pi;
 

@@ -7,6 +7,7 @@
 namespace model_sections {
 
 using namespace support;
+using namespace support::models;
 using surface_sections::Branch;
 using surface_sections::dot;
 using surface_sections::Found;

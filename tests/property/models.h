@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace support {
+namespace support::models {
 
 struct DestroyModel {
     void operator()(nurbs_model *model) const noexcept { nurbs_model_destroy(model); }
@@ -100,4 +100,4 @@ inline std::vector<std::string> notes_of(const nurbs_model *model) {
     return notes;
 }
 
-} // namespace support
+} // namespace support::models

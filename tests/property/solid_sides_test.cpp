@@ -13,6 +13,7 @@
 namespace solid_sides_test {
 
 using namespace support;
+using namespace support::models;
 using namespace step_test;
 
 namespace {

@@ -9,6 +9,8 @@
 
 namespace support::solids {
 
+using namespace support::models;
+
 inline Handle segment(std::array<double, 2> from, std::array<double, 2> to) {
     return create({{1}, {2}, {{0, 0, 1, 1}}, 2, {from[0], from[1], to[0], to[1]}, {}});
 }

@@ -9,6 +9,7 @@
 namespace write_test {
 
 using namespace support;
+using namespace support::models;
 using support::faces::Ground;
 using support::faces::Place;
 
