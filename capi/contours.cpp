@@ -160,6 +160,10 @@ nurbs_status nurbs_surface_reflections(const nurbs *g, int32_t kind, const doubl
     return guard([&] {
         require_out(out);
         const Spline &surface = surface_in_space(g);
+        require(direction, "direction");
+        if (n > 0) {
+            require(points, "points");
+        }
         const ReflectionKind reflection = checked_reflection(kind);
         const std::array<double, 3> seen = checked_eye(reflection, eye),
                                     along = checked_direction(direction, "direction");

@@ -137,7 +137,7 @@ static void limited(void) {
     nurbs_call_options call;
     CHECK_OK(nurbs_call_options_init(&call, sizeof call));
     call.work = 10;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
         nurbs_meet *meet = NULL;
         int32_t complete = 1;
         if (i == 0) {
@@ -145,6 +145,9 @@ static void limited(void) {
                 nurbs_surface_contours_with(g, NURBS_CONTOUR_SILHOUETTE, along, 0, NULL, 1e-6, &call, &meet));
         } else if (i == 1) {
             CHECK_OK(nurbs_surface_level_with(g, 1, plane, 1e-6, &call, &meet));
+        } else if (i == 2) {
+            CHECK_OK(nurbs_surface_reflections_with(g, NURBS_REFLECTION_ALONG, along, along, 1, plane + 1, 0,
+                                                    0, 1e-6, &call, &meet));
         } else {
             CHECK_OK(nurbs_surface_level_curves_with(g, scalar, 1, value, 1e-6, &call, &meet));
         }
