@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/extrema/box_groups.h"
 
+#include "base/disjoint_sets.h"
 #include "base/watch.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace nrb::intersect {
 
@@ -18,27 +18,8 @@ void include(Part &whole, const Part &part, int axes) noexcept {
     }
 }
 
-// Numbers of sets, joined by the least of each.
-class Sets {
-public:
-    explicit Sets(size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), size_t{0}); }
-    size_t operator()(size_t i) {
-        while (of_[i] != i) {
-            i = of_[i] = of_[of_[i]];
-        }
-        return i;
-    }
-    void join(size_t i, size_t j) {
-        const size_t a = (*this)(i), b = (*this)(j);
-        of_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<size_t> of_;
-};
-
 std::vector<Part> grouped_once(const std::vector<Part> &boxes, int axes) {
-    Sets sets(boxes.size());
+    DisjointSets sets(boxes.size());
     std::vector<size_t> active;
     for (size_t i = 0; i < boxes.size(); ++i) {
         std::erase_if(active, [&](size_t j) { return boxes[j][0].upper < boxes[i][0].lower; });
@@ -53,11 +34,11 @@ std::vector<Part> grouped_once(const std::vector<Part> &boxes, int axes) {
     std::vector<Part> groups;
     std::vector<size_t> place(boxes.size());
     for (size_t i = 0; i < boxes.size(); ++i) {
-        if (sets(i) == i) {
+        if (sets.find(i) == i) {
             place[i] = groups.size();
             groups.push_back(boxes[i]);
         } else {
-            include(groups[place[sets(i)]], boxes[i], axes);
+            include(groups[place[sets.find(i)]], boxes[i], axes);
         }
     }
     return groups;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/levels/cluster_groups.h"
 
-#include "base/watch.h"
+#include "base/disjoint_sets.h"
 #include "intersect/levels/open_intervals.h"
 
 #include <algorithm>
@@ -14,23 +14,6 @@
 namespace nrb::intersect {
 
 namespace {
-
-// Sets that are joined step by step.
-class Union {
-public:
-    explicit Union(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), size_t{0}); }
-
-    size_t find(size_t i) noexcept {
-        while (parent_[i] != i) {
-            i = parent_[i] = parent_[parent_[i]];
-        }
-        return i;
-    }
-    void join(size_t a, size_t b) noexcept { parent_[find(b)] = find(a); }
-
-private:
-    std::vector<size_t> parent_;
-};
 
 // Between parts of what is near there may be some that are not quite.
 ParameterRanges widened(const ParameterRanges &ranges) noexcept {
@@ -127,7 +110,7 @@ private:
     const std::vector<ParameterRanges> &parts_;
     const pieces::PieceGrid &grid_;
     const SurfaceBorders &borders_;
-    Union sets_;
+    DisjointSets sets_;
     std::vector<size_t> order_;
 };
 

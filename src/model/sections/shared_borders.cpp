@@ -1,35 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/sections/shared_borders.h"
 
+#include "base/disjoint_sets.h"
 #include "base/watch.h"
 
 #include <map>
-#include <numeric>
 
 namespace nrb::model {
-
-namespace {
-
-// Numbers that are joined step by step.
-class Classes {
-public:
-    explicit Classes(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), int64_t{0}); }
-
-    int64_t find(int64_t i) noexcept {
-        while (parent(i) != i) {
-            i = parent(i) = parent(parent(i));
-        }
-        return i;
-    }
-    void join(int64_t a, int64_t b) noexcept { parent(find(b)) = find(a); }
-
-private:
-    int64_t &parent(int64_t i) noexcept { return parent_[static_cast<size_t>(i)]; }
-
-    std::vector<int64_t> parent_;
-};
-
-} // namespace
 
 SharedBorders::SharedBorders(const Model &model) {
     add_faces(model);
@@ -84,16 +61,20 @@ void SharedBorders::add_edge(const Model &model, const Edge &edge) {
 }
 
 void SharedBorders::join_corners() {
-    Classes classes(coedges_.size());
+    DisjointSets classes(coedges_.size());
+    const auto join = [&classes](int64_t a, int64_t b) {
+        classes.join(static_cast<size_t>(a), static_cast<size_t>(b));
+    };
     for (const auto &[one, other] : same_) {
         const SharedCoedge &a = coedge(one), &b = coedge(other);
         const bool alike = a.against == b.against;
-        classes.join(a.start, alike ? b.start : b.end);
-        classes.join(a.end, alike ? b.end : b.start);
+        join(a.start, alike ? b.start : b.end);
+        join(a.end, alike ? b.end : b.start);
     }
     for (SharedCoedge &coedge : coedges_) {
-        coedge.start = classes.find(coedge.start);
-        coedge.end = classes.find(coedge.end);
+        for (int64_t *corner : {&coedge.start, &coedge.end}) {
+            *corner = static_cast<int64_t>(classes.find(static_cast<size_t>(*corner)));
+        }
     }
 }
 
