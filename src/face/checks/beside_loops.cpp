@@ -113,7 +113,7 @@ std::vector<BesideLoops::Part> BesideLoops::parts_of(size_t first, size_t last) 
         add(1);
     }
     parts.front().cut = parts.front().cut || cut;
-    std::ranges::rotate(parts, std::ranges::find_if(parts, &Part::cut));
+    std::rotate(parts.begin(), std::ranges::find_if(parts, &Part::cut), parts.end());
     return parts;
 }
 

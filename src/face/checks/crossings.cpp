@@ -71,8 +71,10 @@ bool Crossings::is_allowed(const LoopHit &hit) const {
 }
 
 bool Crossings::runs_against(const LoopHit &hit) const {
-    const auto [lower, upper] = hit.range_a;
-    const auto ahead = [&](double share) { return foot(hit, lower + share * (upper - lower)); };
+    const Interval range = hit.range_a;
+    const auto ahead = [&](double share) {
+        return foot(hit, range.lower + share * (range.upper - range.lower));
+    };
     return ahead(0.375) > ahead(0.625);
 }
 

@@ -197,12 +197,12 @@ Placement::Plane Placement::moved(const Plane &plane) const noexcept {
     if (identity_) {
         return plane;
     }
-    const auto &[n, offset] = plane;
+    const Vector3 &n = plane.normal;
     const auto column = [&](size_t k) {
         return placement_[k] * n.x + placement_[4 + k] * n.y + placement_[8 + k] * n.z;
     };
     const Vector3 t{placement_[3], placement_[7], placement_[11]};
-    return {{column(0), column(1), column(2)}, offset - dot(n, t)};
+    return {{column(0), column(1), column(2)}, plane.offset - dot(n, t)};
 }
 
 double Placement::rounding(double size) const noexcept {

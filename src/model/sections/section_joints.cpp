@@ -94,7 +94,7 @@ void SectionJoints::join_on_edge(std::span<const Item> items) {
             const SectionEnd &end = sections_.ends[item.end];
             return end.begins == first.begins ? infinity : length(end.point - first.point);
         };
-        std::ranges::rotate(sides[1], std::ranges::min_element(sides[1], {}, far));
+        std::rotate(sides[1].begin(), std::ranges::min_element(sides[1], {}, far), sides[1].end());
     }
     join_in_order(sides[0], sides[1]);
 }
