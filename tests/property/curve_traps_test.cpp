@@ -327,4 +327,18 @@ TEST(CurveTraps, a_crossing_beside_a_seam) {
     }
 }
 
+// Segments on one line but for rounding, which ends of both leave on either side: they may cross there more than once.
+TEST(CurveTraps, long_parts_beside_each_other_are_not_one_crossing) {
+    const Handle a = create(polygon({0.6, 0.4, 0.6, 0.6, 0.8, 0.8, 0.6, 0.4})),
+                 b = create(polygon({0.4, 0.6, 0.2, 0.2, 0.4, 0.4, 0.6, 0.6, 0.8, 0.8, 0.4, 0.6}));
+    for (const bool swapped : {false, true}) {
+        const Hits exact = swapped ? meets(b, a, 0) : meets(a, b, 0);
+        EXPECT_EQ(exact.count(NURBS_HIT_CROSSING), 0);
+        EXPECT_EQ(exact.complete, 0);
+        const Hits near = swapped ? meets(b, a, 1e-9) : meets(a, b, 1e-9);
+        EXPECT_EQ(near.count(NURBS_HIT_OVERLAP), 1);
+        EXPECT_EQ(near.complete, 1);
+    }
+}
+
 } // namespace curve_traps_test

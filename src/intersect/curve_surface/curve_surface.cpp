@@ -198,7 +198,8 @@ private:
                    });
         const bool crosses = !runs_beside && one_turn && group.cells.size() > 1;
         const double reach = extent(group.box[0]);
-        if (inside && (crosses || changes_side(curve_, surface_, seams_, group, reach, noise_))) {
+        const bool is_long = runs_beside && reach > 0x1p-6 * search_.size(); // more than a touch
+        if (inside && !is_long && (crosses || changes_side(curve_, surface_, seams_, group, reach, noise_))) {
             return HitKind::crossing;
         }
         if (tolerance_ == 0 && !hold_common_point(group, reach)) {
@@ -207,8 +208,8 @@ private:
         if (group.is_still()) {
             return HitKind::overlap;
         }
-        if (runs_beside && reach > 0x1p-6 * search_.size()) {
-            return HitKind::undecided; // more than a touch, but no overlap
+        if (is_long) {
+            return HitKind::undecided; // and no overlap
         }
         return runs_beside || (inside && !one_turn) ? HitKind::tangent : HitKind::crossing;
     }

@@ -204,12 +204,14 @@ private:
             return HitKind::undecided; // there may be a loop that rounding cannot tell
         }
         const bool runs_beside = item.has(Kind::along) || item.has(Kind::tiny);
+        const bool is_long = runs_beside && extent(item) > 0x1p-6 * search_.size(); // more than a touch
         const bool inside = !at_end(a_, item.a) && !at_end(b_, item.b);
         const bool one_turn = std::ranges::all_of(item.cells, [&item](const NearCell &cell) {
             return cell.turn != 0 && cell.turn == item.cells.front().turn;
         });
         const bool crosses = !runs_beside && one_turn && item.cells.size() > 1;
-        if (dim_ == 2 && inside && (crosses || changes_side(item))) {
+        // Along a long part they may cross more than once.
+        if (dim_ == 2 && inside && !is_long && (crosses || changes_side(item))) {
             return HitKind::crossing;
         }
         if (tolerance_ == 0 && !holds_common_point(a_, b_, item, 64 * noise_)) {
@@ -218,8 +220,8 @@ private:
         if (item.is_still()) {
             return HitKind::overlap;
         }
-        if (runs_beside && extent(item) > 0x1p-6 * search_.size()) {
-            return HitKind::undecided; // more than a touch, but no overlap
+        if (is_long) {
+            return HitKind::undecided; // and no overlap
         }
         return runs_beside || (dim_ == 2 && inside && !one_turn) ? HitKind::tangent : HitKind::crossing;
     }
