@@ -226,4 +226,34 @@ void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Me
     }
 }
 
+void check_direction(const char *name, const double *x, int64_t index) {
+    char row[32] = "";
+    if (index >= 0) {
+        std::snprintf(row, sizeof row, "[%lld]", static_cast<long long>(index));
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(x[c])) {
+            fail(Status::direction, "%s%s[%d] = %s, expected a number", name, row, c, Number(x[c]).text);
+        }
+    }
+    if (x[0] == 0 && x[1] == 0 && x[2] == 0) {
+        fail(Status::direction, "%s%s is 0, expected a direction", name, row);
+    }
+}
+
+std::span<const double> checked_values(int64_t n, const double *values, const char *name) {
+    check_length(n, "n");
+    checked_array(n, name);
+    if (n > 0) {
+        require(values, name);
+    }
+    for (int64_t i = 0; i < n; ++i) {
+        if (!std::isfinite(values[i])) {
+            fail(Status::point_not_finite, "%s[%lld] = %s, expected a finite value", name,
+                 static_cast<long long>(i), Number(values[i]).text);
+        }
+    }
+    return {values, static_cast<size_t>(n)};
+}
+
 } // namespace nrb::capi

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 
 namespace nrb::capi {
 
@@ -49,6 +50,10 @@ void check_order(int32_t order);
 void check_factor(double factor, const char *name);
 // Throws NURBS_ERROR_POINT_NOT_FINITE unless all numbers are finite.
 void check_points(const char *name, const ConstRecords &points);
+// Throws NURBS_ERROR_DIRECTION for a vector in space that is not finite or 0; index: of it in an array, < 0: there is one only.
+void check_direction(const char *name, const double *x, int64_t index = -1);
+// Finite ones, else NURBS_ERROR_POINT_NOT_FINITE.
+std::span<const double> checked_values(int64_t n, const double *values, const char *name);
 // Checks a parameter of an axis: finite, and inside its domain.
 void check_place(double t, Interval domain, const char *name, int axis);
 // The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name. Throws NURBS_ERROR_FLAGS for flags

@@ -12,9 +12,9 @@
 #include "intersect/levels/contours.h"
 #include "intersect/levels/function_levels.h"
 #include "intersect/levels/reflections.h"
+#include "numeric/vector3.h"
 #include "spline/kind.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -54,20 +54,10 @@ std::array<double, 3> checked_place(const double *x, const char *name) {
 
 // As a unit vector.
 std::array<double, 3> checked_direction(const double *d, const char *name) {
-    std::array<double, 3> vector = checked_place(d, name);
-    const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-    if (largest == 0) {
-        fail(Status::direction, "%s is 0, expected a direction", name);
-    }
-    double length = 0;
-    for (double &x : vector) {
-        x /= largest;
-        length += x * x;
-    }
-    for (double &x : vector) {
-        x /= std::sqrt(length);
-    }
-    return vector;
+    require(d, name);
+    check_direction(name, d);
+    const Vector3 u = unit(Vector3{d[0], d[1], d[2]});
+    return {u.x, u.y, u.z};
 }
 
 std::array<double, 3> checked_vector(ContourKind kind, const double *d) {
@@ -115,21 +105,6 @@ std::span<const double> checked_cosines(ContourKind kind, int64_t n, const doubl
         }
     }
     return {cosines, static_cast<size_t>(n)};
-}
-
-std::span<const double> checked_values(int64_t n, const double *values) {
-    check_length(n, "n");
-    checked_array(n, "values");
-    if (n > 0) {
-        require(values, "values");
-    }
-    for (int64_t i = 0; i < n; ++i) {
-        if (!std::isfinite(values[i])) {
-            fail(Status::point_not_finite, "values[%lld] = %s, expected a finite value",
-                 static_cast<long long>(i), Number(values[i]).text);
-        }
-    }
-    return {values, static_cast<size_t>(n)};
 }
 
 } // namespace
@@ -208,7 +183,7 @@ nurbs_status nurbs_surface_level_curves(const nurbs *g, const nurbs *scalar, int
         require_out(out);
         surface_in_space(g);
         const Spline &function = named(scalar, "scalar");
-        const std::span<const double> all = checked_values(n, values);
+        const std::span<const double> all = checked_values(n, values, "values");
         check_kind(function, 2, "scalar");
         check_dimension(function, 1, 1, "scalar");
         check_positive_tolerance(tolerance);

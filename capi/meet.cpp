@@ -29,34 +29,6 @@ const intersect::Meet &meet_of(const nurbs_meet *meet) {
     return *meet->meet;
 }
 
-std::array<double, 3> checked_normal(const double *normal) {
-    require(normal, "normal");
-    for (int c = 0; c < 3; ++c) {
-        if (!std::isfinite(normal[c])) {
-            fail(Status::direction, "normal[%d] = %s, expected a number", c, Number(normal[c]).text);
-        }
-    }
-    if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) {
-        fail(Status::direction, "normal is 0, expected a direction");
-    }
-    return {normal[0], normal[1], normal[2]};
-}
-
-std::span<const double> checked_offsets(const double *offsets, int64_t n) {
-    check_length(n, "n");
-    checked_array(n, "offsets");
-    if (n > 0) {
-        require(offsets, "offsets");
-    }
-    for (int64_t i = 0; i < n; ++i) {
-        if (!std::isfinite(offsets[i])) {
-            fail(Status::point_not_finite, "offsets[%lld] = %s, expected a finite value",
-                 static_cast<long long>(i), Number(offsets[i]).text);
-        }
-    }
-    return {offsets, static_cast<size_t>(n)};
-}
-
 void check_one_surface(const intersect::Meet &meet) {
     const auto is_of_model = [](const auto &of) { return of.face >= 0; };
     if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
@@ -72,8 +44,10 @@ nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_
         require_out(out);
         const Spline &surface = surface_of(g);
         check_dimension(surface, 3, 3);
-        const std::array<double, 3> direction = checked_normal(normal);
-        const std::span<const double> all = checked_offsets(offsets, n);
+        require(normal, "normal");
+        check_direction("normal", normal);
+        const std::array<double, 3> direction{normal[0], normal[1], normal[2]};
+        const std::span<const double> all = checked_values(n, offsets, "offsets");
         check_positive_tolerance(tolerance);
         give_meet(intersect::plane_sections(surface, direction, all, tolerance), out);
     });

@@ -18,34 +18,18 @@ using namespace nrb::capi;
 
 namespace {
 
-model::SectionPlane checked_plane(const double *normal, double offset, int64_t i) {
-    const auto number = static_cast<long long>(i);
-    for (int c = 0; c < 3; ++c) {
-        if (!std::isfinite(normal[c])) {
-            fail(Status::direction, "normals[%lld] has the coordinate %s, expected a number", number,
-                 Number(normal[c]).text);
-        }
-    }
-    if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) {
-        fail(Status::direction, "normals[%lld] is 0, expected a direction", number);
-    }
-    if (!std::isfinite(offset)) {
-        fail(Status::point_not_finite, "offsets[%lld] = %s, expected a finite value", number,
-             Number(offset).text);
-    }
-    return {{normal[0], normal[1], normal[2]}, offset};
-}
-
 std::vector<model::SectionPlane> checked_planes(int64_t n, const double *normals, const double *offsets) {
     check_length(n, "n");
     checked_product(n, 3, "normals");
     if (n > 0) {
         require(normals, "normals");
-        require(offsets, "offsets");
     }
+    const std::span<const double> all = checked_values(n, offsets, "offsets");
     std::vector<model::SectionPlane> planes;
     for (int64_t i = 0; i < n; ++i) {
-        planes.push_back(checked_plane(normals + 3 * i, offsets[i], i));
+        const double *normal = normals + 3 * i;
+        check_direction("normals", normal, i);
+        planes.push_back({{normal[0], normal[1], normal[2]}, all[static_cast<size_t>(i)]});
     }
     return planes;
 }

@@ -5,28 +5,10 @@
 #include "base/numbers.h"
 
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 namespace nrb::capi {
 
 namespace {
-
-// `index` < 0: there is one only.
-void check_direction(const char *name, const double *x, int64_t index) {
-    char row[32] = "";
-    if (index >= 0) {
-        std::snprintf(row, sizeof row, "[%lld]", static_cast<long long>(index));
-    }
-    for (int c = 0; c < 3; ++c) {
-        if (!std::isfinite(x[c])) {
-            fail(Status::direction, "%s%s[%d] = %s, expected a number", name, row, c, Number(x[c]).text);
-        }
-    }
-    if (x[0] == 0 && x[1] == 0 && x[2] == 0) {
-        fail(Status::direction, "%s%s is 0, expected a direction", name, row);
-    }
-}
 
 Interval checked_range(const double *range) {
     if (range == nullptr) {
@@ -53,7 +35,7 @@ intersect::RayQuery checked_ray(const double *origin, const double *direction, c
     require(direction, "direction");
     const Interval limits = checked_range(range);
     check_points("origin", {origin, 1, 3, 3, 1});
-    check_direction("direction", direction, -1);
+    check_direction("direction", direction);
     return {{origin[0], origin[1], origin[2]}, {direction[0], direction[1], direction[2]}, limits};
 }
 

@@ -161,6 +161,13 @@ RoundedPolynomial dot(const RoundedPolynomial &a, const RoundedPolynomial &b) {
     return result;
 }
 
+RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b) {
+    const auto minor = [&](int i, int j) {
+        return component(a, i) * component(b, j) - component(a, j) * component(b, i);
+    };
+    return a.shape.width == 2 ? minor(0, 1) : side_by_side({minor(1, 2), minor(2, 0), minor(0, 1)});
+}
+
 RoundedPolynomial derivative(const RoundedPolynomial &a, int axis) {
     const AxisLayers from = a.shape.along(axis);
     RoundedPolynomial result{a.shape, {}, {}};

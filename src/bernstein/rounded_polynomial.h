@@ -47,6 +47,8 @@ inline RoundedPolynomial operator-(const RoundedPolynomial &a, const RoundedPoly
 RoundedPolynomial scaled(RoundedPolynomial a, double factor);
 // The sum of products of components.
 RoundedPolynomial dot(const RoundedPolynomial &a, const RoundedPolynomial &b);
+// In dimension 2 the third component alone.
+RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b);
 // With respect to the place between 0 and 1 on an axis of the three; a constant 0 where the degree is 0.
 RoundedPolynomial derivative(const RoundedPolynomial &a, int axis);
 // Degree 0 on an axis: its value at the lower or the upper end.

@@ -37,14 +37,6 @@ Jet1 jet_of(const HomogeneousPiece &piece) {
     return jet;
 }
 
-// In dimension 2 the third component alone.
-RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b) {
-    const auto minor = [&](int i, int j) {
-        return component(a, i) * component(b, j) - component(a, j) * component(b, i);
-    };
-    return a.shape.width == 2 ? minor(0, 1) : side_by_side({minor(1, 2), minor(2, 0), minor(0, 1)});
-}
-
 RoundedPolynomial determinant(const RoundedPolynomial &a, const RoundedPolynomial &b,
                               const RoundedPolynomial &c) {
     return dot(cross(a, b), c);

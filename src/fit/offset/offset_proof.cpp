@@ -42,15 +42,6 @@ RoundedPolynomial tangent(const HomogeneousPiece &s, int axis, bool weighted) {
                     : along;
 }
 
-RoundedPolynomial cross(const RoundedPolynomial &a, const RoundedPolynomial &b) {
-    std::vector<RoundedPolynomial> result;
-    for (const int c : {0, 1, 2}) {
-        const int d = (c + 1) % 3, e = (c + 2) % 3;
-        result.push_back(component(a, d) * component(b, e) - component(a, e) * component(b, d));
-    }
-    return side_by_side(result);
-}
-
 Vector3 coefficient(const RoundedPolynomial &a, size_t i) noexcept {
     return {a.values[3 * i], a.values[3 * i + 1], a.values[3 * i + 2]};
 }

@@ -97,7 +97,7 @@ Meet surface_contours(const Spline &surface, ContourKind kind, const Vector &d,
         const double cosine = lit ? cosines[i] : 0;
         return LevelFunction{function_of(kind, d, cosine), sign_of(d, cosine)};
     };
-    return levels_of_functions(surface, lit ? cosines.size() : 1, function, tolerance);
+    return levels_of_functions(surface, surface, lit ? cosines.size() : 1, function, tolerance);
 }
 
 } // namespace nrb::intersect

@@ -2,27 +2,17 @@
 #include "intersect/levels/function_levels.h"
 
 #include "base/error.h"
-#include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/levels/piece_field.h"
-#include "intersect/levels/surface_levels.h"
+#include "intersect/levels/seen_normals.h"
 #include "refine/knots/insert.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb::intersect {
 
 namespace {
 
 using pieces::HomogeneousPiece;
-
-// (h - value) w, in the unit of the piece.
-RoundedPolynomial above(const HomogeneousPiece &piece, double value) {
-    RoundedPolynomial shift = constant(times_power_of_two(piece.centre[0] - value, -piece.exponent));
-    shift.errors[0] = 2 * eps * std::abs(shift.values[0]);
-    return component(piece.points, 0) + piece.weight * shift;
-}
 
 void check_domains(const Spline &surface, const Spline &scalar) {
     for (int k = 0; k < 2; ++k) {
@@ -62,28 +52,22 @@ SplinePtr with_breaks_of(SplinePtr spline, const Spline &other) {
 
 Meet implicit_level(const Spline &surface, const ImplicitForm &form, double tolerance) {
     check_function_degree(surface, [&](int p) { return p * form.degree(); });
-    const UsualLimit usual(usual_work(surface.point_count(), 200000));
-    const LimitedSearch limited;
-    const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
-    PieceField field(surface, grid, [&form](const HomogeneousPiece &piece) { return form.on(piece); });
-    return SurfaceLevels(field, tolerance).find(0);
+    const auto function = [&](size_t) {
+        return LevelFunction{[&form](const HomogeneousPiece &piece) { return form.on(piece); }, {}};
+    };
+    return levels_of_functions(surface, surface, 1, function, tolerance);
 }
 
 Meet scalar_levels(const SplinePtr &surface, const SplinePtr &scalar, std::span<const double> values,
                    double tolerance) {
     check_domains(*surface, *scalar);
-    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
+    const LimitedSearch whole; // making the same pieces is a part of the search
     const SplinePtr on = with_breaks_of(surface, *scalar), of = with_breaks_of(scalar, *surface);
-    const pieces::PieceGrid &grid = pieces::piece_grid_of(*on);
-    Meet all;
-    Steps steps(std::ssize(values));
-    for (size_t i = 0; i < values.size(); ++i, steps.next()) {
-        const UsualLimit usual(usual_work(on->point_count(), 200000));
-        const LimitedSearch limited;
-        PieceField field(*of, grid, [&](const HomogeneousPiece &piece) { return above(piece, values[i]); });
-        all.append(SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i)));
-    }
-    return all;
+    const auto function = [&](size_t i) {
+        const std::span<const double> value = values.subspan(i, 1);
+        return LevelFunction{[value](const HomogeneousPiece &piece) { return seen_from(piece, value); }, {}};
+    };
+    return levels_of_functions(*on, *of, values.size(), function, tolerance);
 }
 
 } // namespace nrb::intersect

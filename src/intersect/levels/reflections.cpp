@@ -48,7 +48,7 @@ Meet surface_reflections(const Spline &surface, ReflectionKind kind, const Vecto
         const Vector point{points(at, 0), points(at, 1), points(at, 2)};
         return LevelFunction{function_of(kind, eye, direction, point), {}};
     };
-    return levels_of_functions(surface, static_cast<size_t>(points.count), function, tolerance);
+    return levels_of_functions(surface, surface, static_cast<size_t>(points.count), function, tolerance);
 }
 
 } // namespace nrb::intersect
