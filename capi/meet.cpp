@@ -6,7 +6,6 @@
 #include "outputs.h"
 #include "watched.h"
 
-#include "base/checked.h"
 #include "base/tolerance.h"
 #include "face/trimmed_meet.h"
 #include "intersect/levels/sections.h"
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "base/watch.h"
 #include "intersect/extrema/curve_extrema.h"
-#include "intersect/extrema/field_extrema.h"
+#include "intersect/extrema/fields/field_extrema.h"
 
 namespace nrb::intersect {
 

@@ -3,7 +3,8 @@
 
 #include "base/error.h"
 #include "base/watch.h"
-#include "intersect/levels/seen_normals.h"
+#include "intersect/levels/fields/seen_normals.h"
+#include "intersect/levels/surface_levels.h"
 #include "refine/knots/insert.h"
 
 #include <algorithm>

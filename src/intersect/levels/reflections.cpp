@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/levels/reflections.h"
 
-#include "intersect/levels/seen_normals.h"
+#include "intersect/levels/fields/seen_normals.h"
+#include "intersect/levels/surface_levels.h"
 
 namespace nrb::intersect {
 

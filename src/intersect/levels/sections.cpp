@@ -3,7 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/levels/plane_field.h"
+#include "intersect/levels/fields/plane_field.h"
 #include "intersect/levels/surface_levels.h"
 #include "numeric/norm.h"
 

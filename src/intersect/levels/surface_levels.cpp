@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/levels/surface_levels.h"
 
-#include "intersect/levels/level_curve.h"
+#include "base/watch.h"
+#include "intersect/levels/curves/level_curve.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nrb::intersect {
 
@@ -62,6 +64,22 @@ Meet SurfaceLevels::find(int64_t level) {
                                  chain.loop});
     }
     return meet;
+}
+
+Meet levels_of_functions(const Spline &surface, const Spline &spline, size_t count,
+                         const std::function<LevelFunction(size_t i)> &function, double tolerance) {
+    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
+    const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
+    Meet all;
+    Steps steps(static_cast<int64_t>(count));
+    for (size_t i = 0; i < count; ++i, steps.next()) {
+        const UsualLimit usual(usual_work(surface.point_count(), 200000));
+        const LimitedSearch limited;
+        LevelFunction own = function(i);
+        PieceField field(spline, grid, std::move(own.function), std::move(own.sign));
+        all.append(SurfaceLevels(field, tolerance).find(static_cast<int64_t>(i)));
+    }
+    return all;
 }
 
 } // namespace nrb::intersect

@@ -2,9 +2,11 @@
 // The curves along which functions over a surface vanish.
 #pragma once
 
-#include "intersect/levels/level_field.h"
+#include "intersect/levels/fields/piece_field.h"
 #include "intersect/levels/level_meet.h"
-#include "intersect/levels/surface_borders.h"
+
+#include <cstddef>
+#include <functional>
 
 namespace nrb::intersect {
 
@@ -22,5 +24,13 @@ private:
     SurfaceBorders borders_;
     double tolerance_;
 };
+
+// Where functions of a spline's pieces vanish on a surface with the same pieces, one after the other. Each has the usual limit of
+// work.
+struct LevelFunction {
+    PieceField::Function function, sign;
+};
+Meet levels_of_functions(const Spline &surface, const Spline &spline, size_t count,
+                         const std::function<LevelFunction(size_t i)> &function, double tolerance);
 
 } // namespace nrb::intersect

@@ -1,5 +1,5 @@
 // Parts that hang together, against all pairs of them.
-#include "intersect/levels/cluster_groups.h"
+#include "intersect/levels/trace/cluster_groups.h"
 #include "unit/face/face_shapes.h"
 
 #include <algorithm>

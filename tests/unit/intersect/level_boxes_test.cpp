@@ -1,5 +1,5 @@
 // Boxes of the zeros of a function on a piece.
-#include "intersect/levels/level_boxes.h"
+#include "intersect/levels/trace/level_boxes.h"
 
 #include <gtest/gtest.h>
 
