@@ -5855,7 +5855,8 @@ NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int
  * \param[out] levels [cap] or NULL: index of the plane, 0-based, rising.
  * \param[out] firsts [cap] or NULL: the first branch, 0-based.
  * \param[out] sizes [cap] or NULL: the number of branches, at least 1.
- * \param[out] closes [cap] or NULL: 1 if the last branch goes on in the first one, or a single one closes; else 0.
+ * \param[out] closes [cap] or NULL: 1 if the last branch goes on in the first one, or a single one closes; else 0, as where a
+ *   node TOUCH hides how it goes on, even if the meet is complete.
  * \param[out] gaps [cap] or NULL: the largest distance in space between ends that go on in each other, nurbs_meet_joints().
  * \param[out] count or NULL: number of ways.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.

@@ -10,6 +10,7 @@ namespace nrb::face {
 struct PassedSum {
     int32_t loop;
     int value;
+    friend bool operator==(const PassedSum &, const PassedSum &) = default;
 };
 using PassedSums = std::vector<PassedSum>; // of the loops of which something was passed
 

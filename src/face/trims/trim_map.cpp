@@ -173,6 +173,21 @@ std::optional<PassedSums> TrimMap::sums(const Point2 &x, size_t except) const {
     return result;
 }
 
+// None where another piece is as near, along axis k, as rounding may move both: by that it may lie on the wrong side.
+std::optional<PassedSums> TrimMap::sums_away_from_others(const Point2 &x, size_t except, size_t k) const {
+    auto found = sums(x, except);
+    for (const double side : {-4.0, 4.0}) {
+        Point2 beside = x;
+        beside[k] += side * room_[k];
+        const auto [lower, upper] = covering_->domain(static_cast<int>(k));
+        const bool inside = lower <= beside[k] && beside[k] <= upper;
+        if (found && inside && sums(beside, except) != found) {
+            return std::nullopt;
+        }
+    }
+    return found;
+}
+
 std::optional<PassedSums> TrimMap::sums_left_of(int32_t loop) const {
     for (const size_t k : {size_t{0}, size_t{1}}) { // loops that stay in a column may go around axis 1
         const std::vector<size_t> own = longest_pieces(loop, k);
@@ -219,7 +234,7 @@ std::optional<PassedSums> TrimMap::sums_left_of(size_t i, size_t k, double share
     } else if (covering_->closed(0) && x[0] == covering_->domain(0).upper) {
         x[0] = covering_->domain(0).lower;
     }
-    auto found = sums(x, i);
+    auto found = sums_away_from_others(x, i, 1 - k);
     if (found) {
         const bool past = k == 0 ? piece.start[0] > piece.end[0] : piece.start[1] < piece.end[1];
         found->push_back({piece.loop, past ? 1 : 0});

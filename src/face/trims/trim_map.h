@@ -77,6 +77,8 @@ private:
     // None outside of the domain. on: becomes true if x lies on a curve, to rounding.
     [[nodiscard]] std::optional<int> sum(const Point2 &x, bool &on) const noexcept;
     [[nodiscard]] std::optional<PassedSums> sums(const Point2 &x, size_t except) const;
+    [[nodiscard]] std::optional<PassedSums> sums_away_from_others(const Point2 &x, size_t except,
+                                                                  size_t k) const;
     // What is passed from the left side of a loop on, at some place of it; none if it lies on others everywhere.
     [[nodiscard]] std::optional<PassedSums> sums_left_of(int32_t loop) const;
     [[nodiscard]] std::optional<PassedSums> sums_left_of(size_t i, size_t k, double share) const;

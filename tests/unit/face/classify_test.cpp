@@ -257,4 +257,23 @@ TEST(Classify, ToriMayBeCutOpen) {
               Status::orientation);
 }
 
+// Two edges of each triangle lie on a third one but for rounding: what is between them tells nothing of which loop lies in which.
+TEST(Classify, EdgesOnEachOtherTellNothingOfNesting) {
+    const auto scaled = [](std::vector<Point2> corners) {
+        for (Point2 &corner : corners) {
+            corner = {corner[0] / 5, corner[1] / 5};
+        }
+        return face_shapes::polygon(corners);
+    };
+    const std::vector<Point2> first{{1, 2}, {2, 3}, {2, 4}, {3, 4}}, second{{2, 1}, {3, 2}, {4, 2}, {4, 3}},
+        simple{{2, 3}, {2, 4}, {3, 4}};
+    for (const std::vector<Point2> &corners : {first, simple}) {
+        const Face face({face_shapes::plane(), {loop_of({scaled(corners)}), loop_of({scaled(second)})}, 1e-6},
+                        nullptr);
+        EXPECT_EQ(side(face, {0.02, 0.02}), -1);
+        EXPECT_EQ(side(face, {0.44, 0.75}), 1);
+        EXPECT_EQ(side(face, {0.75, 0.44}), 1);
+    }
+}
+
 } // namespace

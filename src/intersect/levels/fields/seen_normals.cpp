@@ -2,6 +2,7 @@
 #include "intersect/levels/fields/seen_normals.h"
 
 #include "base/numbers.h"
+#include "numeric/power_of_two.h"
 
 #include <algorithm>
 #include <cmath>
