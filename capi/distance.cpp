@@ -37,10 +37,6 @@ void put_params(double *out, const std::array<double, max_axes> &params, const S
     put_all(out, std::span(params).first(static_cast<size_t>(spline.axes())));
 }
 
-int32_t status_of(bool certified) noexcept {
-    return certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
-}
-
 } // namespace
 
 nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, int64_t budget,
@@ -60,7 +56,7 @@ nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, in
         put_params(params_b, found.params_b, second);
         put(at_least, found.at_least);
         put(at_most, found.at_most);
-        put(status, status_of(found.certified));
+        put(status, bounds_status(found.certified));
     });
 }
 
@@ -81,6 +77,6 @@ nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tol
         put_params(params_b, back.params, second);
         put_all(at_least, std::array{there.at_least, back.at_least});
         put_all(at_most, std::array{there.at_most, back.at_most});
-        put(status, status_of(there.certified && back.certified));
+        put(status, bounds_status(there.certified && back.certified));
     });
 }

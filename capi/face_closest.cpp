@@ -7,7 +7,7 @@
 
 #include "base/tolerance.h"
 #include "eval/evaluate.h"
-#include "face/face_locator.h"
+#include "face/near/face_locator.h"
 #include "numeric/norm.h"
 
 #include <cmath>

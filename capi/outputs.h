@@ -30,6 +30,11 @@ void put_all(T *out, const Range &values) noexcept {
     }
 }
 
+// Of bounds that were proven to the tolerance, or not.
+inline int32_t bounds_status(bool certified) noexcept {
+    return certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
+}
+
 // How many values go into arrays of a stated length: none if the length is 0, which asks for the number,
 // otherwise all. Throws NURBS_ERROR_SIZE if they do not fit.
 inline int64_t checked_cap(int64_t cap, int64_t needed) {

@@ -6930,6 +6930,65 @@ NURBS_API nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, in
                                                       double *distances, int32_t *status,
                                                       const nurbs_call_options *call);
 
+/** \brief The smallest distance between two faces, enclosed, as that of splines (nurbs_distance()): at_least <= distance
+ * of the nearest points <= at_most, which is the distance of the two points returned; they differ by at most the
+ * tolerance and rounding unless the work ends. Nearest points are searched for on the curves of both boundaries, on
+ * curves and inside of the other face, and inside of both; there, pairs of pieces of which one lies outside, or along
+ * which the distance falls towards others, are left out. Places so near to a curve that rounding would have to say
+ * whether they are inside count.
+ * \param[in] a,b two faces of surfaces of the same dimension.
+ * \param[in] tolerance >= 0.
+ * \param[out] at_least,at_most or NULL: the bounds. Where a curve of a boundary, composed with the surface, would have
+ *   a degree above NURBS_MAX_DEGREE, at_least comes from ever smaller pieces alone, of which the work allows few.
+ * \param[out] params_a,params_b [2] or NULL: parameters of the surface of a, and of that of b.
+ * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _INCOMPATIBLE if the dimensions differ,
+ *   _NOT_REPRESENTABLE if a distance overflows.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_distance(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                           double *at_least, double *at_most, double *params_a,
+                                           double *params_b, int32_t *status);
+
+/** \brief nurbs_face_distance() as a call that can be watched and ended.
+ * \param[in] a,b,tolerance as for nurbs_face_distance().
+ * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_face_distance().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_distance_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                                double *at_least, double *at_most, double *params_a,
+                                                double *params_b, int32_t *status,
+                                                const nurbs_call_options *call);
+
+/** \brief The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it, and the other
+ * way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the symmetric distance.
+ * at_least[i] <= distance <= at_most[i], both proven; they differ by at most the tolerance and rounding unless the
+ * work ends. Where a face ends beside the other one, bounds fall with the size of pieces alone, and take their
+ * number in proportion to 1 / tolerance.
+ * \param[in] a,b two faces of surfaces of the same dimension.
+ * \param[in] tolerance >= 0.
+ * \param[out] at_least [2] or NULL: from a to b, from b to a.
+ * \param[out] at_most [2] or NULL: the same, from above.
+ * \param[out] params_a [2] or NULL: a place of a that is at_least[0] away from b.
+ * \param[out] params_b [2] or NULL: one of b that is at_least[1] away from a.
+ * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
+ * \return as for nurbs_face_distance().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_hausdorff_distance(const nurbs_face *a, const nurbs_face *b,
+                                                     double tolerance, double *at_least, double *at_most,
+                                                     double *params_a, double *params_b, int32_t *status);
+
+/** \brief nurbs_face_hausdorff_distance() as a call that can be watched and ended.
+ * \param[in] a,b,tolerance as for nurbs_face_hausdorff_distance().
+ * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_face_hausdorff_distance().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_hausdorff_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_hausdorff_distance_with(const nurbs_face *a, const nurbs_face *b,
+                                                          double tolerance, double *at_least, double *at_most,
+                                                          double *params_a, double *params_b, int32_t *status,
+                                                          const nurbs_call_options *call);
+
 /** \brief Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
  * Weiss, Evans 2021), each within one span of the surface.
  * \param[in] face a face.
@@ -7746,6 +7805,41 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
                                                  int64_t point_stride, int64_t point_component_stride,
                                                  double tolerance, int32_t *sides,
                                                  const nurbs_call_options *call);
+
+/** \brief The points of all faces of a model, where their parts stand in the whole (nurbs_model_instances()), that are
+ * nearest to given points: of each face as nurbs_face_closest_points() finds them, the nearest boxes first, so that
+ * few faces are searched. Where a placement stretches its part, faces are searched as they stand.
+ * \param[in] model a model.
+ * \param[in] n number of points.
+ * \param[in] points [n][3], finite, in the whole.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] tolerance how much nearer another point may be, >= 0.
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN if the model has no faces.
+ * \param[out] feet [n][3] or NULL: the nearest points, in the whole; NaN if there are no faces.
+ * \param[out] distances [n] or NULL: in the whole; infinite if there are no faces.
+ * \param[out] status [n] or NULL: NURBS_CLOSEST_ bits as of nurbs_face_closest_points().
+ * \param[out] places [n][2] or NULL: the face, and the instance of its part; -1 if there are no faces.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE,
+ *   _NOT_CONVERGED; _MATRIX, _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_closest_points(const nurbs_model *model, int64_t n, const double *points,
+                                                  int64_t point_stride, int64_t point_component_stride,
+                                                  double tolerance, double *params, double *feet,
+                                                  double *distances, int32_t *status, int64_t *places);
+
+/** \brief nurbs_model_closest_points() as a call that can be watched and ended. At the limit of work points are not
+ * certified.
+ * \param[in] model,n,points,point_stride,point_component_stride,tolerance as for nurbs_model_closest_points().
+ * \param[out] params,feet,distances,status,places as for nurbs_model_closest_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_closest_points_with(const nurbs_model *model, int64_t n,
+                                                       const double *points, int64_t point_stride,
+                                                       int64_t point_component_stride, double tolerance,
+                                                       double *params, double *feet, double *distances,
+                                                       int32_t *status, int64_t *places,
+                                                       const nurbs_call_options *call);
 
 /** \brief Where planes of any directions cut the faces of a model where they stand in the whole
  * (nurbs_model_instances()), joined to ways over the edges that faces share. On each face branches and nodes

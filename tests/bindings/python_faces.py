@@ -122,6 +122,17 @@ class Answers(unittest.TestCase):
                                                  nurbs.NURBS_CLOSEST_CERTIFIED | nurbs.NURBS_CLOSEST_BOUNDARY])
         self.assertEqual(self.face.closest_points(on[0]).distances.shape, ())
 
+    def test_distances(self):
+        other = nurbs.Face(nurbs.plane([2, 0, 0], [0, 3, 0], [0, 0, 2]), [square(0.25, 0.75)])
+        found, far = self.face.distance(other, 1e-9), self.face.hausdorff_distance(other, 1e-3)
+        self.assertAlmostEqual(found.at_most, 2, 8)
+        self.assertLessEqual(found.at_least, found.at_most)
+        self.assertEqual((found.status, found.params_a.shape), (nurbs.NURBS_CLOSEST_CERTIFIED, (2,)))
+        np.testing.assert_allclose(far.at_most, [2, 2], atol=1e-3)
+        np.testing.assert_array_equal(self.face.hausdorff_distance(self.face, 0).at_most, [0, 0])
+        with self.assertRaises(TypeError):
+            self.face.distance(other.surface)
+
     def test_moments_and_boxes(self):
         moments, box = self.face.moments(1e-12), self.face.box(1e-9)
         self.assertAlmostEqual(moments.content, 1.5, 11)

@@ -124,6 +124,17 @@ class Models(unittest.TestCase):
         with self.assertRaises(ValueError):
             self.model.rays([1, 2], [3, 4])
 
+    def test_closest_points(self):
+        points = np.array([[[9, 0.1, 2], [0, 0.1, 9]], [[0.5, 0.5, 0.5], [-1, -1, -1]]])
+        found = self.model.closest_points(points, 1e-9)
+        self.assertEqual((found.params.shape, found.places.shape), ((2, 2, 2), (2, 2, 2)))
+        np.testing.assert_allclose(np.linalg.norm(found.points - points, axis=-1), found.distances, atol=1e-12)
+        for point, distance, place in zip(points.reshape(-1, 3), found.distances.flat, found.places.reshape(-1, 2)):
+            of_faces = [float(face.closest_points(point, 1e-9).distances) for face in self.model.faces]
+            self.assertAlmostEqual(distance, min(of_faces), 8)
+            self.assertAlmostEqual(of_faces[place[0]], min(of_faces), 8)
+        self.assertTrue(np.all(found.status & nurbs.NURBS_CLOSEST_CERTIFIED))
+
     def test_sections(self):
         meet = self.model.sections([0, 0, 1], [2, 9], 1e-6)
         self.assertEqual((meet.ways.levels.tolist(), meet.ways.closed.tolist()), ([0, 0], [1, 1]))

@@ -298,6 +298,39 @@ void areas(const nurbs_face *face) {
     FUZZ_OK(nurbs_face_moments_with(face, 1e-3, &content, centroid, inertia, nullptr, &call));
 }
 
+// From all of the same surface, or of one that is moved. What is inside is no nearer than the bound from below.
+void distances(Input &in, const nurbs *surface, const nurbs_face *face) {
+    int32_t dim = 0;
+    FUZZ_REQUIRE(nurbs_dimension(surface, &dim) == NURBS_OK);
+    if (dim > 4) {
+        return;
+    }
+    const double shift[] = {in.unit(), 2 * in.unit(), in.unit(), in.rarely() ? in.anything() : 0};
+    double matrix[16] = {};
+    for (int32_t c = 0; c < dim; ++c) {
+        matrix[c * (dim + 1)] = 1;
+    }
+    nurbs *moved = nullptr;
+    nurbs_face *whole = nullptr;
+    if (!FUZZ_OK(nurbs_transform(surface, dim, matrix, shift, &moved))) {
+        return;
+    }
+    const fuzz::Handle owner(moved);
+    if (!FUZZ_OK(nurbs_face_create(moved, 0, nullptr, nullptr, nullptr, nullptr, 1e-9, 0, nullptr, &whole))) {
+        return;
+    }
+    const Face other(whole);
+    const nurbs_call_options call = limited(3'000'000);
+    double low = -1, high = -1, lows[2], highs[2], at[2], to[2];
+    int32_t status = 0;
+    if (FUZZ_OK(nurbs_face_distance_with(face, whole, 1e-6, &low, &high, at, to, &status, &call))) {
+        FUZZ_REQUIRE(0 <= low && low <= high && std::isfinite(high));
+    }
+    if (FUZZ_OK(nurbs_face_hausdorff_distance_with(face, whole, 1e-3, lows, highs, at, to, &status, &call))) {
+        FUZZ_REQUIRE(0 <= lows[0] && lows[0] <= highs[0] && 0 <= lows[1] && lows[1] <= highs[1]);
+    }
+}
+
 // The forms without options, on a face that is quickly done with.
 void plainly() {
     nurbs *surface = nullptr;
@@ -315,6 +348,12 @@ void plainly() {
     FUZZ_REQUIRE(nurbs_face_moments(clone, 1e-9, &content, nullptr, nullptr, nullptr) == NURBS_OK);
     FUZZ_REQUIRE(area == content);
     FUZZ_REQUIRE(nurbs_face_box(clone, 1e-9, lower, upper, nullptr) == NURBS_OK);
+    double low = 1, high = 1, lows[2], highs[2];
+    FUZZ_REQUIRE(nurbs_face_distance(clone, clone, 0, &low, &high, nullptr, nullptr, nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(low == 0 && high < 1e-9);
+    FUZZ_REQUIRE(nurbs_face_hausdorff_distance(clone, clone, 0, lows, highs, nullptr, nullptr, nullptr) ==
+                 NURBS_OK);
+    FUZZ_REQUIRE(highs[0] == 0 && highs[1] == 0);
 }
 
 } // namespace
@@ -331,6 +370,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         sides(in, surface.get(), face.get());
         rays(in, surface.get(), face.get());
         nearest(in, surface.get(), face.get());
+        distances(in, surface.get(), face.get());
         areas(face.get());
     }
     plainly();

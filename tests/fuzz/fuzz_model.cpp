@@ -199,6 +199,32 @@ int64_t use_instances(const nurbs_model *model, const Counts &n) {
     return count;
 }
 
+// What a place says is there, unless there are no faces.
+void use_nearest(const nurbs_model *model, const Counts &n) {
+    if (n.faces > 12) {
+        return;
+    }
+    const double from[] = {0.3, 0.4, 5, -3, 0.2, 0.1};
+    double params[4], feet[6], distances[2];
+    int32_t status[2];
+    int64_t places[4];
+    const nurbs_call_options call = limited(3'000'000);
+    if (!FUZZ_OK(nurbs_model_closest_points_with(model, 2, from, 0, 0, 1e-6, params, feet, distances, status,
+                                                 places, &call))) {
+        return;
+    }
+    for (size_t i = 0; i < 2; ++i) {
+        FUZZ_REQUIRE(std::isinf(distances[i]) || among(places[2 * i], n.faces));
+        FUZZ_REQUIRE(std::isnan(params[2 * i]) == (places[2 * i] == -1));
+    }
+    double distance = -1;
+    if ((status[0] & NURBS_CLOSEST_CERTIFIED) != 0 &&
+        FUZZ_OK(nurbs_model_closest_points(model, 1, from, 0, 0, 1e-6, nullptr, nullptr, &distance, nullptr,
+                                           nullptr))) {
+        FUZZ_REQUIRE(distance <= distances[0] + 1e-6 + 1e-9 * distance);
+    }
+}
+
 // What a place says is there; a point inside has something on every side of it.
 void use_rays(const nurbs_model *model, const Counts &n) {
     const int64_t instances = use_instances(model, n);
@@ -299,6 +325,7 @@ void use(const nurbs_model *model, bool all_edges) {
     }
     use_parts(model, n);
     use_rays(model, n);
+    use_nearest(model, n);
     use_sections(model, n);
     nurbs_list *list = nullptr;
     FUZZ_REQUIRE(nurbs_model_splines(model, &list) == NURBS_OK && list != nullptr);

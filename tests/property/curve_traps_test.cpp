@@ -106,6 +106,22 @@ TEST(CurveTraps, the_length_of_a_line_does_not_matter) {
     }
 }
 
+// fonttools!4180: halving at extreme coordinates until no stack is left. Crossings far from the origin, where rounding hides
+// the angle, and of curves a million million times as long as they are near each other.
+TEST(CurveTraps, extreme_coordinates_end) {
+    for (const double far : {1e9, 1e15, 1e150, 1e300}) {
+        const Handle a = create(bezier(2, {-far, -far, 0, far, far, -far / 2})),
+                     line = create(bezier(2, {-far, -1, far, 1}));
+        const Hits hits = meets(a, line, 0);
+        EXPECT_EQ(hits.complete, 1) << far;
+        EXPECT_EQ(hits.count(NURBS_HIT_CROSSING), 2) << far;
+        const Handle offset = create(bezier(2, {far, far, far, far + 1, far + 1, far + 1})),
+                     beside = create(bezier(2, {far + 1, far, far, far, far, far + 1}));
+        (void)meets(offset, beside, 0);
+        (void)own_meets(offset.get(), 0);
+    }
+}
+
 // tigl#783: extrema of the distance taken for meets.
 TEST(CurveTraps, many_meets_and_both_ends) {
     Vec zigzag;

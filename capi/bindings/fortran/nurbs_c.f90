@@ -3727,6 +3727,52 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_closest_points_with
+        !> The smallest distance between two faces, enclosed, as that of splines (nurbs_distance()): at_least
+        !> <= distance of the nearest points <= at_most, which is the distance of the two points returned;
+        !> they differ by at most the tolerance and rounding unless the work ends.
+        function nurbs_face_distance(a, b, tolerance, at_least, at_most, params_a, params_b, status) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: at_least, at_most, params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            integer(c_int32_t) :: r
+        end function nurbs_face_distance
+        !> nurbs_face_distance() as a call that can be watched and ended.
+        function nurbs_face_distance_with(a, b, tolerance, at_least, at_most, params_a, params_b, status, &
+                call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: at_least, at_most, params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_distance_with
+        !> The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it,
+        !> and the other way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the
+        !> symmetric distance.
+        function nurbs_face_hausdorff_distance(a, b, tolerance, at_least, at_most, params_a, params_b, &
+                status) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: at_least(*), at_most(*), params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            integer(c_int32_t) :: r
+        end function nurbs_face_hausdorff_distance
+        !> nurbs_face_hausdorff_distance() as a call that can be watched and ended.
+        function nurbs_face_hausdorff_distance_with(a, b, tolerance, at_least, at_most, params_a, params_b, &
+                status, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: at_least(*), at_most(*), params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_hausdorff_distance_with
         !> Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain
         !> (Gunderman, Weiss, Evans 2021), each within one span of the surface.
         function nurbs_face_area(face, relative_tolerance, area, error) bind(c) result(r)
@@ -4215,6 +4261,35 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_classify_with
+        !> The points of all faces of a model, where their parts stand in the whole (nurbs_model_instances()),
+        !> that are nearest to given points: of each face as nurbs_face_closest_points() finds them, the
+        !> nearest boxes first, so that few faces are searched.
+        function nurbs_model_closest_points(model, n, points, point_stride, point_component_stride, &
+                tolerance, params, feet, distances, status, places) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int64_t), intent(inout), optional :: places(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_closest_points
+        !> nurbs_model_closest_points() as a call that can be watched and ended.
+        function nurbs_model_closest_points_with(model, n, points, point_stride, point_component_stride, &
+                tolerance, params, feet, distances, status, places, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: n, point_stride, point_component_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int64_t), intent(inout), optional :: places(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_closest_points_with
         !> Where planes of any directions cut the faces of a model where they stand in the whole
         !> (nurbs_model_instances()), joined to ways over the edges that faces share.
         function nurbs_model_sections(model, n, normals, offsets, tolerance, out) bind(c) result(r)

@@ -6,9 +6,10 @@ module nurbs_faces
     use nurbs_constants
     use nurbs_c, only: nurbs_face_create, nurbs_face_surface, nurbs_face_loops, nurbs_face_curve, nurbs_face_edge, &
         nurbs_face_deviation, nurbs_face_tolerance, nurbs_face_classify, nurbs_face_rays, nurbs_face_closest_points, &
-        nurbs_face_area, nurbs_face_moments, nurbs_face_box, nurbs_face_from_bytes, nurbs_face_create_with, &
-        nurbs_face_classify_with, nurbs_face_rays_with, nurbs_face_closest_points_with, nurbs_face_area_with, &
-        nurbs_face_moments_with, nurbs_face_box_with
+        nurbs_face_distance, nurbs_face_hausdorff_distance, nurbs_face_area, nurbs_face_moments, nurbs_face_box, &
+        nurbs_face_from_bytes, nurbs_face_create_with, nurbs_face_classify_with, nurbs_face_rays_with, &
+        nurbs_face_closest_points_with, nurbs_face_distance_with, nurbs_face_hausdorff_distance_with, &
+        nurbs_face_area_with, nurbs_face_moments_with, nurbs_face_box_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -20,7 +21,7 @@ module nurbs_faces
     type, extends(nurbs_face_handle), public :: nurbs_face
     contains
         procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, rays, closest_points
-        procedure :: get_area, moments, box, from_bytes
+        procedure :: distance, hausdorff_distance, get_area, moments, box, from_bytes
     end type nurbs_face
 
 contains
@@ -227,6 +228,45 @@ contains
         end if
         call settle(code, status)
     end subroutine closest_points
+
+    !> The smallest distance to another face, with proof; the points are at_most apart.
+    subroutine distance(this, other, at_least, at_most, params_a, params_b, state, tolerance, status, call)
+        class(nurbs_face), intent(in) :: this, other
+        real(c_double), intent(inout), optional :: at_least, at_most, params_a(2), params_b(2)
+        integer(c_int32_t), intent(inout), optional :: state
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_face_distance_with(this%handle, other%handle, given(tolerance, 0d0), at_least, at_most, &
+                params_a, params_b, state, watched(call))
+        else
+            code = nurbs_face_distance(this%handle, other%handle, given(tolerance, 0d0), at_least, at_most, params_a, &
+                params_b, state)
+        end if
+        call settle(code, status)
+    end subroutine distance
+
+    !> How far the points that are farthest from another face are from it, and the other way round.
+    subroutine hausdorff_distance(this, other, tolerance, at_least, at_most, params_a, params_b, state, status, call)
+        class(nurbs_face), intent(in) :: this, other
+        real(c_double), intent(in) :: tolerance
+        real(c_double), intent(inout) :: at_least(2), at_most(2)
+        real(c_double), intent(inout), optional :: params_a(2), params_b(2)
+        integer(c_int32_t), intent(inout), optional :: state
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_face_hausdorff_distance_with(this%handle, other%handle, tolerance, at_least, at_most, &
+                params_a, params_b, state, watched(call))
+        else
+            code = nurbs_face_hausdorff_distance(this%handle, other%handle, tolerance, at_least, at_most, params_a, &
+                params_b, state)
+        end if
+        call settle(code, status)
+    end subroutine hausdorff_distance
 
     !> Its area.
     subroutine get_area(this, area, error, tolerance, status, call)

@@ -8,10 +8,11 @@ module nurbs_models
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
         nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
         nurbs_model_edge_uses, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, nurbs_model_instances, &
-        nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_classify, nurbs_model_splines, nurbs_model_spline_layers, &
-        nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, &
-        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_rays_with, nurbs_model_ray_hits_with, &
-        nurbs_model_classify_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
+        nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, nurbs_model_classify, nurbs_model_splines, &
+        nurbs_model_spline_layers, nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, &
+        nurbs_model_from_bytes, nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_rays_with, &
+        nurbs_model_ray_hits_with, nurbs_model_closest_points_with, nurbs_model_classify_with, &
+        nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -25,8 +26,8 @@ module nurbs_models
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
         procedure :: read, read_file, create, counts, face, face_name, face_solid, face_layers, edge, edge_uses, vertex
-        procedure :: part, get_use, instances, rays, ray_hits, classify, splines, spline_layers, layer_count, layer
-        procedure :: write_file, from_bytes
+        procedure :: part, get_use, instances, rays, ray_hits, closest_points, classify, splines, spline_layers
+        procedure :: layer_count, layer, write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -338,6 +339,42 @@ contains
         if (code == NURBS_OK) places = transpose(places_c) + 1
         call settle(code, status)
     end subroutine ray_hits
+
+    !> The points of its faces that are nearest to given points, with proof.
+    subroutine closest_points(this, points, params, feet, distances, states, places, tolerance, status, call)
+        class(nurbs_model), intent(in) :: this
+        real(c_double), intent(in) :: points(:, :)
+        real(c_double), intent(inout), optional :: params(:, :), feet(:, :), distances(:)
+        integer(c_int32_t), intent(inout), optional :: states(:)
+        integer(c_int64_t), intent(inout), optional :: places(:, :)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :), feet_c(:, :)
+        integer(c_int64_t), allocatable :: places_c(:, :)
+        n = size(points, 1, c_int64_t)
+        allocate (params_c(2, n), feet_c(3, n), places_c(2, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(points, n, 3_c_int64_t), fits(params, n, 2_c_int64_t), &
+            fits(feet, n, 3_c_int64_t), fits(distances, n), fits(states, n), fits(places, n, 2_c_int64_t)])
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_model_closest_points_with(this%handle, n, points, step(points), column(points), &
+                    given(tolerance, 0d0), params_c, feet_c, distances, states, places_c, watched(call))
+            else
+                code = nurbs_model_closest_points(this%handle, n, points, step(points), column(points), &
+                    given(tolerance, 0d0), params_c, feet_c, distances, states, places_c)
+            end if
+        end if
+        if (code == NURBS_OK) then
+            if (present(params)) params = transpose(params_c)
+            if (present(feet)) feet = transpose(feet_c)
+            if (present(places)) places = transpose(places_c) + 1
+        end if
+        call settle(code, status)
+    end subroutine closest_points
 
     !> Whether points are inside its solids: a NURBS_SIDE_ constant each.
     subroutine classify(this, points, sides, tolerance, status, call)

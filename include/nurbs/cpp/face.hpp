@@ -10,6 +10,7 @@
 #include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/spline.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,6 +37,24 @@ struct ClosestOnFace {
     std::vector<double> points;       ///< [n][dim], as evaluation gives them.
     std::vector<double> distances;    ///< From the points that were given.
     std::vector<std::int32_t> status; ///< closest_ bits.
+};
+
+/// The smallest distance of two faces: between both bounds, at most that of two points.
+struct FaceDistance {
+    double at_least;                ///< From below.
+    double at_most;                 ///< From above.
+    std::array<double, 2> params_a; ///< [2] on the surface of the one.
+    std::array<double, 2> params_b; ///< [2] on that of the other one.
+    std::int32_t status;            ///< closest_certified, closest_budget.
+};
+
+/// How far the farthest point of a face is from another one, and the other way round.
+struct FaceHausdorffDistance {
+    std::array<double, 2> at_least; ///< [2]: from below.
+    std::array<double, 2> at_most;  ///< [2]: from above.
+    std::array<double, 2> params_a; ///< [2] of a point that is at_least[0] away.
+    std::array<double, 2> params_b; ///< [2] of a point that is at_least[1] away.
+    std::int32_t status;            ///< closest_certified, closest_budget.
 };
 
 /// A trimmed face: a handle that is copied in constant time and freed by its destructor.
@@ -175,6 +194,40 @@ public:
         detail::call(nurbs_face_closest_points_with, get(), n, points.data(), points.stride(),
                      points.component_stride(), tolerance, found.params.data(), found.points.data(),
                      found.distances.data(), found.status.data(), watch.get());
+        return found;
+    }
+    /// The smallest distance to another face, with proof; the points are at_most apart.
+    [[nodiscard]] Returned<FaceDistance> distance(const Face &other, double tolerance = 0) const {
+        FaceDistance found{};
+        detail::call(nurbs_face_distance, get(), other.get(), tolerance, &found.at_least, &found.at_most,
+                     found.params_a.data(), found.params_b.data(), &found.status);
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<FaceDistance> distance(const Face &other, double tolerance,
+                                                  const CallOptions &call) const {
+        FaceDistance found{};
+        const detail::Watch watch(call);
+        detail::call(nurbs_face_distance_with, get(), other.get(), tolerance, &found.at_least, &found.at_most,
+                     found.params_a.data(), found.params_b.data(), &found.status, watch.get());
+        return found;
+    }
+    /// How far the points that are farthest from another face are from it, and the other way round.
+    [[nodiscard]] Returned<FaceHausdorffDistance> hausdorff_distance(const Face &other,
+                                                                     double tolerance) const {
+        FaceHausdorffDistance found{};
+        detail::call(nurbs_face_hausdorff_distance, get(), other.get(), tolerance, found.at_least.data(),
+                     found.at_most.data(), found.params_a.data(), found.params_b.data(), &found.status);
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<FaceHausdorffDistance> hausdorff_distance(const Face &other, double tolerance,
+                                                                     const CallOptions &call) const {
+        FaceHausdorffDistance found{};
+        const detail::Watch watch(call);
+        detail::call(nurbs_face_hausdorff_distance_with, get(), other.get(), tolerance, found.at_least.data(),
+                     found.at_most.data(), found.params_a.data(), found.params_b.data(), &found.status,
+                     watch.get());
         return found;
     }
     /// Its area.

@@ -90,6 +90,16 @@ struct ModelRayHits {
     bool complete;                    ///< Whether there are no others, and none is a touch.
 };
 
+/// The points of a model that are nearest to given points.
+struct ClosestOnModel {
+    std::vector<double> params;       ///< [n][2] on the surface of the face.
+    std::vector<double> points;       ///< [n][3], in the whole.
+    std::vector<double> distances;    ///< From the points that were given, in the whole.
+    std::vector<std::int32_t> status; ///< closest_ bits.
+    /// [n][2]: the face, and the instance of its part; -1 if there are no faces.
+    std::vector<std::int64_t> places;
+};
+
 /// Faces and the edges that they share: a handle that is copied in constant time and freed by its destructor.
 class Model : public detail::ModelHandle {
 public:
@@ -288,6 +298,28 @@ public:
         found.places = detail::room<std::int64_t>(count, 2);
         ask(count);
         found.complete = complete != 0;
+        return found;
+    }
+    /// The points of its faces that are nearest to given points, with proof.
+    [[nodiscard]] Returned<ClosestOnModel> closest_points(Input points, double tolerance = 0) const {
+        const std::int64_t n = detail::records(points, 3, "points");
+        ClosestOnModel found{detail::room(n, 2), detail::room(n, 3), detail::room(n),
+                             detail::room<std::int32_t>(n), detail::room<std::int64_t>(n, 2)};
+        detail::call(nurbs_model_closest_points, get(), n, points.data(), points.stride(),
+                     points.component_stride(), tolerance, found.params.data(), found.points.data(),
+                     found.distances.data(), found.status.data(), found.places.data());
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<ClosestOnModel> closest_points(Input points, double tolerance,
+                                                          const CallOptions &call) const {
+        const std::int64_t n = detail::records(points, 3, "points");
+        ClosestOnModel found{detail::room(n, 2), detail::room(n, 3), detail::room(n),
+                             detail::room<std::int32_t>(n), detail::room<std::int64_t>(n, 2)};
+        const detail::Watch watch(call);
+        detail::call(nurbs_model_closest_points_with, get(), n, points.data(), points.stride(),
+                     points.component_stride(), tolerance, found.params.data(), found.points.data(),
+                     found.distances.data(), found.status.data(), found.places.data(), watch.get());
         return found;
     }
     /// Whether points are inside its solids: a side_ constant each.

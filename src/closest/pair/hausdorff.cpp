@@ -89,9 +89,10 @@ struct NearPoint {
 class FarthestSearch {
 public:
     FarthestSearch(const Spline &from, const Spline &to, const pieces::Frame &frame, double tolerance,
-                   int64_t budget)
-        : to_(to), frame_(frame), locator_(locator_of(to)), known_(to, frame), dim_(from.dim()),
-          tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
+                   int64_t budget, const Region *in_from, Region *in_to)
+        : to_(to), in_from_(in_from), in_to_(in_to), frame_(frame), locator_(locator_of(to)),
+          known_(to, frame), dim_(from.dim()), tolerance_(tolerance), budget_(budget),
+          query_(static_cast<size_t>(dim_)),
           map_(matching_map(from, to, frame.unscaled(same_point), frame.unscaled(tolerance),
                             std::min(budget, budget_of_a_match))) {
         for (pieces::BezierPiece &piece :
@@ -123,9 +124,28 @@ private:
     void push(double upper, pieces::BezierPiece piece, bool bounded) {
         if (upper <= limit()) {
             queue_.leave_out(upper);
-        } else {
+        } else if (bounded || !outside(piece)) {
             queue_.push(upper, {std::move(piece), bounded});
         }
+    }
+    [[nodiscard]] bool outside(const pieces::BezierPiece &piece) const {
+        return in_from_ != nullptr &&
+               in_from_->side(piece.parameter({0, 0, 0}), piece.parameter({1, 1, 1})) < 0;
+    }
+    // Whether all that the corners span on a piece counts.
+    [[nodiscard]] bool holds(const pieces::BezierPiece &other,
+                             const std::vector<pieces::LocalParam> &corners) const {
+        if (in_to_ == nullptr) {
+            return true;
+        }
+        pieces::LocalParam lower{1, 1, 1}, upper{0, 0, 0};
+        for (const pieces::LocalParam &corner : corners) {
+            for (size_t k = 0; k < max_axes; ++k) {
+                lower[k] = std::min(lower[k], corner[k]);
+                upper[k] = std::max(upper[k], corner[k]);
+            }
+        }
+        return !corners.empty() && in_to_->side(other.parameter(lower), other.parameter(upper)) > 0;
     }
 
     // The foot of a point of the frame.
@@ -134,8 +154,11 @@ private:
             query_[c] = frame_.original(c, x[c]);
         }
         NearPoint near;
-        near.foot = locator_.nearest({query_.data(), nullptr, frame_.unscaled(tolerance_ / 4),
-                                      std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
+        const double tolerance = frame_.unscaled(tolerance_ / 4);
+        near.foot = in_to_ != nullptr
+                        ? in_to_->nearest(query_.data(), tolerance)
+                        : locator_.nearest({query_.data(), nullptr, tolerance,
+                                            std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
         budget_ -= near.foot.examined;
         eval::AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
@@ -162,7 +185,8 @@ private:
         const NearPoint near = nearest(jet_.value());
         const Others others = known_.containing(near.foot.params); // whose rounding counts for the point
         const double noise = frame_.scaled(near.foot.noise) + 8 * (dim_ + 2) * eps;
-        if ((near.foot.status & (closest_certified | closest_coarse)) != 0) {
+        const bool counts = in_from_ == nullptr || in_from_->side(piece.parameter(middle)) >= 0;
+        if (counts && (near.foot.status & (closest_certified | closest_coarse)) != 0) {
             const double lower = near.distance - tolerance_ / 4 - noise - piece.moved();
             if (lower > lower_) {
                 lower_ = lower;
@@ -185,7 +209,9 @@ private:
             for (pieces::LocalParam &corner : corners) {
                 corner = other->place((*map_)(piece.parameter(corner)));
             }
-            best = std::min(best, MatchedBound::upper(piece, *other, corners, limit()));
+            if (holds(*other, corners)) {
+                best = std::min(best, MatchedBound::upper(piece, *other, corners, limit()));
+            }
         }
         return best;
     }
@@ -204,7 +230,10 @@ private:
     double matched(const pieces::BezierPiece &piece, const pieces::LocalParam &foot, const Others &others) {
         double best = infinity;
         for (const pieces::BezierPiece *other : others) {
-            best = std::min(best, bound_.upper(piece, *other, other->place(foot), limit()));
+            const std::vector<pieces::LocalParam> corners = bound_.corners(piece, *other, other->place(foot));
+            if (holds(*other, corners)) {
+                best = std::min(best, MatchedBound::upper(piece, *other, corners, limit()));
+            }
         }
         return best;
     }
@@ -219,6 +248,8 @@ private:
     }
 
     const Spline &to_;
+    const Region *in_from_;
+    Region *in_to_;
     const pieces::Frame &frame_;
     const Locator &locator_;
     KnownPieces known_; // of the other spline
@@ -248,14 +279,19 @@ FarthestPoint nowhere_else(const Spline &from) noexcept {
 } // namespace
 
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
+    return one_sided_distance(from, to, tolerance, budget, nullptr, nullptr);
+}
+
+FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget,
+                                 const Region *in_from, Region *in_to) {
     check_same_dimension(from, to);
     const LimitedSearch limited;
-    if (same_numbers(from, to)) {
+    if (in_to == nullptr && same_numbers(from, to)) {
         return nowhere_else(from);
     }
     const pieces::Frame frame = pieces::frame_of({{&from, &to}});
     const double scaled_tolerance = frame.scaled(tolerance);
-    FarthestSearch search(from, to, frame, scaled_tolerance, budget);
+    FarthestSearch search(from, to, frame, scaled_tolerance, budget, in_from, in_to);
     search.run();
     FarthestPoint result;
     result.at_least = frame.unscaled(search.at_least());

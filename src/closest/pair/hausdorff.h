@@ -2,6 +2,7 @@
 // How far the point of a spline that is farthest from another one is from it.
 #pragma once
 
+#include "closest/pair/region.h"
 #include "spline/spline.h"
 
 #include <array>
@@ -20,5 +21,10 @@ struct FarthestPoint {
 // which is good where the splines are apart, and matching with a piece of `to` another, which is good where
 // they touch. `budget`: most pieces looked at. Throws Status::incompatible, not_representable.
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget);
+
+// The same for points of one region and nearest points of another one; null: all of a spline. Where at_least is 0 the parameters
+// may be those of any place.
+FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget,
+                                 const Region *in_from, Region *in_to);
 
 } // namespace nrb::closest

@@ -194,10 +194,11 @@ std::vector<pieces::LocalParam> MatchedBound::corners_of(const pieces::BezierPie
     return corners;
 }
 
-double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
-                           const pieces::LocalParam &guess, double enough) {
+std::vector<pieces::LocalParam> MatchedBound::corners(const pieces::BezierPiece &x,
+                                                      const pieces::BezierPiece &y,
+                                                      const pieces::LocalParam &guess) {
     if (!are_comparable(x, y)) {
-        return infinity;
+        return {};
     }
     std::vector<pieces::LocalParam> corners = corners_of(x);
     for (pieces::LocalParam &corner : corners) {
@@ -207,12 +208,12 @@ double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPie
         descent_.run(pieces::BezierPiece(jet_.value(), x.dim()), y, at);
         corner = at.b;
     }
-    return upper(x, y, corners, enough);
+    return corners;
 }
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                            const std::vector<pieces::LocalParam> &corners, double enough) {
-    if (!are_comparable(x, y)) {
+    if (corners.empty() || !are_comparable(x, y)) {
         return infinity;
     }
     const int dim = x.dim();

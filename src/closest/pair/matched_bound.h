@@ -13,11 +13,10 @@ namespace nrb::closest {
 // touch. Rounding and moved() of both are included; infinite where weights are not positive.
 class MatchedBound {
 public:
-    // `enough`: no less is wanted.
-    double upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y, const pieces::LocalParam &guess,
-                 double enough);
-
-    // The same for places on y of the corners of x that are known, in the order of corners_of(x).
+    // Places on y near those of the corners of x, from a guess on; none if the two cannot be compared.
+    std::vector<pieces::LocalParam> corners(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
+                                            const pieces::LocalParam &guess);
+    // By places on y of the corners of x, in the order of corners_of(x); `enough`: no less is wanted.
     static double upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                         const std::vector<pieces::LocalParam> &corners, double enough);
     // The last axis is the fastest; axes without a degree have one end.

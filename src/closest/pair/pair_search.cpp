@@ -6,7 +6,7 @@
 #include "base/watch.h"
 #include "closest/foot.h"
 #include "closest/pair/pair_bound.h"
-#include "closest/pair/pair_cells.h"
+#include "closest/pair/pair_regions.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 #include "pieces/best_first.h"
@@ -38,10 +38,12 @@ using Entry = pieces::BestFirst<CellPair>::Entry;
 
 class PairSearch {
 public:
-    // tolerance: in the frame.
-    PairSearch(const Spline &a, const Spline &b, const pieces::Frame &frame, double tolerance, int64_t budget)
-        : a_(a, frame), b_(b, frame), dim_(a.dim()), degrees_(highest_degree(a) + highest_degree(b)),
-          tolerance_(tolerance), budget_(budget) {}
+    // tolerance, far: in the frame.
+    PairSearch(const Spline &a, const Spline &b, const pieces::Frame &frame, double tolerance, int64_t budget,
+               const Regions &regions, double far)
+        : a_(a, frame), b_(b, frame), regions_(a, b, regions), dim_(a.dim()),
+          degrees_(highest_degree(a) + highest_degree(b)), tolerance_(tolerance), budget_(budget),
+          upper_(far) {}
 
     // What rounding leaves open: of the pieces looked at, and of the points that are evaluated in the end, at
     // both splines.
@@ -55,6 +57,9 @@ public:
             budget_, [&](const Entry &top) { return -top.bound < limit(); },
             [&](const Entry &top) {
                 count_work(work_of_a_look);
+                if (regions_.exclude(*top.item.a, *top.item.b)) {
+                    return;
+                }
                 bounds(top.item) ? bound(top.item, -top.bound) : divide(top.item, -top.bound);
             });
     }
@@ -63,6 +68,8 @@ public:
         return std::max(0.0, std::min(-queue_.bound(), upper_));
     }
     [[nodiscard]] double at_most() const noexcept { return upper_; }
+    // Whether there are places at that distance.
+    [[nodiscard]] bool found() const noexcept { return found_; }
     // The best places, with whether they are upper ends.
     struct Best {
         pieces::LocalParam a{}, b{};
@@ -152,10 +159,12 @@ private:
         place.b.fill(0.5);
         descent_.run(a, b, place);
         const double moved = a.moved() + b.moved();
-        if (place.distance + moved < upper_) {
+        const pieces::LocalParam on_a = a.parameter(place.a), on_b = b.parameter(place.b);
+        if (place.distance + moved < upper_ && regions_.hold(on_a, on_b)) {
             upper_ = place.distance + moved;
-            best_.a = a.parameter(place.a);
-            best_.b = b.parameter(place.b);
+            found_ = true;
+            best_.a = on_a;
+            best_.b = on_b;
             for (size_t k = 0; k < max_axes; ++k) {
                 best_.left_a[k] = place.a[k] >= 1;
                 best_.left_b[k] = place.b[k] >= 1;
@@ -195,10 +204,12 @@ private:
     }
 
     PairCells a_, b_;
+    PairRegions regions_;
     int dim_, degrees_;
     double tolerance_;
     int64_t budget_;
-    double upper_ = infinity; // proven
+    double upper_; // proven
+    bool found_ = false;
     Best best_;
     pieces::BestFirst<CellPair> queue_; // by lower bounds, negated
     PairDescent descent_;
@@ -217,24 +228,41 @@ std::vector<double> point_of(const Spline &spline, const pieces::LocalParam &par
     return x;
 }
 
+PairSearch::Best lower_corners(const Spline &a, const Spline &b) {
+    PairSearch::Best corners;
+    for (int k = 0; k < a.axes(); ++k) {
+        corners.a[static_cast<size_t>(k)] = a.axis(k).domain().lower;
+    }
+    for (int k = 0; k < b.axes(); ++k) {
+        corners.b[static_cast<size_t>(k)] = b.axis(k).domain().lower;
+    }
+    return corners;
+}
+
 } // namespace
 
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget) {
+    return pair_distance(a, b, tolerance, budget, {}, infinity);
+}
+
+// Where no piece could be looked at any points of both will do, unless they have to be in regions.
+PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget,
+                           const Regions &regions, double far) {
     check_same_dimension(a, b);
     const LimitedSearch limited;
     const pieces::Frame frame = pieces::frame_of({{&a, &b}});
-    PairSearch search(a, b, frame, frame.scaled(tolerance), budget);
+    PairSearch search(a, b, frame, frame.scaled(tolerance), budget, regions, frame.scaled(far));
     search.run();
     PairDistance result;
-    PairSearch::Best best = search.best();
-    if (!std::isfinite(search.at_most())) { // no piece could be looked at
-        for (int k = 0; k < a.axes(); ++k) {
-            best.a[static_cast<size_t>(k)] = a.axis(k).domain().lower;
-        }
-        for (int k = 0; k < b.axes(); ++k) {
-            best.b[static_cast<size_t>(k)] = b.axis(k).domain().lower;
-        }
+    const double least = std::max(0.0, frame.unscaled(search.at_least()) - underflow_noise);
+    result.rounding = frame.unscaled(2 * search.noise()) + 2 * underflow_noise;
+    const bool any = std::isinf(far) && regions.a == nullptr && regions.b == nullptr;
+    if (!search.found() && !any) {
+        result.at_least = least;
+        result.at_most = infinity;
+        return result;
     }
+    const PairSearch::Best best = search.found() ? search.best() : lower_corners(a, b);
     result.params_a = best.a;
     result.params_b = best.b;
     const std::vector<double> from = point_of(a, best.a, best.left_a), to = point_of(b, best.b, best.left_b);
@@ -242,10 +270,9 @@ PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, i
     if (!std::isfinite(result.at_most)) {
         fail(Status::not_representable, "the distance overflows double precision");
     }
-    const double least = frame.unscaled(search.at_least()) - underflow_noise;
-    result.at_least = std::max(0.0, std::min(least, result.at_most));
-    const double rounding = frame.unscaled(2 * search.noise()) + 2 * underflow_noise;
-    result.certified = std::isfinite(rounding) && result.at_most - result.at_least <= tolerance + rounding;
+    result.at_least = std::min(least, result.at_most);
+    result.certified =
+        std::isfinite(result.rounding) && result.at_most - result.at_least <= tolerance + result.rounding;
     return result;
 }
 

@@ -60,7 +60,7 @@ struct Run {
     double length; // about how far p goes
     double sine;   // between the axes of S
 };
-Run run_of(const SlopedPiece &arc, const SlopedPatch &patch) noexcept {
+Run run_of(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
     const double *c = arc.slopes->mean(), *u = patch.mean(0), *v = patch.mean(1);
     const double uu = dot(u, u, 3), uv = dot(u, v, 3), vv = dot(v, v, 3), cu = dot(c, u, 3),
                  cv = dot(c, v, 3), determinant = uu * vv - uv * uv;
@@ -69,7 +69,7 @@ Run run_of(const SlopedPiece &arc, const SlopedPatch &patch) noexcept {
 }
 
 // The largest |vector . slope| there may be.
-double steepest(const Slopes &slopes, const double *vector) noexcept {
+double steepest(const pieces::Slopes &slopes, const double *vector) noexcept {
     const Interval range = slopes.along(vector);
     return std::max(std::abs(range.lower), std::abs(range.upper));
 }
@@ -77,7 +77,7 @@ double steepest(const Slopes &slopes, const double *vector) noexcept {
 } // namespace
 
 // Whether C runs about as S does in the middle.
-bool Alongside::is_level(const SlopedPiece &arc, const SlopedPatch &patch) noexcept {
+bool Alongside::is_level(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
     const Vector3 normal = cross(vector_at(patch.mean(0)), vector_at(patch.mean(1))),
                   c = vector_at(arc.slopes->mean());
     return std::abs(dot(normal, c)) <= most_sine * length(normal) * length(c) && length(normal) > 0;
@@ -138,7 +138,7 @@ bool Alongside::is_apart(double near) const noexcept {
     return least > 1.001 * (near + slope * off_);
 }
 
-Alongside::Verdict Alongside::look(const SlopedPiece &arc, const SlopedPatch &patch, double near,
+Alongside::Verdict Alongside::look(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near,
                                    double slack) {
     is_long_ = false;
     if (!is_level(arc, patch)) {
@@ -192,7 +192,7 @@ Alongside::Verdict Alongside::cut_at(int line) {
     const auto [low, high] = std::ranges::minmax_element(inside);
     const double room = rooms_[static_cast<size_t>(axis)];
     if (*low >= -room) {
-        const Slopes &along = over_region_.along(axis);
+        const pieces::Slopes &along = over_region_.along(axis);
         largest_ += std::max(-*low, 0.0) * along.largest();
         set_line_at_ends(inside, room, line);
         return Verdict::along;

@@ -20,7 +20,7 @@ public:
         ends,  // what is near is over reach(), but over no range of S
         open,
     };
-    Verdict look(const SlopedPiece &arc, const SlopedPatch &patch, double near, double slack);
+    Verdict look(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double slack);
 
     // After open: whether C is long beside S, as p goes.
     [[nodiscard]] bool is_long() const noexcept { return is_long_; }
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] Place<2> foot(double t) const { return feet_.at(t); }
 
 private:
-    static bool is_level(const SlopedPiece &arc, const SlopedPatch &patch) noexcept;
+    static bool is_level(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept;
     bool set_region(const SlopedPatch &patch);
     void measure(double rounding, double near);
     bool is_apart(double near) const noexcept;

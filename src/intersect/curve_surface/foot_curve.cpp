@@ -125,7 +125,8 @@ double FootCurve::height_of(const SlopedPatch &patch) const noexcept {
     return std::copysign(length(offset), dot(cross({u[0], u[1], u[2]}, {v[0], v[1], v[2]}), offset));
 }
 
-bool FootCurve::interpolate(const SlopedPiece &arc, const SlopedPatch &patch, double near, double far) {
+bool FootCurve::interpolate(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near,
+                            double far) {
     const int degrees = patch.piece->degree(0) + patch.piece->degree(1);
     degree_ = std::min(most_degree, (max_product_degree - arc.piece->degree(0)) / std::max(degrees, 1));
     if (degree_ < 1) {
@@ -254,7 +255,7 @@ bool FootCurve::set_differences(const pieces::BezierPiece &arc) {
 
 // Each coefficient is a sum of products, of as many factors as there are powers and of sums of some terms each; their
 // magnitudes add up to `spread` times what they are where no place is outside [0, 1].
-double FootCurve::compare(const SlopedPiece &arc, const SlopedPatch &patch) {
+double FootCurve::compare(const pieces::SlopedPiece &arc, const SlopedPatch &patch) {
     const pieces::BezierPiece &c = *arc.piece, &s = *patch.piece;
     compose(s);
     const bool positive = set_differences(c);

@@ -17,7 +17,7 @@ class FootCurve {
 public:
     // False if a foot is not found on S or shortly beyond it, or if some are nearer than `near` or on another side than some
     // that are farther than `far`.
-    bool interpolate(const SlopedPiece &arc, const SlopedPatch &patch, double near, double far);
+    bool interpolate(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double far);
 
     // The Bernstein coefficients along an axis of S.
     [[nodiscard]] const std::vector<double> &coefficients(int axis) const noexcept {
@@ -28,7 +28,7 @@ public:
 
     // Sets differences(): of the coefficients of C w - S(p) v and v w the quotients. Returns what rounding may have made of
     // them, moved() of both included; infinite where weights may have zeros.
-    double compare(const SlopedPiece &arc, const SlopedPatch &patch);
+    double compare(const pieces::SlopedPiece &arc, const SlopedPatch &patch);
     [[nodiscard]] size_t count() const noexcept { return differences_.size() / 3; }
     [[nodiscard]] const double *difference(size_t i) const noexcept { return differences_.data() + 3 * i; }
 

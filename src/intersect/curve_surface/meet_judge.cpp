@@ -28,7 +28,7 @@ MeetBox around(const MeetPlace &place, double reach) noexcept {
 
 } // namespace
 
-void MeetJudge::set(const SlopedPiece &arc, const SlopedPatch &patch, double near, double noise) {
+void MeetJudge::set(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double noise) {
     arc_ = arc;
     patch_ = patch;
     near_ = near;
@@ -37,7 +37,7 @@ void MeetJudge::set(const SlopedPiece &arc, const SlopedPatch &patch, double nea
     count_work(work_of_a_meet + 10 * surface().coefficients());
 }
 
-MeetJudge::Verdict MeetJudge::look(const SlopedPiece &arc, const SlopedPatch &patch, double near,
+MeetJudge::Verdict MeetJudge::look(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near,
                                    double noise) {
     set(arc, patch, near, noise);
     chart_.set(arc, patch);
@@ -238,8 +238,8 @@ void MeetJudge::set_cell(MeetCell::Kind kind, const MeetBox &box) {
     cell_.still = curve().size() == 0;
 }
 
-MeetJudge::Verdict MeetJudge::look_at_tiny(const SlopedPiece &arc, const SlopedPatch &patch, double near,
-                                           double noise) {
+MeetJudge::Verdict MeetJudge::look_at_tiny(const pieces::SlopedPiece &arc, const SlopedPatch &patch,
+                                           double near, double noise) {
     set(arc, patch, near, noise);
     descend_from(all_places);
     if (is_apart()) {

@@ -17,10 +17,10 @@ public:
         cell,    // what is near is in cell()
         open,
     };
-    Verdict look(const SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
+    Verdict look(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
 
     // Of pieces that are not halved any more: nothing, or a cell.
-    Verdict look_at_tiny(const SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
+    Verdict look_at_tiny(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
 
     // After open: whether the curve is too long beside the surface.
     [[nodiscard]] bool curve_is_long() const noexcept { return curve_is_long_; }
@@ -34,7 +34,7 @@ public:
     static double slack(double near, double noise) noexcept { return near / 64 + noise; }
 
 private:
-    void set(const SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
+    void set(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
     Verdict by_chart();
     Verdict by_tangents();
     Verdict at_ends(const MeetBox &room);
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] const pieces::BezierPiece &curve() const noexcept { return *arc_.piece; }
     [[nodiscard]] const pieces::BezierPiece &surface() const noexcept { return *patch_.piece; }
 
-    SlopedPiece arc_{};
+    pieces::SlopedPiece arc_{};
     SlopedPatch patch_{};
     double near_ = 0, noise_ = 0;
     bool curve_is_long_ = false;

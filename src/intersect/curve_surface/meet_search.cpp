@@ -93,7 +93,7 @@ void MeetSearch::look(const Pair &pair) {
     }
 }
 
-SlopedPiece MeetSearch::sloped_arc(PairCell &cell) {
+pieces::SlopedPiece MeetSearch::sloped_arc(PairCell &cell) {
     if (cell.mark == 0) {
         arc_slopes_.emplace_back(*cell.piece);
         cell.mark = arc_slopes_.size();

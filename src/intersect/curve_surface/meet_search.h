@@ -39,7 +39,7 @@ private:
     void add_unknown(const Pair &pair);
     void divide(const Pair &pair, bool curve_is_long);
     bool divide_one(const Pair &pair, bool of_curve);
-    SlopedPiece sloped_arc(PairCell &cell);
+    pieces::SlopedPiece sloped_arc(PairCell &cell);
     SlopedPatch sloped_patch(PairCell &cell);
     [[nodiscard]] double near() const noexcept { return std::max(tolerance_, framed_noise()); }
     [[nodiscard]] double framed_noise() const noexcept;
@@ -50,7 +50,7 @@ private:
     int degrees_;
     double tolerance_ = 0;
     std::vector<Pair> stack_;
-    std::deque<Slopes> arc_slopes_; // by marks of cells
+    std::deque<pieces::Slopes> arc_slopes_; // by marks of cells
     std::deque<PatchSlopes> patch_slopes_;
     MeetJudge judge_;
     MeetCells result_;

@@ -25,8 +25,8 @@ PatchSlopes::PatchSlopes(const pieces::BezierPiece &piece) : piece_(&piece) {
     }
 }
 
-const Slopes &PatchSlopes::along(int axis) {
-    std::optional<Slopes> &slopes = along_[static_cast<size_t>(axis)];
+const pieces::Slopes &PatchSlopes::along(int axis) {
+    std::optional<pieces::Slopes> &slopes = along_[static_cast<size_t>(axis)];
     if (!slopes) {
         slopes.emplace(*piece_, axis);
     }

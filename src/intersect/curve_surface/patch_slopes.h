@@ -2,7 +2,7 @@
 // The derivatives of a piece of a surface.
 #pragma once
 
-#include "intersect/pairs/slopes.h"
+#include "pieces/slopes.h"
 
 #include <array>
 #include <optional>
@@ -21,12 +21,12 @@ public:
         return corners_[static_cast<size_t>(axis)].data() + 3 * i;
     }
     [[nodiscard]] const double *mean(int axis) const noexcept { return corner(axis, 4); }
-    [[nodiscard]] const Slopes &along(int axis);
+    [[nodiscard]] const pieces::Slopes &along(int axis);
 
 private:
     const pieces::BezierPiece *piece_;
     std::array<std::array<double, 15>, 2> corners_{}; // the mean is the last one
-    std::array<std::optional<Slopes>, 2> along_;
+    std::array<std::optional<pieces::Slopes>, 2> along_;
 };
 
 } // namespace nrb::intersect

@@ -36,7 +36,7 @@ Place<3> times(const Rows &rows, const double *x) noexcept {
 }
 
 // The largest |row . d - wanted| for a vector d of the hull.
-double deviation(const double *row, const Slopes &slopes, double wanted) noexcept {
+double deviation(const double *row, const pieces::Slopes &slopes, double wanted) noexcept {
     double most = 0;
     for (size_t i = 0; i < slopes.count(); ++i) {
         most = std::max(most, std::abs(dot(row, slopes.vector(i), 3) - wanted));
@@ -56,7 +56,7 @@ bool newton_step(const double *c, const double *u, const double *v, const double
     return true;
 }
 
-void SpaceChart::set(const SlopedPiece &arc, const SlopedPatch &patch) {
+void SpaceChart::set(const pieces::SlopedPiece &arc, const SlopedPatch &patch) {
     contraction_ = {};
     const double determinant = invert(arc.slopes->mean(), patch.mean(0), patch.mean(1), rows_);
     turn_ = determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
@@ -68,7 +68,7 @@ void SpaceChart::set(const SlopedPiece &arc, const SlopedPatch &patch) {
     }
 }
 
-void SpaceChart::prove(const SlopedPiece &arc, const SlopedPatch &patch) {
+void SpaceChart::prove(const pieces::SlopedPiece &arc, const SlopedPatch &patch) {
     if (turn_ == 0) {
         return;
     }
@@ -79,7 +79,7 @@ void SpaceChart::prove(const SlopedPiece &arc, const SlopedPatch &patch) {
 }
 
 // What the ends of the curve and the corners of the surface make of it, which are among the vectors of the hulls.
-double SpaceChart::least_rho(const SlopedPiece &arc, const SlopedPatch &patch) noexcept {
+double SpaceChart::least_rho(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
     double most = 0;
     for (size_t k = 0; k < 3; ++k) {
         const double *row = rows_[k].data();
@@ -101,8 +101,8 @@ double SpaceChart::least_rho(const SlopedPiece &arc, const SlopedPatch &patch) n
     return most;
 }
 
-void SpaceChart::set_rho(const SlopedPiece &arc, const SlopedPatch &patch) {
-    const Slopes &c = *arc.slopes, &u = patch.along(0), &v = patch.along(1);
+void SpaceChart::set_rho(const pieces::SlopedPiece &arc, const SlopedPatch &patch) {
+    const pieces::Slopes &c = *arc.slopes, &u = patch.along(0), &v = patch.along(1);
     const double errors = c.error() + u.error() + v.error(), sizes = c.largest() + u.largest() + v.largest();
     contraction_.rho = 0;
     for (size_t k = 0; k < 3; ++k) {
@@ -117,7 +117,8 @@ void SpaceChart::set_rho(const SlopedPiece &arc, const SlopedPatch &patch) {
     }
 }
 
-bool SpaceChart::excludes(const SlopedPiece &arc, const SlopedPatch &patch, double near) const noexcept {
+bool SpaceChart::excludes(const pieces::SlopedPiece &arc, const SlopedPatch &patch,
+                          double near) const noexcept {
     const double moved = arc.piece->moved() + patch.piece->moved();
     return std::any_of(rows_.begin(), rows_.end(), [&](const std::array<double, 3> &row) {
         const Interval c = extent_along(*arc.piece, row.data()), s = extent_along(*patch.piece, row.data());

@@ -12,21 +12,22 @@ struct SlopedPatch {
     const pieces::BezierPiece *piece;
     PatchSlopes *slopes;
     [[nodiscard]] const double *mean(int axis) const noexcept { return slopes->mean(axis); }
-    [[nodiscard]] const Slopes &along(int axis) const { return slopes->along(axis); }
+    [[nodiscard]] const pieces::Slopes &along(int axis) const { return slopes->along(axis); }
 };
 
 // The contraction of F(t, u, v) = C(t) - S(u, v): M is the inverse of (c, -s_u, -s_v), with the means of the derivatives.
 class SpaceChart {
 public:
     // M alone, of these pieces.
-    void set(const SlopedPiece &arc, const SlopedPatch &patch);
+    void set(const pieces::SlopedPiece &arc, const SlopedPatch &patch);
     // Whether there is one, and which way the curve goes through the surface then: 1 or -1.
     [[nodiscard]] int turn() const noexcept { return turn_; }
     // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: turn() != 0.
-    [[nodiscard]] bool excludes(const SlopedPiece &arc, const SlopedPatch &patch, double near) const noexcept;
+    [[nodiscard]] bool excludes(const pieces::SlopedPiece &arc, const SlopedPatch &patch,
+                                double near) const noexcept;
 
     // The contraction. The hulls of derivatives are asked for only if the corners leave room for a proof.
-    void prove(const SlopedPiece &arc, const SlopedPatch &patch);
+    void prove(const pieces::SlopedPiece &arc, const SlopedPatch &patch);
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
     [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
     // M times a difference.
@@ -36,8 +37,8 @@ public:
 
 private:
     using Rows = std::array<std::array<double, 3>, 3>;
-    [[nodiscard]] double least_rho(const SlopedPiece &arc, const SlopedPatch &patch) noexcept;
-    void set_rho(const SlopedPiece &arc, const SlopedPatch &patch);
+    [[nodiscard]] double least_rho(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept;
+    void set_rho(const pieces::SlopedPiece &arc, const SlopedPatch &patch);
 
     Rows rows_{}; // of M
     Contraction contraction_;

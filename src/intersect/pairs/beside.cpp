@@ -27,8 +27,8 @@ Interval rising(double start, double end) noexcept {
 
 } // namespace
 
-void Beside::set(const pieces::BezierPiece &a, const Slopes &slopes_a, const pieces::BezierPiece &b,
-                 const Slopes &slopes_b) {
+void Beside::set(const pieces::BezierPiece &a, const pieces::Slopes &slopes_a, const pieces::BezierPiece &b,
+                 const pieces::Slopes &slopes_b) {
     a_ = &a;
     b_ = &b;
     of_a_ = &slopes_a;
@@ -58,7 +58,7 @@ void Beside::set(const pieces::BezierPiece &a, const Slopes &slopes_a, const pie
 }
 
 // Quotients of linear functions of the derivative, whose hull has their extremes in its corners.
-Interval Beside::slopes(const Slopes &of, double least) const noexcept {
+Interval Beside::slopes(const pieces::Slopes &of, double least) const noexcept {
     Interval slopes{infinity, -infinity};
     double steepest = 0;
     for (size_t i = 0; i < of.count(); ++i) {

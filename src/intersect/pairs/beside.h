@@ -2,7 +2,7 @@
 // Pairs of pieces of curves that run beside each other.
 #pragma once
 
-#include "intersect/pairs/slopes.h"
+#include "pieces/slopes.h"
 
 #include <optional>
 
@@ -12,8 +12,8 @@ namespace nrb::intersect {
 // at most. Places of equal values are matched; where |A(s) - B(t)| <= near, the values differ by no more than that.
 class Beside {
 public:
-    void set(const pieces::BezierPiece &a, const Slopes &slopes_a, const pieces::BezierPiece &b,
-             const Slopes &slopes_b);
+    void set(const pieces::BezierPiece &a, const pieces::Slopes &slopes_a, const pieces::BezierPiece &b,
+             const pieces::Slopes &slopes_b);
 
     // Whether there is such a vector: the mean derivative of a. The rest presumes it.
     [[nodiscard]] bool proven() const noexcept { return direction_ != 0; }
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] Match match();
 
 private:
-    [[nodiscard]] Interval slopes(const Slopes &of, double least) const noexcept;
+    [[nodiscard]] Interval slopes(const pieces::Slopes &of, double least) const noexcept;
     // Of values of x . d, and what rounding does to them.
     [[nodiscard]] Interval common() const noexcept;
     [[nodiscard]] double rounding() const noexcept;
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] double place(const pieces::BezierPiece &piece, int direction, double value);
 
     const pieces::BezierPiece *a_ = nullptr, *b_ = nullptr;
-    const Slopes *of_a_ = nullptr, *of_b_ = nullptr;
+    const pieces::Slopes *of_a_ = nullptr, *of_b_ = nullptr;
     std::vector<double> d_, given_, f_;
     Interval values_a_{}, values_b_{};
     double least_a_ = 1, least_b_ = 1; // slopes along d

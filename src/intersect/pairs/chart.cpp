@@ -27,7 +27,7 @@ bool Chart::set_rows(const double *u, const double *v) {
     return true;
 }
 
-void Chart::set(const Slopes &a, const Slopes &b, int dim) {
+void Chart::set(const pieces::Slopes &a, const pieces::Slopes &b, int dim) {
     dim_ = dim;
     turn_ = 0;
     contraction_ = {};

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "intersect/contraction.h"
-#include "intersect/pairs/slopes.h"
+#include "pieces/slopes.h"
 
 namespace nrb::intersect {
 
 // The contraction of F(x, y) = A(x) - B(y), with two rows of M.
 class Chart {
 public:
-    void set(const Slopes &a, const Slopes &b, int dim);
+    void set(const pieces::Slopes &a, const pieces::Slopes &b, int dim);
 
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
     [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }

@@ -30,7 +30,7 @@ double settled(double place) noexcept {
 
 } // namespace
 
-void Judge::set(const SlopedPiece &a, const SlopedPiece &b, double near, double noise) {
+void Judge::set(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near, double noise) {
     a_ = a;
     b_ = b;
     near_ = near;
@@ -40,7 +40,8 @@ void Judge::set(const SlopedPiece &a, const SlopedPiece &b, double near, double 
     count_work(work_of_a_pair);
 }
 
-Judge::Verdict Judge::look(const SlopedPiece &a, const SlopedPiece &b, double near, double noise) {
+Judge::Verdict Judge::look(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near,
+                           double noise) {
     set(a, b, near, noise);
     chart_.set(*a.slopes, *b.slopes, dim_);
     if (chart_.proven()) {
@@ -166,7 +167,7 @@ bool Judge::separated() const noexcept {
     if (dim_ != 2) {
         return false;
     }
-    for (const SlopedPiece &one : {a_, b_}) {
+    for (const pieces::SlopedPiece &one : {a_, b_}) {
         const double *from = one.piece->point(0), *to = one.piece->point(one.piece->coefficients() - 1);
         const double normal[] = {from[1] - to[1], to[0] - from[0]}, other[] = {-normal[0], -normal[1]};
         const double length = norm(normal, 2);
@@ -244,7 +245,8 @@ void Judge::set_core(Interval a, Interval b) {
     cell_.core_b = parameters(piece_b(), b);
 }
 
-Judge::Verdict Judge::look_at_tiny(const SlopedPiece &a, const SlopedPiece &b, double near, double noise) {
+Judge::Verdict Judge::look_at_tiny(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near,
+                                   double noise) {
     set(a, b, near, noise);
     place_.a[0] = place_.b[0] = 0.5;
     descend();

@@ -20,17 +20,18 @@ public:
         cell,    // what is near is in cell()
         open,
     };
-    Verdict look(const SlopedPiece &a, const SlopedPiece &b, double near, double noise);
+    Verdict look(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near, double noise);
 
     // Of pieces that are not halved any more: nothing, or a cell.
-    Verdict look_at_tiny(const SlopedPiece &a, const SlopedPiece &b, double near, double noise);
+    Verdict look_at_tiny(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near,
+                         double noise);
 
     // In the unit of the pieces; its segments and owners are not set.
     [[nodiscard]] const NearCell &cell() const noexcept { return cell_; }
     static double slack(double near, double noise) noexcept { return near / 64 + noise; }
 
 private:
-    void set(const SlopedPiece &a, const SlopedPiece &b, double near, double noise);
+    void set(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near, double noise);
     Verdict by_chart();
     Verdict by_tangents();
     Verdict at_ends(const Beside::Places &room);
@@ -47,7 +48,7 @@ private:
     [[nodiscard]] const pieces::BezierPiece &piece_a() const noexcept { return *a_.piece; }
     [[nodiscard]] const pieces::BezierPiece &piece_b() const noexcept { return *b_.piece; }
 
-    SlopedPiece a_{}, b_{};
+    pieces::SlopedPiece a_{}, b_{};
     int dim_ = 0;
     double near_ = 0, noise_ = 0;
     bool compared_ = false; // matched_ is of these pieces

@@ -130,7 +130,7 @@ bool NearSearch::is_seam(Interval a, Interval b) const noexcept {
 // Whether the derivative has no zero along a vector, so that the parts together do not meet themselves; with a
 // tolerance, nowhere so small that places within it are farther apart along the curve than a few times that.
 bool NearSearch::is_simple(const Pair &pair) {
-    const Slopes &a = *sloped(*pair.a).slopes, &b = *sloped(*pair.b).slopes;
+    const pieces::Slopes &a = *sloped(*pair.a).slopes, &b = *sloped(*pair.b).slopes;
     const double of_a = norm(a.mean(), dim_), of_b = norm(b.mean(), dim_);
     if (!(of_a > 0) || !(of_b > 0)) {
         return false;
@@ -151,7 +151,7 @@ bool NearSearch::is_simple(const Pair &pair) {
            b.along(direction_.data()).lower > share * b.largest();
 }
 
-SlopedPiece NearSearch::sloped(PairCell &cell) {
+pieces::SlopedPiece NearSearch::sloped(PairCell &cell) {
     if (cell.mark == 0) {
         slopes_.emplace_back(*cell.piece);
         cell.mark = slopes_.size();

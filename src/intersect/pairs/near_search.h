@@ -49,7 +49,7 @@ private:
     void set_segments(const Pair &pair, NearCell &cell) const;
     void divide(const Pair &pair);
     bool divide(const Pair &pair, bool first);
-    SlopedPiece sloped(PairCell &cell);
+    pieces::SlopedPiece sloped(PairCell &cell);
     [[nodiscard]] double near() const noexcept { return std::max(tolerance_, framed_noise()); }
     [[nodiscard]] double framed_noise() const noexcept;
 
@@ -62,7 +62,7 @@ private:
     double tolerance_ = 0;
     std::vector<Pair> stack_;
     std::vector<double> direction_;
-    std::deque<Slopes> slopes_; // by marks of cells
+    std::deque<pieces::Slopes> slopes_; // by marks of cells
     Judge judge_;
     NearCells result_;
 };

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,9 @@ public:
     // The same for the boxes no farther from a point than a distance, in any order.
     template <class Visit>
     void walk_near(const Vector3 &x, double distance, Visit &&visit) const;
+    // The same by rising distance from a point, up to limit(), which may fall. Returns how many nodes were looked at.
+    template <class Limit, class Visit>
+    int64_t walk_from(const Vector3 &x, Limit &&limit, Visit &&visit) const;
     // And for those that meet a box.
     template <class Visit>
     void walk_box(const Box3 &box, Visit &&visit) const;
@@ -125,6 +130,30 @@ void BoxTree::walk_kept(Keep &&keep, Visit &&visit) const {
 template <class Visit>
 void BoxTree::walk_near(const Vector3 &x, double distance, Visit &&visit) const {
     walk_kept([&](const Box3 &box) { return !(box.distance(x) > distance); }, visit);
+}
+
+template <class Limit, class Visit>
+int64_t BoxTree::walk_from(const Vector3 &x, Limit &&limit, Visit &&visit) const {
+    using Found = std::pair<double, int32_t>; // distance and node
+    std::priority_queue<Found, std::vector<Found>, std::greater<>> waiting;
+    const auto push = [&](int32_t node) {
+        waiting.emplace(nodes_[static_cast<size_t>(node)].box.distance(x), node);
+    };
+    if (!nodes_.empty()) {
+        push(0);
+    }
+    int64_t visits = 0;
+    for (; !waiting.empty() && waiting.top().first <= limit(); ++visits) {
+        const int32_t node = waiting.top().second, right = nodes_[static_cast<size_t>(node)].right;
+        waiting.pop();
+        if (right < 0) {
+            visit(-1 - right);
+            continue;
+        }
+        push(node + 1);
+        push(right);
+    }
+    return visits;
 }
 
 template <class Visit>

@@ -2,7 +2,6 @@
 #include "model/rays/classify.h"
 
 #include "base/watch.h"
-#include "closest/closest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,27 +57,19 @@ Side Classifier::nearness(const Vector3 &x, const PlacedFace &placed) {
     const double error = placement.error(x), at[] = {local.x, local.y, local.z};
     const double far = placement.growth_to_part() * tolerance_ + error,
                  near = tolerance_ / placement.growth_to_whole() - error;
-    const closest::Foot foot = nearest(placed.face, at, far);
+    const closest::Foot foot = locator(placed.face).nearest(at, precision(), far);
     const bool certified = (foot.status & closest::closest_certified) != 0;
     return certified && foot.distance - precision() - foot.noise > far ? side_outside
            : foot.distance + foot.noise <= near                        ? side_on
                                                                        : side_undecided;
 }
 
-// Of the surface, if that is far enough.
-closest::Foot Classifier::nearest(int64_t face, const double *x, double far) {
-    const face::Face &own = *model_.faces[static_cast<size_t>(face)].face;
-    const closest::Foot foot =
-        closest::locator_of(*own.surface())
-            .nearest({x, nullptr, precision(), closest::usual_budget(*own.surface()), false, true});
-    if ((foot.status & closest::closest_certified) != 0 && foot.distance - precision() - foot.noise > far) {
-        return foot;
+face::FaceLocator &Classifier::locator(int64_t face) {
+    auto &own = locators_[static_cast<size_t>(face)];
+    if (own == nullptr) {
+        own = std::make_unique<face::FaceLocator>(*model_.faces[static_cast<size_t>(face)].face);
     }
-    auto &locator = locators_[static_cast<size_t>(face)];
-    if (locator == nullptr) {
-        locator = std::make_unique<face::FaceLocator>(own);
-    }
-    return locator->nearest(x, precision());
+    return *own;
 }
 
 // Of the groups that the ray meets, those that it has left as often as it has entered them are settled.

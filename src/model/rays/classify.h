@@ -2,7 +2,7 @@
 // Whether points are inside the solids of a model.
 #pragma once
 
-#include "face/face_locator.h"
+#include "face/near/face_locator.h"
 #include "model/rays/model_caster.h"
 
 #include <cstdint>
@@ -33,7 +33,7 @@ private:
     [[nodiscard]] double precision() const noexcept { return tolerance_ / 1024; }
     [[nodiscard]] Side nearness(const Vector3 &x);
     [[nodiscard]] Side nearness(const Vector3 &x, const PlacedFace &placed);
-    [[nodiscard]] closest::Foot nearest(int64_t face, const double *x, double far);
+    face::FaceLocator &locator(int64_t face);
     [[nodiscard]] Side side_along(const Vector3 &x, const Vector3 &direction);
     void pass(int32_t placed, const intersect::RayQuery &query);
 

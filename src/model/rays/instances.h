@@ -42,6 +42,8 @@ public:
     [[nodiscard]] Plane moved(const Plane &plane) const noexcept;
     // How far rounding may move points and planes on these ways, in the whole: of a part of such a size.
     [[nodiscard]] double rounding(double size) const noexcept;
+    // Whether all distances grow by one factor, to rounding.
+    [[nodiscard]] bool keeps_ratios() const noexcept { return norm_ * inverse_norm_ <= 1 + 1e-12; }
     // Whether it turns right hands into left ones.
     [[nodiscard]] bool mirrors() const noexcept { return mirrors_; }
     // In the whole.

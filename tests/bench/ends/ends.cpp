@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls that once ran for very long, and what they may take: each in a process of its own, which is ended after a while.
 //   ends [REGEX [SECONDS]]: the time of each call, the limit, what it returned and its peak of memory.
-#include "shapes.h"
+#include "rows.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,50 +21,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Clock = std::chrono::steady_clock;
-
-double seconds(const std::function<void()> &call) {
-    const auto start = Clock::now();
-    call();
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-struct Found {
-    double time;
-    std::string what;
-};
-
-Found told(double time, const char *format, double a = 0, double b = 0) {
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(), format, a, b); // NOLINT: a constant of this file
-    return {time, text.data()};
-}
-
-// A call that returns a status: what it was.
-Found called(const std::function<nurbs_status()> &call) {
-    nurbs_status status = NURBS_OK;
-    const double time = seconds([&] { status = call(); });
-    return {time, nurbs_status_name(status)};
-}
-Found made(const std::function<nurbs_status(nurbs **)> &call) {
-    nurbs *out = nullptr;
-    Found found = called([&] { return call(&out); });
-    nurbs_destroy(out);
-    return found;
-}
-
-struct Row {
-    std::string name;
-    double limit; // seconds
-    std::function<Found()> run;
-};
-std::vector<Row> rows;
-
-void row(std::string name, double limit, std::function<Found()> run) {
-    rows.push_back({std::move(name), limit, std::move(run)});
-}
-std::string numbered(const char *name, int64_t number) {
-    return std::string(name) + std::to_string(number);
-}
 
 void products() {
     for (const int degree : {3, 9, 15, 23}) {
@@ -450,11 +406,12 @@ int main_of(int argc, char **argv) {
     shaping();
     contents();
     queries();
+    meets();
     memory();
     const std::regex wanted(argc > 1 ? argv[1] : ".");
     const double most = argc > 2 ? std::atof(argv[2]) : 20;
     int64_t missed = 0;
-    for (const Row &row : rows) {
+    for (const Row &row : all_rows()) {
         if (std::regex_search(row.name, wanted)) {
             missed += run(row, std::max(most, 2 * row.limit)) ? 0 : 1;
         }

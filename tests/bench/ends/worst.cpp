@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <sys/mman.h>
@@ -119,6 +120,68 @@ struct Answers {
     int64_t count;
 };
 Answers out;
+
+// The parts of the answers that the caller does not want cost nothing.
+nurbs_status freed(nurbs_status status, nurbs_meet *meet) {
+    nurbs_meet_destroy(meet);
+    return status;
+}
+
+// Where a shape meets others and itself.
+std::vector<Query> meets() {
+    static const double plane[] = {0.3, 0.5, 1, -0.2}, up[] = {0.3, 0.5, 1}, level[] = {0.2},
+                        from[] = {0.1, 0.2, 9}, down[] = {0.01, 0.02, -1}, light[] = {0, 0, 5};
+    return {
+        {"plane across a curve", 1,
+         [](const nurbs *g) {
+             return nurbs_curve_level(g, 1, plane, 1e-9, 0, nullptr, nullptr, nullptr, &out.count,
+                                      out.states);
+         }},
+        {"self-intersections", 1,
+         [](const nurbs *g) {
+             return nurbs_curve_self_intersections(g, 1e-9, 0, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                                   &out.count, out.states);
+         }},
+        {"curve with a moved copy", 1,
+         [](const nurbs *g) {
+             const Shape other = moved(g, 1, {0.01, 0.02, 0.03});
+             return nurbs_curve_intersections(g, other.get(), 1e-9, 0, nullptr, nullptr, nullptr, nullptr,
+                                              nullptr, &out.count, out.states);
+         }},
+        {"ray", 2,
+         [](const nurbs *g) {
+             return nurbs_surface_rays(g, 1, from, 0, 0, down, 0, 0, out.values, out.values + 2, out.states);
+         }},
+        {"line through a surface", 2,
+         [](const nurbs *g) {
+             const Shape line = make(1, 1, 2, 3, false, [](const double *at, double *x, double *) {
+                 for (int c = 0; c < 3; ++c) {
+                     x[c] = from[c] + 20 * at[0] * down[c];
+                 }
+             });
+             return nurbs_curve_surface_intersections(line.get(), g, 1e-9, 0, nullptr, nullptr, nullptr,
+                                                      nullptr, nullptr, &out.count, out.states);
+         }},
+        {"section", 2,
+         [](const nurbs *g) {
+             nurbs_meet *meet = nullptr;
+             return freed(nurbs_surface_sections(g, up, 1, level, 1e-6, &meet), meet);
+         }},
+        {"silhouette", 2,
+         [](const nurbs *g) {
+             nurbs_meet *meet = nullptr;
+             return freed(nurbs_surface_contours(g, NURBS_CONTOUR_SILHOUETTE, up, 0, nullptr, 1e-6, &meet),
+                          meet);
+         }},
+        {"reflection line", 2,
+         [](const nurbs *g) {
+             nurbs_meet *meet = nullptr;
+             return freed(
+                 nurbs_surface_reflections(g, NURBS_REFLECTION_ALONG, down, up, 1, light, 0, 0, 1e-6, &meet),
+                 meet);
+         }},
+    };
+}
 
 std::vector<Query> queries() {
     static const double origin[] = {0.1, 0.2, 0.3}, up[] = {0.3, 0.5, 1};
@@ -259,7 +322,9 @@ int main_of(int argc, char **argv) {
     std::printf("| milliseconds, first call | shapes | median | worst | worst shape |\n| --- | ---: | ---: | "
                 "---: | --- |\n");
     bool in_time = true;
-    for (const Query &query : queries()) {
+    std::vector<Query> all = queries();
+    std::ranges::move(meets(), std::back_inserter(all));
+    for (const Query &query : all) {
         if (query.name.find(word) != std::string::npos) {
             in_time = measure(query, subjects, most) && in_time;
         }

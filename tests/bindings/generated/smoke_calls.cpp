@@ -2475,6 +2475,30 @@ void query(const Inputs &in) {
         show("status", found.status);
     }
     {
+        begin("face_distance");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const auto found = in.face.distance(ball_face, 1e-06);
+        show("at_least", found.at_least);
+        show("at_most", found.at_most);
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("status", found.status);
+    }
+    {
+        begin("face_hausdorff_distance");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const auto found = in.face.hausdorff_distance(ball_face, 0.1);
+        show("at_least", found.at_least);
+        show("at_most", found.at_most);
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("status", found.status);
+    }
+    {
         begin("model_instances");
         const auto found = in.model.instances();
         show("parents", found.parents);
@@ -2523,6 +2547,28 @@ void query(const Inputs &in) {
         show("kinds", found.kinds);
         show("places", found.places);
         show("complete", found.complete);
+    }
+    {
+        begin("model_closest_points");
+        const auto found = in.model.closest_points({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, 1e-06);
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
+    }
+    {
+        begin("model_closest_points alone");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.closest_points({0.1, 0.2, 3.0}, 0.0);
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
     }
     {
         begin("model_classify");
@@ -3025,6 +3071,30 @@ void query(const Inputs &in) {
         show("status", found.status);
     }
     {
+        begin("face_distance_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const auto found = in.face.distance(ball_face, 1e-06, watched());
+        show("at_least", found.at_least);
+        show("at_most", found.at_most);
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("status", found.status);
+    }
+    {
+        begin("face_hausdorff_distance_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const auto found = in.face.hausdorff_distance(ball_face, 0.1, watched());
+        show("at_least", found.at_least);
+        show("at_most", found.at_most);
+        show("params_a", found.params_a);
+        show("params_b", found.params_b);
+        show("status", found.status);
+    }
+    {
         begin("model_rays_with");
         const auto found = in.model.rays({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, {0.0, 0.0, -1.0, 0.1, 0.1, -1.0}, watched());
         show("params", found.params);
@@ -3065,6 +3135,28 @@ void query(const Inputs &in) {
         show("kinds", found.kinds);
         show("places", found.places);
         show("complete", found.complete);
+    }
+    {
+        begin("model_closest_points_with");
+        const auto found = in.model.closest_points({0.5, 1.2, 9.0, 0.3, 0.4, 6.0}, 1e-06, watched());
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
+    }
+    {
+        begin("model_closest_points_with alone");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.closest_points({0.1, 0.2, 3.0}, 0.0, watched());
+        show("params", found.params);
+        show("feet", found.points);
+        show("distances", found.distances);
+        show("status", found.status);
+        show("places", found.places);
     }
     {
         begin("model_classify_with");

@@ -4249,6 +4249,50 @@ contains
                 distances=distances_found, tolerance=0.0d0)
             call show('distances', distances_found)
         end block
+        call begin('face_distance')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            real(c_double) :: at_least_found
+            real(c_double) :: at_most_found
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t) :: state_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            allocate (params_a_found(2))
+            allocate (params_b_found(2))
+            call face%distance(other=ball_face, at_least=at_least_found, at_most=at_most_found, &
+                params_a=params_a_found, params_b=params_b_found, state=state_found, tolerance=1d-06)
+            call show('at_least', at_least_found)
+            call show('at_most', at_most_found)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('status', state_found)
+        end block
+        call begin('face_hausdorff_distance')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            real(c_double), allocatable :: at_least_found(:)
+            real(c_double), allocatable :: at_most_found(:)
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t) :: state_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            allocate (at_least_found(2))
+            allocate (at_most_found(2))
+            allocate (params_a_found(2))
+            allocate (params_b_found(2))
+            call face%hausdorff_distance(other=ball_face, tolerance=0.1d0, at_least=at_least_found, &
+                at_most=at_most_found, params_a=params_a_found, params_b=params_b_found, state=state_found)
+            call show('at_least', at_least_found)
+            call show('at_most', at_most_found)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('status', state_found)
+        end block
         call begin('model_instances')
         block
             integer(c_int64_t), allocatable :: parents_found(:)
@@ -4345,6 +4389,49 @@ contains
             call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
                 1])) - 1)
             call show('complete', complete_found)
+        end block
+        call begin('model_closest_points')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: feet_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            allocate (params_found(2, 2))
+            allocate (feet_found(2, 3))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            allocate (places_found(2, 2))
+            call model%closest_points(points=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, &
+                1]), params=params_found, feet=feet_found, distances=distances_found, states=states_found, &
+                places=places_found, tolerance=1d-06)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('feet', flat(reshape(feet_found, [size(feet_found, 2), size(feet_found, 1)], order=[2, 1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_closest_points alone')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (distances_found(1))
+            allocate (places_found(1, 2))
+            call ball%closest_points(points=reshape([0.1d0, 0.2d0, 3.0d0], [1, 3], order=[2, 1]), &
+                distances=distances_found, places=places_found, tolerance=0.0d0)
+            call show('distances', distances_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
         end block
         call begin('model_classify')
         block
@@ -5166,6 +5253,53 @@ contains
                 distances=distances_found, tolerance=0.0d0, call=watching)
             call show('distances', distances_found)
         end block
+        call begin('face_distance_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            real(c_double) :: at_least_found
+            real(c_double) :: at_most_found
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t) :: state_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            allocate (params_a_found(2))
+            allocate (params_b_found(2))
+            call face%distance(other=ball_face, at_least=at_least_found, at_most=at_most_found, &
+                params_a=params_a_found, params_b=params_b_found, state=state_found, tolerance=1d-06, call=watching)
+            call show('at_least', at_least_found)
+            call show('at_most', at_most_found)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('status', state_found)
+        end block
+        call begin('face_hausdorff_distance_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            real(c_double), allocatable :: at_least_found(:)
+            real(c_double), allocatable :: at_most_found(:)
+            real(c_double), allocatable :: params_a_found(:)
+            real(c_double), allocatable :: params_b_found(:)
+            integer(c_int32_t) :: state_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            allocate (at_least_found(2))
+            allocate (at_most_found(2))
+            allocate (params_a_found(2))
+            allocate (params_b_found(2))
+            call face%hausdorff_distance(other=ball_face, tolerance=0.1d0, at_least=at_least_found, &
+                at_most=at_most_found, params_a=params_a_found, params_b=params_b_found, state=state_found, &
+                call=watching)
+            call show('at_least', at_least_found)
+            call show('at_most', at_most_found)
+            call show('params_a', params_a_found)
+            call show('params_b', params_b_found)
+            call show('status', state_found)
+        end block
         call begin('model_rays_with')
         block
             real(c_double), allocatable :: params_found(:, :)
@@ -5254,6 +5388,51 @@ contains
             call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
                 1])) - 1)
             call show('complete', complete_found)
+        end block
+        call begin('model_closest_points_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: feet_found(:, :)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int32_t), allocatable :: states_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            type(nurbs_call) :: watching
+            allocate (params_found(2, 2))
+            allocate (feet_found(2, 3))
+            allocate (distances_found(2))
+            allocate (states_found(2))
+            allocate (places_found(2, 2))
+            call model%closest_points(points=reshape([0.5d0, 1.2d0, 9.0d0, 0.3d0, 0.4d0, 6.0d0], [2, 3], order=[2, &
+                1]), params=params_found, feet=feet_found, distances=distances_found, states=states_found, &
+                places=places_found, tolerance=1d-06, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('feet', flat(reshape(feet_found, [size(feet_found, 2), size(feet_found, 1)], order=[2, 1])))
+            call show('distances', distances_found)
+            call show('status', states_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('model_closest_points_with alone')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double), allocatable :: distances_found(:)
+            integer(c_int64_t), allocatable :: places_found(:, :)
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (distances_found(1))
+            allocate (places_found(1, 2))
+            call ball%closest_points(points=reshape([0.1d0, 0.2d0, 3.0d0], [1, 3], order=[2, 1]), &
+                distances=distances_found, places=places_found, tolerance=0.0d0, call=watching)
+            call show('distances', distances_found)
+            call show('places', flat(reshape(places_found, [size(places_found, 2), size(places_found, 1)], order=[2, &
+                1])) - 1)
         end block
         call begin('model_classify_with')
         block

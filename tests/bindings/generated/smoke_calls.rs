@@ -3540,6 +3540,40 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("distances", &found.distances);
         show("status", &found.status);
     }
+    begin("face_distance");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let found = given.face.distance(&ball_face, 1e-06)?;
+        show("at_least", &found.at_least);
+        show("at_most", &found.at_most);
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("status", &found.status);
+    }
+    begin("face_hausdorff_distance");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let found = given.face.hausdorff_distance(&ball_face, 0.1)?;
+        show("at_least", &found.at_least);
+        show("at_most", &found.at_most);
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("status", &found.status);
+    }
     begin("model_instances");
     {
         let found = given.model.instances()?;
@@ -3604,6 +3638,35 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("kinds", &found.kinds);
         show("places", &found.places);
         show("complete", &found.complete);
+    }
+    begin("model_closest_points");
+    {
+        let found = given
+            .model
+            .closest_points(&[0.5, 1.2, 9.0, 0.3, 0.4, 6.0], 1e-06)?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
+    }
+    begin("model_closest_points alone");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.closest_points(&[0.1, 0.2, 3.0], 0.0)?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
     }
     begin("model_classify");
     {
@@ -4263,6 +4326,47 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("distances", &found.distances);
         show("status", &found.status);
     }
+    begin("face_distance_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let found =
+            given
+                .face
+                .distance_with(&ball_face, 1e-06, &mut Call::new().progress(|_| true))?;
+        show("at_least", &found.at_least);
+        show("at_most", &found.at_most);
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("status", &found.status);
+    }
+    begin("face_hausdorff_distance_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let found = given.face.hausdorff_distance_with(
+            &ball_face,
+            0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("at_least", &found.at_least);
+        show("at_most", &found.at_most);
+        show("params_a", &found.params_a);
+        show("params_b", &found.params_b);
+        show("status", &found.status);
+    }
     begin("model_rays_with");
     {
         let found = given.model.rays_with(
@@ -4332,6 +4436,38 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("kinds", &found.kinds);
         show("places", &found.places);
         show("complete", &found.complete);
+    }
+    begin("model_closest_points_with");
+    {
+        let found = given.model.closest_points_with(
+            &[0.5, 1.2, 9.0, 0.3, 0.4, 6.0],
+            1e-06,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
+    }
+    begin("model_closest_points_with alone");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found =
+            ball.closest_points_with(&[0.1, 0.2, 3.0], 0.0, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("feet", &found.points);
+        show("distances", &found.distances);
+        show("status", &found.status);
+        show("places", &found.places);
     }
     begin("model_classify_with");
     {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/pair/matched_bound.h"
 #include "closest/pair/pair_bound.h"
-
-#include "support/generators.h"
+#include "random_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,38 +11,10 @@
 namespace pair_bound_test {
 
 using namespace nrb;
+using random_pieces::random_piece;
 using support::Random;
 
 namespace {
-
-// A Bezier spline near a place, bent by `size`.
-SplinePtr random_piece(Random &random, int axes, double height, double size, bool rational) {
-    Spline::Axes knots;
-    int64_t count = 1;
-    for (int k = 0; k < axes; ++k) {
-        const int degree = random.whole(1, 3);
-        std::vector<double> vector(static_cast<size_t>(degree) + 1, 0.0);
-        vector.insert(vector.end(), static_cast<size_t>(degree) + 1, 1.0);
-        knots.push_back(make_knot_vector(degree, vector));
-        count *= degree + 1;
-    }
-    std::vector<double> points, weights;
-    for (int64_t i = 0; i < count; ++i) {
-        int64_t rest = i;
-        double place[3] = {0, 0, height + size * random.between(-1, 1)};
-        for (int k = axes; k-- > 0;) {
-            const int64_t n = knots[static_cast<size_t>(k)]->count();
-            place[k] =
-                static_cast<double>(rest % n) / static_cast<double>(n - 1) + size * random.between(-1, 1);
-            rest /= n;
-        }
-        points.insert(points.end(), place, place + 3);
-        if (rational) {
-            weights.push_back(random.between(0.8, 1.25));
-        }
-    }
-    return make_spline(knots, 3, rational ? Form::rational : Form::polynomial, points, weights);
-}
 
 // The best of descents from all combinations of three places on each axis.
 closest::PairPlace best_place(const pieces::BezierPiece &a, const pieces::BezierPiece &b) {
@@ -149,14 +120,14 @@ TEST(MatchedBound, no_point_is_farther) {
         const pieces::Frame frame = pieces::frame_of({{f.get(), g.get()}});
         const pieces::BezierPiece a = pieces::bezier_pieces(*f, frame)[0],
                                   b = pieces::bezier_pieces(*g, frame)[0];
-        const double upper = bound.upper(a, b, {0.5, 0.5, 0.5}, 0);
+        const double upper = closest::MatchedBound::upper(a, b, bound.corners(a, b, {0.5, 0.5, 0.5}), 0);
         for (int k = 0; k < 20; ++k) {
             jet.evaluate(a, {random.unit(), random.unit(), 0}, false);
             const pieces::BezierPiece point(jet.value(), 3);
             closest::PairPlace at = best_place(point, b);
             EXPECT_LE(at.distance, upper);
         }
-        EXPECT_LE(bound.upper(a, a, {0.5, 0.5, 0.5}, 0), 1e-11);
+        EXPECT_LE(closest::MatchedBound::upper(a, a, bound.corners(a, a, {0.5, 0.5, 0.5}), 0), 1e-11);
     }
 }
 

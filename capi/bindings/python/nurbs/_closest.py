@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, List, NamedTuple, Optional, Tuple
 
 import numpy
 
@@ -79,6 +79,25 @@ class HausdorffDistance(NamedTuple):
     params_a: Floats
     params_b: Floats
     status: int
+
+
+def smallest_distance(function: Callable[..., int], given: Tuple[Any, ...], axes: int, their_axes: int) -> Distance:
+    """What a function tells of the smallest distance of two shapes."""
+    low, high, status = ctypes.c_double(), ctypes.c_double(), ctypes.c_int32()
+    params, others = numpy.empty(axes), numpy.empty(their_axes)
+    call(function, *given, ctypes.byref(low), ctypes.byref(high), params.ctypes.data, others.ctypes.data,
+         ctypes.byref(status))
+    return Distance(low.value, high.value, params, others, status.value)
+
+
+def largest_distances(function: Callable[..., int], given: Tuple[Any, ...], axes: int,
+                      their_axes: int) -> HausdorffDistance:
+    """What a function tells of the Hausdorff distances of two shapes."""
+    low, high, status = numpy.empty(2), numpy.empty(2), ctypes.c_int32()
+    params, others = numpy.empty(axes), numpy.empty(their_axes)
+    call(function, *given, low.ctypes.data, high.ctypes.data, params.ctypes.data, others.ctypes.data,
+         ctypes.byref(status))
+    return HausdorffDistance(low, high, params, others, status.value)
 
 
 def _flags(nan_points: bool) -> int:
@@ -185,18 +204,12 @@ class Distances(SplineBase):
     def distance(self, other: SplineBase, tolerance: float = 0.0, *, budget: int = 0, progress: Progress = None,
                  work: Optional[int] = None) -> Distance:
         """The smallest distance from another spline, enclosed to the tolerance."""
-        theirs, low, high, status = handle_of(other), ctypes.c_double(), ctypes.c_double(), ctypes.c_int32()
-        params, others = numpy.empty(self.axes), numpy.empty(other.axes)
-        call(watched(lib.nurbs_distance, progress, work), self._handle, theirs, tolerance, budget, ctypes.byref(low),
-             ctypes.byref(high), params.ctypes.data, others.ctypes.data, ctypes.byref(status))
-        return Distance(low.value, high.value, params, others, status.value)
+        return smallest_distance(watched(lib.nurbs_distance, progress, work),
+                                 (self._handle, handle_of(other), tolerance, budget), self.axes, other.axes)
 
     def hausdorff_distance(self, other: SplineBase, tolerance: float, *, budget: int = 0, progress: Progress = None,
                            work: Optional[int] = None) -> HausdorffDistance:
         """How far the point of this spline that is farthest from another one is from it, and the other way round,
         enclosed to the tolerance."""
-        theirs, low, high, status = handle_of(other), numpy.empty(2), numpy.empty(2), ctypes.c_int32()
-        params, others = numpy.empty(self.axes), numpy.empty(other.axes)
-        call(watched(lib.nurbs_hausdorff_distance, progress, work), self._handle, theirs, tolerance, budget,
-             low.ctypes.data, high.ctypes.data, params.ctypes.data, others.ctypes.data, ctypes.byref(status))
-        return HausdorffDistance(low, high, params, others, status.value)
+        return largest_distances(watched(lib.nurbs_hausdorff_distance, progress, work),
+                                 (self._handle, handle_of(other), tolerance, budget), self.axes, other.axes)

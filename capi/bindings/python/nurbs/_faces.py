@@ -14,7 +14,7 @@ from ._base import handle_of
 from ._bounds import Box
 from ._bytes import given as given_bytes, pickled, written
 from ._calls import watched
-from ._closest import ClosestPoints
+from ._closest import ClosestPoints, largest_distances, smallest_distance
 from ._errors import NurbsError
 from ._intersections import cast
 from ._library import call, get, lib
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from ._arrays import Floats, Int32s
     from ._bytes import Contents
     from ._calls import Progress
+    from ._closest import Distance, HausdorffDistance
     from ._intersections import Rays
 
     #: One curve that closes, or curves that follow one another; None where the other array has one.
@@ -50,6 +51,12 @@ class FaceDeviation(NamedTuple):
 
     distance: float
     proven: bool
+
+
+def _handle_of(face: Face) -> Optional[int]:
+    if not isinstance(face, Face):
+        raise TypeError(f"a Face is expected, not {type(face).__name__}")
+    return face._handle
 
 
 def _listed(loops: Optional[Iterable[Any]]) -> Optional[List[List[Any]]]:
@@ -258,6 +265,19 @@ class Face:
         call(watched(lib.nurbs_face_closest_points, progress, work), self._handle, given.n, *given.layout, tolerance,
              params.ctypes.data, feet.ctypes.data, distances.ctypes.data, status.ctypes.data)
         return ClosestPoints(params, feet, distances, status)
+
+    def distance(self, other: Face, tolerance: float = 0.0, *, progress: Progress = None,
+                 work: Optional[int] = None) -> Distance:
+        """The smallest distance from another face, enclosed to the tolerance."""
+        return smallest_distance(watched(lib.nurbs_face_distance, progress, work),
+                                 (self._handle, _handle_of(other), tolerance), 2, 2)
+
+    def hausdorff_distance(self, other: Face, tolerance: float, *, progress: Progress = None,
+                           work: Optional[int] = None) -> HausdorffDistance:
+        """How far the point of this face that is farthest from another one is from it, and the other way round, enclosed
+        to the tolerance."""
+        return largest_distances(watched(lib.nurbs_face_hausdorff_distance, progress, work),
+                                 (self._handle, _handle_of(other), tolerance), 2, 2)
 
     def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
              work: Optional[int] = None) -> Measured:

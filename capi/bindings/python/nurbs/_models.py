@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from ._bytes import Contents
     from ._calls import Progress
 
-__all__ = ["EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelInstances", "ModelRayHits",
-           "ModelRays", "ModelUse"]
+__all__ = ["EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelInstances", "ModelPoints",
+           "ModelRayHits", "ModelRays", "ModelUse"]
 
 _Item = TypeVar("_Item")
 
@@ -68,6 +68,17 @@ class ModelInstances(NamedTuple):
     uses: Int64s
     parts: Int64s
     placements: Floats
+
+
+class ModelPoints(NamedTuple):
+    """Points of a model: parameters (..., 2) on the surface of a face, points (..., 3), distances (...,), sums of
+    NURBS_CLOSEST_ bits (...,), and the face with the instance of its part (..., 2), -1 if there are no faces."""
+
+    params: Floats
+    points: Floats
+    distances: Floats
+    status: Int32s
+    places: Int64s
 
 
 class ModelRays(NamedTuple):
@@ -451,6 +462,17 @@ class Model:
 
         return listed(ModelRayHits, arrays, watched(lib.nurbs_model_ray_hits, progress, work, 2), self._handle,
                       start.ctypes.data, way.ctypes.data, address(limits))
+
+    def closest_points(self, points: ArrayLike, tolerance: float = 0.0, *, progress: Progress = None,
+                       work: Optional[int] = None) -> ModelPoints:
+        """The points of its faces, where they stand, that are nearest to points (..., 3), with proof that none is nearer by
+        more than `tolerance`."""
+        given, batch = parameters(points, 3)
+        params, feet, distances = numpy.empty((*batch, 2)), numpy.empty((*batch, 3)), numpy.empty(batch)
+        status, places = numpy.empty(batch, numpy.int32), numpy.empty((*batch, 2), numpy.int64)
+        call(watched(lib.nurbs_model_closest_points, progress, work), self._handle, given.n, *given.layout, tolerance,
+             params.ctypes.data, feet.ctypes.data, distances.ctypes.data, status.ctypes.data, places.ctypes.data)
+        return ModelPoints(params, feet, distances, status, places)
 
     def classify(self, points: ArrayLike, tolerance: float = 0.0, *, progress: Progress = None,
                  work: Optional[int] = None) -> Int32s:

@@ -49,6 +49,38 @@ pub struct ClosestOnFace {
     pub status: Vec<i32>,
 }
 
+/// The smallest distance of two faces: between both bounds, at most that of two points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FaceDistance {
+    /// From below.
+    pub at_least: f64,
+    /// From above.
+    pub at_most: f64,
+    /// `[2]` on the surface of the one.
+    pub params_a: [f64; 2],
+    /// `[2]` on that of the other one.
+    pub params_b: [f64; 2],
+    /// `NURBS_CLOSEST_CERTIFIED`, `NURBS_CLOSEST_BUDGET`.
+    pub status: i32,
+}
+
+/// How far the farthest point of a face is from another one, and the other way round.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FaceHausdorffDistance {
+    /// `[2]`: from below.
+    pub at_least: [f64; 2],
+    /// `[2]`: from above.
+    pub at_most: [f64; 2],
+    /// `[2]` of a point that is `at_least[0]` away.
+    pub params_a: [f64; 2],
+    /// `[2]` of a point that is `at_least[1]` away.
+    pub params_b: [f64; 2],
+    /// `NURBS_CLOSEST_CERTIFIED`, `NURBS_CLOSEST_BUDGET`.
+    pub status: i32,
+}
+
 /// Trimmed faces: the part of a surface that loops of curves bound.
 impl Face {
     /// A face of a surface and loops of curves in its domain, edges in space, or both; sizes are the numbers
@@ -330,6 +362,101 @@ impl Face {
             )
         })?;
         Ok(ClosestOnFace { params, points: feet, distances, status })
+    }
+
+    /// The smallest distance to another face, with proof; the points are at_most apart.
+    pub fn distance(&self, other: &Face, tolerance: f64) -> Result<FaceDistance> {
+        let mut at_least = 0.0;
+        let mut at_most = 0.0;
+        let mut params_a = [0.0; 2];
+        let mut params_b = [0.0; 2];
+        let mut status = 0;
+        check(unsafe {
+            sys::nurbs_face_distance(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                &mut at_least,
+                &mut at_most,
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+            )
+        })?;
+        Ok(FaceDistance { at_least, at_most, params_a, params_b, status })
+    }
+
+    /// The same as `distance`; it can be watched and stopped.
+    pub fn distance_with(&self, other: &Face, tolerance: f64, call: &mut Call) -> Result<FaceDistance> {
+        let mut at_least = 0.0;
+        let mut at_most = 0.0;
+        let mut params_a = [0.0; 2];
+        let mut params_b = [0.0; 2];
+        let mut status = 0;
+        check(unsafe {
+            sys::nurbs_face_distance_with(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                &mut at_least,
+                &mut at_most,
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+                call.options(),
+            )
+        })?;
+        Ok(FaceDistance { at_least, at_most, params_a, params_b, status })
+    }
+
+    /// How far the points that are farthest from another face are from it, and the other way round.
+    pub fn hausdorff_distance(&self, other: &Face, tolerance: f64) -> Result<FaceHausdorffDistance> {
+        let mut at_least = [0.0; 2];
+        let mut at_most = [0.0; 2];
+        let mut params_a = [0.0; 2];
+        let mut params_b = [0.0; 2];
+        let mut status = 0;
+        check(unsafe {
+            sys::nurbs_face_hausdorff_distance(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                at_least.as_mut_ptr(),
+                at_most.as_mut_ptr(),
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+            )
+        })?;
+        Ok(FaceHausdorffDistance { at_least, at_most, params_a, params_b, status })
+    }
+
+    /// The same as `hausdorff_distance`; it can be watched and stopped.
+    pub fn hausdorff_distance_with(
+        &self,
+        other: &Face,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<FaceHausdorffDistance> {
+        let mut at_least = [0.0; 2];
+        let mut at_most = [0.0; 2];
+        let mut params_a = [0.0; 2];
+        let mut params_b = [0.0; 2];
+        let mut status = 0;
+        check(unsafe {
+            sys::nurbs_face_hausdorff_distance_with(
+                self.raw(),
+                other.raw(),
+                tolerance,
+                at_least.as_mut_ptr(),
+                at_most.as_mut_ptr(),
+                params_a.as_mut_ptr(),
+                params_b.as_mut_ptr(),
+                &mut status,
+                call.options(),
+            )
+        })?;
+        Ok(FaceHausdorffDistance { at_least, at_most, params_a, params_b, status })
     }
 
     /// Its area.

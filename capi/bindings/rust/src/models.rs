@@ -112,6 +112,22 @@ pub struct ModelRays {
     pub places: Vec<[i64; 2]>,
 }
 
+/// The points of a model that are nearest to given points.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ClosestOnModel {
+    /// `[n][2]` on the surface of the face.
+    pub params: Vec<[f64; 2]>,
+    /// `[n][3]`, in the whole.
+    pub points: Vec<[f64; 3]>,
+    /// From the points that were given, in the whole.
+    pub distances: Vec<f64>,
+    /// `NURBS_CLOSEST_` bits.
+    pub status: Vec<i32>,
+    /// `[n][2]`: the face, and the instance of its part; -1 if there are no faces.
+    pub places: Vec<[i64; 2]>,
+}
+
 /// All places where a ray meets a model, by rising t.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -441,6 +457,70 @@ impl Model {
             &mut count,
         ))?;
         Ok(ModelRayHits { params, distances, kinds, places, complete: complete != 0 })
+    }
+
+    /// The points of its faces that are nearest to given points, with proof.
+    pub fn closest_points<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+    ) -> Result<ClosestOnModel> {
+        let points = points.into();
+        let n = points.count(3, "points")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut feet = vec![[0.0; 3]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        let mut places = vec![[0; 2]; n];
+        check(unsafe {
+            sys::nurbs_model_closest_points(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                params.as_mut_ptr().cast(),
+                feet.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                places.as_mut_ptr().cast(),
+            )
+        })?;
+        Ok(ClosestOnModel { params, points: feet, distances, status, places })
+    }
+
+    /// The same as `closest_points`; it can be watched and stopped.
+    pub fn closest_points_with<'a>(
+        &self,
+        points: impl Into<Records<'a>>,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<ClosestOnModel> {
+        let points = points.into();
+        let n = points.count(3, "points")?;
+        let mut params = vec![[0.0; 2]; n];
+        let mut feet = vec![[0.0; 3]; n];
+        let mut distances = vec![0.0; n];
+        let mut status = vec![0; n];
+        let mut places = vec![[0; 2]; n];
+        check(unsafe {
+            sys::nurbs_model_closest_points_with(
+                self.raw(),
+                n as i64,
+                points.pointer(),
+                points.stride(),
+                points.component_stride(),
+                tolerance,
+                params.as_mut_ptr().cast(),
+                feet.as_mut_ptr().cast(),
+                distances.as_mut_ptr(),
+                status.as_mut_ptr(),
+                places.as_mut_ptr().cast(),
+                call.options(),
+            )
+        })?;
+        Ok(ClosestOnModel { params, points: feet, distances, status, places })
     }
 
     /// Whether points are inside its solids: a `NURBS_SIDE_` constant each.

@@ -4579,6 +4579,64 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// The smallest distance between two faces, enclosed, as that of splines (nurbs_distance()): at_least \<=
+    /// distance of the nearest points \<= at_most, which is the distance of the two points returned; they
+    /// differ by at most the tolerance and rounding unless the work ends.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
+    pub fn nurbs_face_distance(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_face_distance() as a call that can be watched and ended.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
+    pub fn nurbs_face_distance_with(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it, and
+    /// the other way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the
+    /// symmetric distance.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
+    pub fn nurbs_face_hausdorff_distance(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_face_hausdorff_distance() as a call that can be watched and ended.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
+    pub fn nurbs_face_hausdorff_distance_with(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
     /// Weiss, Evans 2021), each within one span of the surface.
     ///
@@ -5034,6 +5092,41 @@ extern "C" {
         point_component_stride: i64,
         tolerance: f64,
         sides: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// The points of all faces of a model, where their parts stand in the whole (nurbs_model_instances()),
+    /// that are nearest to given points: of each face as nurbs_face_closest_points() finds them, the nearest
+    /// boxes first, so that few faces are searched.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`, `places`.
+    pub fn nurbs_model_closest_points(
+        model: *const nurbs_model,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        params: *mut f64,
+        feet: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        places: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_model_closest_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`, `places`, `call`.
+    pub fn nurbs_model_closest_points_with(
+        model: *const nurbs_model,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        params: *mut f64,
+        feet: *mut f64,
+        distances: *mut f64,
+        status: *mut i32,
+        places: *mut i64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Where planes of any directions cut the faces of a model where they stand in the whole

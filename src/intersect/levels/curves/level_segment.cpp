@@ -171,7 +171,8 @@ bool ArcFitter::is_good(const Room &room, const LevelSegment &segment) const noe
     if (segment.deviation <= tolerance_ || room.depth >= most_depth || left_ <= 0 || work_ended()) {
         return true;
     }
-    return std::isfinite(segment.deviation) ? room.own && segment.deviation <= 2 * rounding(room.bounds)
+    const double least = rounding(room.bounds) + room.bounds.moves[1 - axis_] * away_at(room, 0);
+    return std::isfinite(segment.deviation) ? room.own && segment.deviation <= 2 * least
                                             : room.depth >= most_depth_without_proof;
 }
 
@@ -258,7 +259,14 @@ double ArcFitter::rounding(const PartBounds &bounds) const noexcept {
         const double lower = domain_.lower[k], upper = domain_.upper[k];
         sum += bounds.moves[k] * 2 * eps * std::max(std::abs(lower), std::abs(upper)) / (upper - lower);
     }
-    return sum + bounds.moves[1 - axis_] * net_.noise.of(bounds.largest_weight) / bounds.least_slope;
+    return sum;
+}
+
+// The arc and the segment are in one box: near places where branches meet, and f has no slope, that says more than f does.
+double ArcFitter::away_at(const Room &room, double value) const noexcept {
+    const size_t other = 1 - axis_;
+    return std::min((value + net_.noise.of(room.bounds.largest_weight)) / room.bounds.least_slope,
+                    room.box[other].upper - room.box[other].lower);
 }
 
 void ArcFitter::sample(LevelSegment &segment) noexcept {
@@ -279,10 +287,10 @@ double ArcFitter::set_deviation(const Room &room, LevelSegment &segment) {
         return infinity;
     }
     sample(segment);
-    const double away = factor_ * segment.largest_value / bounds.least_slope;
+    const double away = away_at(room, factor_ * segment.largest_value);
     segment.deviation = factor_ * segment.largest_gap / bounds.least_weight + bounds.moves[1 - axis_] * away +
                         rounding(bounds);
-    return away + net_.noise.of(bounds.largest_weight) / bounds.least_slope;
+    return away;
 }
 
 } // namespace nrb::intersect

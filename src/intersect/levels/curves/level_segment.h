@@ -24,7 +24,7 @@ struct LevelSegment {
 // parameter; of degree n they are at most 1 + 2 / pi log(n + 1) times as large as at n + 1 Chebyshev points
 // (H. Ehlich & K. Zeller, Math. Z. 93 (1966)). The curve in the parameter domain stays in the box of its arc, in which
 // the level is a graph over one coordinate: where f changes along the other one by at least s, the level is within
-// |f| / s of a place, along that axis.
+// |f| / s of a place, along that axis, and in the box.
 class ArcFitter {
 public:
     // tolerance: in the frame.
@@ -58,6 +58,8 @@ private:
     // How far a segment is from the level along the axis aside; sets its deviation.
     double set_deviation(const Room &room, LevelSegment &segment);
     [[nodiscard]] double rounding(const PartBounds &bounds) const noexcept;
+    // How far the level may be from places at which |f w| is no larger, along the axis aside.
+    [[nodiscard]] double away_at(const Room &room, double value) const noexcept;
     [[nodiscard]] bool is_good(const Room &room, const LevelSegment &segment) const noexcept;
     void sample(LevelSegment &segment) noexcept;
     void evaluate(const std::array<double, 2> &place, int order);

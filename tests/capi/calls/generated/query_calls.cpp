@@ -292,6 +292,32 @@ const Call group[] = {
          static constexpr double points[] = {0.1, 0.2, 0.3};
          return nurbs_face_closest_points(in.face, 1, points, 0, 0, 0, nullptr, nullptr, o.values, nullptr);
      }},
+    {"face_distance",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         return nurbs_face_distance(in.face, made_ball_face, 1e-06, o.values, o.values + 1, o.values + 2,
+             o.values + 4, o.states);
+     }},
+    {"face_hausdorff_distance",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         return nurbs_face_hausdorff_distance(in.face, made_ball_face, 0.1, o.values, o.values + 2, o.values +
+             4, o.values + 6, o.states);
+     }},
     {"model_instances",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_instances(in.model, 2, o.spans, o.spans + 2, o.spans + 4, o.values, o.spans + 6);
@@ -347,6 +373,30 @@ const Call group[] = {
          return nurbs_model_ray_hits(made_ball, origin, direction, nullptr, 8, o.values, o.values + 16,
              o.states, o.spans, o.spans + 16, o.states + 8);
      }, true},
+    {"model_closest_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         return nurbs_model_closest_points(in.model, 2, points, 0, 0, 1e-06, o.values, o.values + 4, o.values +
+             10, o.states, o.spans);
+     }},
+    {"model_closest_points alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double points[] = {0.1, 0.2, 3};
+         return nurbs_model_closest_points(made_ball, 1, points, 0, 0, 0, nullptr, nullptr, o.values, nullptr,
+             o.spans);
+     }},
     {"model_classify",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -819,6 +869,36 @@ const Call group[] = {
          return nurbs_face_closest_points_with(in.face, 1, points, 0, 0, 0, nullptr, nullptr, o.values,
              nullptr, &call);
      }},
+    {"face_distance_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_distance_with(in.face, made_ball_face, 1e-06, o.values, o.values + 1, o.values + 2,
+             o.values + 4, o.states, &call);
+     }},
+    {"face_hausdorff_distance_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_hausdorff_distance_with(in.face, made_ball_face, 0.1, o.values, o.values + 2,
+             o.values + 4, o.values + 6, o.states, &call);
+     }},
     {"model_rays_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double origins[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
@@ -880,6 +960,34 @@ const Call group[] = {
          return nurbs_model_ray_hits_with(made_ball, origin, direction, nullptr, 8, o.values, o.values + 16,
              o.states, o.spans, o.spans + 16, o.states + 8, &call);
      }, true},
+    {"model_closest_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double points[] = {0.5, 1.2, 9, 0.3, 0.4, 6};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_closest_points_with(in.model, 2, points, 0, 0, 1e-06, o.values, o.values + 4,
+             o.values + 10, o.states, o.spans, &call);
+     }},
+    {"model_closest_points_with alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         static constexpr double points[] = {0.1, 0.2, 3};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_closest_points_with(made_ball, 1, points, 0, 0, 0, nullptr, nullptr, o.values,
+             nullptr, o.spans, &call);
+     }},
     {"model_classify_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);

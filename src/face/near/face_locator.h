@@ -2,10 +2,11 @@
 // Nearest points of faces.
 #pragma once
 
+#include "base/numbers.h"
 #include "closest/locator.h"
-#include "face/boundary.h"
+#include "face/near/space_edges.h"
 
-#include <vector>
+#include <optional>
 
 namespace nrb::face {
 
@@ -16,28 +17,21 @@ public:
     explicit FaceLocator(const Face &face) noexcept : face_(face) {}
 
     // point: [dim], finite. tolerance: how much nearer another point may be. Status: closest_ bits; closest_boundary is that of the
-    // face.
-    [[nodiscard]] closest::Foot nearest(const double *point, double tolerance);
+    // face. Where the whole surface is farther than `far` for certain its foot is the answer.
+    [[nodiscard]] closest::Foot nearest(const double *point, double tolerance, double far = infinity);
 
 private:
-    struct Edge {
-        BoundaryCurve curve;
-        std::vector<double> lower, upper; // of its box
-    };
     struct Found {
         closest::Foot foot;
         bool certified;
     };
-    void find_edges();
-    [[nodiscard]] double distance_of(const Edge &edge, const double *point) const noexcept;
     [[nodiscard]] Found on_edges(const double *point, double tolerance);
     [[nodiscard]] closest::Foot nearest_inside(const double *point, double tolerance,
                                                const closest::Foot &least);
     [[nodiscard]] int side(const closest::Foot &foot) const noexcept;
 
     const Face &face_;
-    bool known_ = false, composed_ = true; // whether edges are known, and all of them exactly
-    std::vector<Edge> edges_;
+    std::optional<SpaceEdges> edges_; // when they are first asked for
 };
 
 } // namespace nrb::face

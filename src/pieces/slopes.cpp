@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "intersect/pairs/slopes.h"
+#include "pieces/slopes.h"
 
 #include "base/numbers.h"
 #include "base/watch.h"
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb::intersect {
+namespace nrb::pieces {
 
 namespace {
 
@@ -27,7 +27,7 @@ Scaled product(const Scaled &a, const Scaled &b) {
 }
 
 // The components [first, first + width) of the records.
-Scaled components(const pieces::BezierPiece &piece, int first, int width) {
+Scaled components(const BezierPiece &piece, int first, int width) {
     Scaled result{piece.shape(), {}};
     result.shape.width = width;
     result.values = binomial_factors(result.shape);
@@ -59,7 +59,7 @@ Scaled derivative(const Scaled &a, int axis) {
     return result;
 }
 
-int64_t weights_of(const pieces::BezierPiece &piece, double &least, double &most) noexcept {
+int64_t weights_of(const BezierPiece &piece, double &least, double &most) noexcept {
     least = most = piece.weight(0);
     int64_t others = 0;
     for (int64_t i = 1; i < piece.coefficients(); ++i) {
@@ -73,7 +73,7 @@ int64_t weights_of(const pieces::BezierPiece &piece, double &least, double &most
 
 } // namespace
 
-Slopes::Slopes(const pieces::BezierPiece &piece, int axis) : dim_(static_cast<size_t>(piece.dim())) {
+Slopes::Slopes(const BezierPiece &piece, int axis) : dim_(static_cast<size_t>(piece.dim())) {
     const int p = piece.degree(axis);
     double least = 1, most = 1;
     const bool even = weights_of(piece, least, most) == 0;
@@ -114,7 +114,7 @@ Interval Slopes::along(const double *direction) const noexcept {
     return {range.lower - room, range.upper + room};
 }
 
-void Slopes::set_polynomial(const pieces::BezierPiece &piece, int axis) {
+void Slopes::set_polynomial(const BezierPiece &piece, int axis) {
     BernsteinShape points = piece.shape();
     points.width = piece.dim();
     const AxisLayers layers = points.along(max_axes - piece.axes() + axis);
@@ -129,7 +129,7 @@ void Slopes::set_polynomial(const pieces::BezierPiece &piece, int axis) {
     }
 }
 
-void Slopes::set_rational(const pieces::BezierPiece &piece, int axis) {
+void Slopes::set_rational(const BezierPiece &piece, int axis) {
     const int k = max_axes - piece.axes() + axis;
     const Scaled a = components(piece, 0, piece.dim()), w = components(piece, piece.dim(), 1);
     const Scaled square = product(w, w), first = product(derivative(a, k), w),
@@ -153,4 +153,4 @@ void Slopes::set_rational(const pieces::BezierPiece &piece, int axis) {
     }
 }
 
-} // namespace nrb::intersect
+} // namespace nrb::pieces

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb::intersect {
+namespace nrb::pieces {
 
 // Of a Bezier piece, with respect to places along one of its axes: the control points of its hodograph, those of a
 // rational one as quotients of the coefficients of A' w - A w' and w^2.
@@ -14,7 +14,7 @@ class Slopes {
 public:
     Slopes() = default;
     // Precondition: piece.positive().
-    explicit Slopes(const pieces::BezierPiece &piece, int axis = 0);
+    explicit Slopes(const BezierPiece &piece, int axis = 0);
 
     [[nodiscard]] size_t count() const noexcept { return vectors_.size() / dim_ - 1; }
     [[nodiscard]] const double *vector(size_t i) const noexcept { return vectors_.data() + i * dim_; }
@@ -27,8 +27,8 @@ public:
     [[nodiscard]] Interval along(const double *direction) const noexcept;
 
 private:
-    void set_polynomial(const pieces::BezierPiece &piece, int axis);
-    void set_rational(const pieces::BezierPiece &piece, int axis);
+    void set_polynomial(const BezierPiece &piece, int axis);
+    void set_rational(const BezierPiece &piece, int axis);
 
     size_t dim_ = 1;
     std::vector<double> vectors_; // the mean is the last one
@@ -38,8 +38,8 @@ private:
 
 // A piece of a curve whose weights are positive.
 struct SlopedPiece {
-    const pieces::BezierPiece *piece;
+    const BezierPiece *piece;
     const Slopes *slopes;
 };
 
-} // namespace nrb::intersect
+} // namespace nrb::pieces

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "face/face_locator.h"
+#include "face/near/face_locator.h"
 
 #include "base/numbers.h"
-#include "bounds/box.h"
 #include "closest/closest.h"
-#include "eval/curve_point.h"
-#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,55 +26,38 @@ int FaceLocator::side(const closest::Foot &foot) const noexcept {
     return face_.trims().side({foot.params[0], foot.params[1]});
 }
 
-void FaceLocator::find_edges() {
-    if (known_) {
-        return;
-    }
-    for (BoundaryCurve &curve : boundary_curves(face_)) {
-        if (curve.space == nullptr) {
-            composed_ = false;
-            curve.space = edge_over(face_.surface(), face_.covering(), curve.plane, face_.tolerance()).curve;
-        }
-        const bounds::Box box = bounds::bounding_box(*curve.space, whole_domain(*curve.space), infinity);
-        edges_.push_back({std::move(curve), box.lower, box.upper});
-    }
-    known_ = true;
-}
-
-double FaceLocator::distance_of(const Edge &edge, const double *point) const noexcept {
-    return norm_of(face_.surface()->dim(), [&](int c) {
-        const auto at = static_cast<size_t>(c);
-        return std::max({edge.lower[at] - point[c], point[c] - edge.upper[at], 0.0});
-    });
-}
-
 // The nearest box first, so that most of the others need no search.
 FaceLocator::Found FaceLocator::on_edges(const double *point, double tolerance) {
+    if (!edges_) {
+        edges_ = space_edges(face_);
+    }
     std::vector<std::pair<double, size_t>> order;
-    for (size_t i = 0; i < edges_.size(); ++i) {
-        order.emplace_back(distance_of(edges_[i], point), i);
+    for (size_t i = 0; i < edges_->all.size(); ++i) {
+        order.emplace_back(edges_->all[i].distance(point, point), i);
     }
     std::sort(order.begin(), order.end());
-    Found best{{}, composed_};
+    Found best{{}, edges_->exact};
     best.foot.distance = infinity;
     for (const auto &[from, i] : order) {
         if (from > best.foot.distance) {
             break;
         }
-        const closest::Foot foot = nearest_of(*edges_[i].curve.space, point, tolerance);
+        const BoundaryCurve &curve = edges_->all[i].curve;
+        const closest::Foot foot = nearest_of(*curve.space, point, tolerance);
         best.certified = best.certified && certified(foot);
         if (foot.distance < best.foot.distance) {
-            Point2 place{};
-            eval::curve_point(*edges_[i].curve.plane, foot.params[0], (foot.left & 1U) != 0, place.data());
-            place = face_.covering().in_domain(place);
+            const Point2 place = place_on(face_, curve, foot.params[0], (foot.left & 1U) != 0);
             best.foot = {{place[0], place[1]}, foot.distance, 0, foot.noise, 0, foot.examined};
         }
     }
     return best;
 }
 
-closest::Foot FaceLocator::nearest(const double *point, double tolerance) {
+closest::Foot FaceLocator::nearest(const double *point, double tolerance, double far) {
     const closest::Foot least = nearest_of(*face_.surface(), point, tolerance);
+    if (certified(least) && least.distance - tolerance - least.noise > far) {
+        return least;
+    }
     if (const int side = this->side(least); side >= 0) {
         closest::Foot foot = least;
         foot.status &= ~closest::closest_boundary;
@@ -90,7 +70,6 @@ closest::Foot FaceLocator::nearest(const double *point, double tolerance) {
 // The nearest point is on the boundary, or it is a local minimum of the surface that is nearer. Minima for which rounding would
 // have to say whether they are inside are as near as the boundary.
 closest::Foot FaceLocator::nearest_inside(const double *point, double tolerance, const closest::Foot &least) {
-    find_edges();
     const Found edge = on_edges(point, tolerance);
     closest::Foot best = edge.foot;
     best.status = closest::closest_boundary;
