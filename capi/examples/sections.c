@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The lines of a ship's hull: cut by planes into waterlines and frames, with the areas inside; and the outlines, isophotes
- * and parabolic curves of a torus. Draws sections.svg, or the file that is named. With the name of an IGES or a STEP file
- * after that the surfaces of the file are cut by a hundred planes instead, and what is found is told.
+ * and parabolic curves of a torus. Draws sections.svg, or the file that is named.
  * Compile: cc -std=c99 sections.c $(pkg-config --cflags --libs nurbs) -lm -o sections */
 #include "gallery/hull.h"
 
-enum { PLANES = 8, SAMPLES = 121, CUTS = 100 };
+enum { PLANES = 8, SAMPLES = 121 };
 
 static const double along[3] = {0, 1, 0}, up[3] = {0, 0, 1};
 
@@ -140,49 +139,11 @@ static void draw_torus(gallery *picture) {
     nurbs_destroy(torus);
 }
 
-/* A hundred planes across the box of all surfaces of a file, along x. */
-static void cut_file(const char *path) {
-    nurbs_list *list;
-    int64_t count, i, k;
-    check(nurbs_read_file(path, NULL, &list));
-    check(nurbs_list_count(list, &count));
-    for (i = 0; i < count; ++i) {
-        double lower[3], upper[3], at[CUTS], longest = 0, *deviations;
-        static const double normal[3] = {1, 0, 0};
-        int64_t branches;
-        int32_t axes, dim, complete;
-        nurbs *g = item_of(list, i);
-        nurbs_meet *meet;
-        check(nurbs_axes(g, &axes));
-        check(nurbs_dimension(g, &dim));
-        if (axes == 2 && dim == 3) {
-            check(nurbs_box(g, NULL, 1e-3, lower, upper, NULL));
-            places(lower[0], upper[0], CUTS, at);
-            check(nurbs_surface_sections(g, normal, CUTS, at, 1e-5 * (upper[0] - lower[0]), &meet));
-            check(nurbs_meet_counts(meet, &branches, NULL, &complete));
-            deviations = malloc((size_t)(branches + 1) * sizeof *deviations);
-            check(nurbs_meet_branches(meet, branches, NULL, NULL, NULL, deviations, NULL));
-            for (k = 0; k < branches; ++k) {
-                longest = fmax(longest, deviations[k]);
-            }
-            printf("surface %d: %d branches, to within %.1e, %s\n", (int)i, (int)branches, longest,
-                   complete ? "proven to be all" : "there may be more");
-            free(deviations);
-            nurbs_meet_destroy(meet);
-        }
-        nurbs_destroy(g);
-    }
-    nurbs_list_destroy(list);
-}
-
 int main(int argc, char **argv) {
     static gallery picture;
-    if (argc > 3) {
-        fprintf(stderr, "usage: sections [PICTURE.svg [FILE.iges]]\n");
+    if (argc > 2) {
+        fprintf(stderr, "usage: sections [PICTURE.svg]\n");
         return 2;
-    }
-    if (argc == 3) {
-        cut_file(argv[2]);
     }
     open_picture(&picture, argc > 1 ? argv[1] : "sections.svg", 4, 1);
     draw_hull(&picture);
