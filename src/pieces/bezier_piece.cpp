@@ -10,28 +10,28 @@
 
 namespace nrb::pieces {
 
-BezierPiece::BezierPiece(const double *point, int dim) : values_(point, point + dim) {
+BezierPiece::BezierPiece(const double *point, int dim) : numbers_(point, point + dim) {
     shape_.width = dim + 1;
-    values_.push_back(1);
+    numbers_.push_back(1);
     update();
 }
 
 BezierPiece::BezierPiece(BezierNet &net, int64_t index, int axes)
-    : axes_(axes), shape_(net.shape()), values_(static_cast<size_t>(shape_.values())), part_(net.part(index)),
+    : axes_(axes), shape_(net.shape()), numbers_(size_of_numbers()), part_(net.part(index)),
       rounding_(net.rounding(index)) {
-    net.copy(index, values_.data(), shape_.width);
+    net.copy(index, numbers_.data(), shape_.width);
     update();
 }
 
 BezierPiece::BezierPiece(int axes, const BernsteinShape &shape, std::vector<double> values,
                          const std::array<Interval, max_axes> &part, const Rounding &rounding)
-    : axes_(axes), shape_(shape), values_(std::move(values)), part_(part), rounding_(rounding) {
+    : axes_(axes), shape_(shape), numbers_(std::move(values)), part_(part), rounding_(rounding) {
     update();
 }
 
 void BezierPiece::replace(int width, std::vector<double> values, const Rounding &rounding) {
     shape_.width = width;
-    values_ = std::move(values);
+    numbers_ = std::move(values);
     rounding_ = rounding;
     update();
 }
@@ -57,12 +57,12 @@ LocalParam BezierPiece::place(const LocalParam &parameter) const noexcept {
 
 void BezierPiece::update() {
     count_work(2 * coefficients() * shape_.width);
-    if (weight(0) < 0 || (weight(0) == 0 && values_.back() < 0)) {
-        std::for_each(values_.begin(), values_.end(), [](double &x) { x = -x; });
+    if (weight(0) < 0 || (weight(0) == 0 && weight(coefficients() - 1) < 0)) {
+        std::for_each_n(numbers_.begin(), shape_.values(), [](double &x) { x = -x; });
     }
-    points_.resize(static_cast<size_t>(coefficients() * dim()));
+    first_point_ = shape_.values();
+    numbers_.resize(size_of_numbers());
     sound_ = set_points();
-    box_.resize(static_cast<size_t>(2 * dim()));
     set_box();
     moved_ = records_moved() + 4 * eps * reach_;
     sound_ = sound_ && std::isfinite(moved_) && std::isfinite(reach_);
@@ -85,7 +85,7 @@ bool BezierPiece::set_points() noexcept {
         }
         all = all && rounding_.positive(w);
         least_weight_ = std::min(least_weight_, w);
-        double *x = points_.data() + i * dim();
+        double *x = points() + i * dim();
         std::transform(from, from + dim(), x, [w](double value) { return value / w; });
         farthest = std::max(farthest, dot(x, x, dim()));
     }
@@ -105,13 +105,19 @@ void BezierPiece::set_reach() noexcept {
 }
 
 void BezierPiece::set_box() noexcept {
-    double *low = box_.data(), *high = low + dim();
+    double *low = points() + coefficients() * dim(), *high = low + dim();
     std::fill_n(low, dim(), infinity);
     std::fill_n(high, dim(), -infinity);
-    for (int64_t i = 0; i < coefficients(); ++i) {
-        for (int c = 0; c < dim() && has_point(i); ++c) {
-            low[c] = std::min(low[c], point(i)[c]);
-            high[c] = std::max(high[c], point(i)[c]);
+    const int64_t count = coefficients();
+    const int n = dim();
+    for (int64_t i = 0; i < count; ++i) {
+        if (!has_point(i)) {
+            continue;
+        }
+        const double *x = point(i);
+        for (int c = 0; c < n; ++c) {
+            low[c] = std::min(low[c], x[c]);
+            high[c] = std::max(high[c], x[c]);
         }
     }
     size_ = 0;
@@ -166,7 +172,7 @@ BezierPiece BezierPiece::halve(int axis) {
     count_work(coefficients() * degree(axis) * shape_.width / 2);
     add_rounding(degree(axis) * eps);
     BezierPiece lower = *this;
-    nrb::halve(shape_, max_axes - axes_ + axis, values_.data(), lower.values_.data());
+    nrb::halve(shape_, max_axes - axes_ + axis, numbers_.data(), lower.numbers_.data());
     const auto at = static_cast<size_t>(axis);
     lower.part_[at].upper = part_[at].lower = middle(axis);
     update();

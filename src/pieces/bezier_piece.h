@@ -32,7 +32,9 @@ public:
         return shape_.degrees[static_cast<size_t>(max_axes - axes_ + k)];
     }
     [[nodiscard]] int64_t coefficients() const noexcept { return shape_.coefficients(); }
-    [[nodiscard]] const double *record(int64_t i) const noexcept { return values_.data() + i * shape_.width; }
+    [[nodiscard]] const double *record(int64_t i) const noexcept {
+        return numbers_.data() + i * shape_.width;
+    }
     [[nodiscard]] double weight(int64_t i) const noexcept { return record(i)[dim()]; }
     [[nodiscard]] const BernsteinShape &shape() const noexcept { return shape_; }
     [[nodiscard]] const Rounding &rounding() const noexcept { return rounding_; }
@@ -42,11 +44,13 @@ public:
     [[nodiscard]] bool positive() const noexcept { return positive_; }
     [[nodiscard]] bool sound() const noexcept { return sound_; }
     // The control points.
-    [[nodiscard]] const double *point(int64_t i) const noexcept { return points_.data() + i * dim(); }
+    [[nodiscard]] const double *point(int64_t i) const noexcept {
+        return numbers_.data() + first_point_ + i * dim();
+    }
     [[nodiscard]] bool has_point(int64_t i) const noexcept { return weight(i) != 0; }
     // Of the control points, [dim].
-    [[nodiscard]] const double *lower() const noexcept { return box_.data(); }
-    [[nodiscard]] const double *upper() const noexcept { return box_.data() + dim(); }
+    [[nodiscard]] const double *lower() const noexcept { return point(coefficients()); }
+    [[nodiscard]] const double *upper() const noexcept { return lower() + dim(); }
     // The largest side of the box.
     [[nodiscard]] double size() const noexcept { return size_; }
     // No control point is farther from the centre.
@@ -68,6 +72,11 @@ public:
     std::optional<BezierPiece> halve();
 
 private:
+    // Of the coefficients, points and box together.
+    [[nodiscard]] size_t size_of_numbers() const noexcept {
+        return static_cast<size_t>(shape_.values() + (coefficients() + 2) * dim());
+    }
+    [[nodiscard]] double *points() noexcept { return numbers_.data() + first_point_; }
     void update();
     bool set_points() noexcept;
     void set_reach() noexcept;
@@ -78,9 +87,8 @@ private:
 
     int axes_ = 1;
     BernsteinShape shape_;
-    std::vector<double> values_;
-    std::vector<double> points_;
-    std::vector<double> box_;
+    std::vector<double> numbers_; // coefficients, then control points, then the box: one piece of memory
+    int64_t first_point_ = 0;
     std::array<Interval, max_axes> part_{}; // parameters
     Rounding rounding_;
     double size_ = 0, reach_ = 0, moved_ = 0;

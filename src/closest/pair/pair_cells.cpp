@@ -7,34 +7,33 @@
 
 namespace nrb::closest {
 
-void PairCell::set_piece(pieces::BezierPiece made) {
-    const auto dim = static_cast<size_t>(made.dim());
-    if (made.sound()) {
-        box.assign(made.lower(), made.lower() + 2 * dim);
-        size = made.size();
-        moved = made.moved();
-    } else {
-        box.assign(dim, -infinity);
-        box.insert(box.end(), dim, infinity);
-        size = infinity;
-    }
-    piece = std::move(made);
-}
-
-void PairCell::set_size() noexcept {
-    const size_t dim = box.size() / 2;
-    size = 0;
-    for (size_t c = 0; c < dim; ++c) {
-        size = std::max(size, box[dim + c] - box[c]);
-    }
-}
-
 PairCells::PairCells(const Spline &spline, const pieces::Frame &frame)
-    : pieces_(pieces::piece_tree_of(spline), frame), moved_(pieces_.moved()) {
-    root_.box.resize(2 * static_cast<size_t>(spline.dim()));
-    pieces_.box(0, 0, root_.box.data());
-    root_.set_size();
+    : pieces_(pieces::piece_tree_of(spline), frame), root_box_(2 * static_cast<size_t>(spline.dim())),
+      whole_space_(root_box_.size(), infinity), moved_(pieces_.moved()) {
+    std::fill_n(whole_space_.begin(), spline.dim(), -infinity);
+    pieces_.box(0, 0, root_box_.data());
+    set_box(root_, root_box_.data());
     skip_single_children(root_);
+}
+
+void PairCells::set_box(PairCell &cell, const double *box) const noexcept {
+    cell.box = box;
+    cell.size = 0;
+    for (int c = 0; c < pieces_.dim(); ++c) {
+        cell.size = std::max(cell.size, box[pieces_.dim() + c] - box[c]);
+    }
+}
+
+void PairCells::set_piece(PairCell &cell, pieces::BezierPiece made) const {
+    cell.piece = std::move(made);
+    if (cell.piece->sound()) {
+        cell.box = cell.piece->lower();
+        cell.size = cell.piece->size();
+        cell.moved = cell.piece->moved();
+    } else {
+        cell.box = whole_space_.data();
+        cell.size = infinity;
+    }
 }
 
 // A node is the same set of pieces as its only child.
@@ -45,7 +44,7 @@ void PairCells::skip_single_children(PairCell &cell) const {
 }
 
 void PairCells::make_piece(PairCell &cell) {
-    cell.set_piece(pieces_.piece(pieces_.tree().order()[static_cast<size_t>(cell.node)]));
+    set_piece(cell, pieces_.piece(pieces_.tree().order()[static_cast<size_t>(cell.node)]));
     moved_ = std::max(moved_, cell.moved);
 }
 
@@ -55,35 +54,38 @@ void PairCells::tighten(PairCell &cell) {
     }
 }
 
-bool PairCells::halve(PairCell &cell) {
+bool PairCells::halve(PairCell &cell) const {
     pieces::BezierPiece upper = *cell.piece;
     std::optional<pieces::BezierPiece> lower = upper.halve();
     if (!lower) {
         return false;
     }
+    cell.children.reserve(2);
     for (pieces::BezierPiece *half : {&*lower, &upper}) {
-        cell.children.push_back(std::make_unique<PairCell>());
-        cell.children.back()->halvings = cell.halvings + 1;
-        cell.children.back()->set_piece(std::move(*half));
+        PairCell &child = cell.children.emplace_back();
+        child.halvings = cell.halvings + 1;
+        set_piece(child, std::move(*half));
     }
     return true;
 }
 
 void PairCells::add_children(PairCell &cell) const {
     const pieces::PieceTree::Family family = pieces_.tree().family(cell.level, cell.node);
-    for (int64_t i = 0; i < family.count; ++i) {
-        auto child = std::make_unique<PairCell>();
-        child->level = cell.level + 1;
-        child->node = family.first + i;
-        child->box.resize(cell.box.size());
-        if (of_pieces(child->level)) {
-            pieces_.disc_box(cell.level, cell.node, i, child->box.data());
+    const auto count = static_cast<size_t>(family.count), width = root_box_.size();
+    cell.children.reserve(count);
+    cell.boxes.resize(count * width);
+    for (size_t i = 0; i < count; ++i) {
+        PairCell &child = cell.children.emplace_back();
+        child.level = cell.level + 1;
+        child.node = family.first + static_cast<int64_t>(i);
+        double *const box = &cell.boxes[i * width];
+        if (of_pieces(child.level)) {
+            pieces_.disc_box(cell.level, cell.node, static_cast<int64_t>(i), box);
         } else {
-            pieces_.box(child->level, child->node, child->box.data());
+            pieces_.box(child.level, child.node, box);
         }
-        child->set_size();
-        skip_single_children(*child);
-        cell.children.push_back(std::move(child));
+        set_box(child, box);
+        skip_single_children(child);
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "pieces/tree/framed_pieces.h"
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace nrb::closest {
@@ -16,13 +16,11 @@ struct PairCell {
     int halvings = 0; // of the piece of a node
     size_t mark = 0;  // for what a search knows about it; 0: nothing
     std::optional<pieces::BezierPiece> piece;
-    std::vector<double> box; // [2][dim]; infinite where the piece is not sound()
-    double moved = 0;        // what rounding does to a piece; 0 for other cells, whose boxes have room for it
+    const double *box = nullptr; // [2][dim]; infinite where the piece is not sound()
+    double moved = 0; // what rounding does to a piece; 0 for other cells, whose boxes have room for it
     double size = 0;
-    std::vector<std::unique_ptr<PairCell>> children;
-
-    void set_piece(pieces::BezierPiece made);
-    void set_size() noexcept;
+    std::vector<PairCell> children; // which stay where they are
+    std::vector<double> boxes;      // of children that are no pieces yet
 };
 
 class PairCells {
@@ -41,11 +39,14 @@ public:
 private:
     void skip_single_children(PairCell &cell) const;
     void make_piece(PairCell &cell);
-    static bool halve(PairCell &cell);
+    void set_piece(PairCell &cell, pieces::BezierPiece made) const;
+    void set_box(PairCell &cell, const double *box) const noexcept;
+    bool halve(PairCell &cell) const;
     void add_children(PairCell &cell) const;
     [[nodiscard]] bool of_pieces(int level) const noexcept { return level + 1 == pieces_.tree().levels(); }
 
     pieces::FramedPieces pieces_;
+    std::vector<double> root_box_, whole_space_;
     PairCell root_;
     double moved_;
 };

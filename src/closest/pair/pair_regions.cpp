@@ -18,8 +18,7 @@ constexpr double room = 64 * eps; // of a coordinate of points in the frame
 // Of x - y, with what rounding does to both.
 Interval difference(const PairCell &x, const PairCell &y, int dim, int c) noexcept {
     const double moved = x.moved + y.moved + room;
-    return {x.box[static_cast<size_t>(c)] - y.box[static_cast<size_t>(dim + c)] - moved,
-            x.box[static_cast<size_t>(dim + c)] - y.box[static_cast<size_t>(c)] + moved};
+    return {x.box[c] - y.box[dim + c] - moved, x.box[dim + c] - y.box[c] + moved};
 }
 
 // The sign of (X - Y) . X_k all over two cells, which is that of the slope of their distance; 0 if it is not known.

@@ -124,7 +124,7 @@ private:
     }
     // The distance of the middles of the boxes.
     [[nodiscard]] double between(const CellPair &pair) const noexcept {
-        const double *a = pair.a->box.data(), *b = pair.b->box.data();
+        const double *a = pair.a->box, *b = pair.b->box;
         return norm_of(dim_, [&](int c) { return (a[c] + a[dim_ + c] - b[c] - b[dim_ + c]) / 2; });
     }
 
@@ -137,7 +137,7 @@ private:
         return {-std::max(least, apart(*pair.a, *pair.b)), pair};
     }
     [[nodiscard]] double apart(const PairCell &a, const PairCell &b) const noexcept {
-        return box_distance(a.box.data(), b.box.data(), dim_) - a.moved - b.moved - 16 * eps;
+        return box_distance(a.box, b.box, dim_) - a.moved - b.moved - 16 * eps;
     }
     void push(const Entry &pair) {
         if (-pair.bound >= limit()) {
@@ -195,9 +195,8 @@ private:
         PairCell &cell = first ? *pair.a : *pair.b;
         std::vector<Entry> pairs;
         if ((first ? a_ : b_).split(cell)) {
-            for (const auto &child : cell.children) {
-                pairs.push_back(
-                    entry({first ? child.get() : pair.a, first ? pair.b : child.get(), false}, lower));
+            for (PairCell &child : cell.children) {
+                pairs.push_back(entry({first ? &child : pair.a, first ? pair.b : &child, false}, lower));
             }
         }
         return pairs;

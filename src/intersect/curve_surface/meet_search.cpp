@@ -75,8 +75,8 @@ void MeetSearch::look(const Pair &pair) {
     curve_cells_.tighten(*pair.curve);
     surface_cells_.tighten(*pair.surface);
     count_work(8 * dim);
-    const double apart = closest::box_distance(pair.curve->box.data(), pair.surface->box.data(), dim) -
-                         pair.curve->moved - pair.surface->moved - 16 * eps;
+    const double apart = closest::box_distance(pair.curve->box, pair.surface->box, dim) - pair.curve->moved -
+                         pair.surface->moved - 16 * eps;
     if (apart > near()) {
         return;
     }
@@ -180,7 +180,7 @@ bool MeetSearch::divide_one(const Pair &pair, bool of_curve) {
         return false;
     }
     for (auto child = cell.children.rbegin(); child != cell.children.rend(); ++child) {
-        stack_.push_back({of_curve ? child->get() : pair.curve, of_curve ? pair.surface : child->get()});
+        stack_.push_back({of_curve ? &*child : pair.curve, of_curve ? pair.surface : &*child});
     }
     return true;
 }

@@ -81,8 +81,8 @@ void NearSearch::look(const Pair &pair) {
     a_.tighten(*pair.a);
     b_.tighten(*pair.b);
     count_work(8 * dim_);
-    const double apart = closest::box_distance(pair.a->box.data(), pair.b->box.data(), dim_) - pair.a->moved -
-                         pair.b->moved - 16 * eps;
+    const double apart =
+        closest::box_distance(pair.a->box, pair.b->box, dim_) - pair.a->moved - pair.b->moved - 16 * eps;
     if (apart > near()) {
         return;
     }
@@ -228,7 +228,7 @@ bool NearSearch::divide(const Pair &pair, bool first) {
     }
     count_work(is_new ? work_of_halves : 0);
     for (auto child = cell.children.rbegin(); child != cell.children.rend(); ++child) {
-        stack_.push_back({first ? child->get() : pair.a, first ? pair.b : child->get()});
+        stack_.push_back({first ? &*child : pair.a, first ? pair.b : &*child});
     }
     return true;
 }

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "numeric/norm.h"
 
+#include <array>
 #include <cmath>
 
 namespace nrb::pieces {
@@ -63,12 +64,14 @@ void FramedPieces::move(double *box) const noexcept {
 
 BezierPiece FramedPieces::piece(int64_t index) const {
     const PieceGrid &grid = tree_.grid();
-    std::vector<double> patch(static_cast<size_t>(grid.shape().values())), work(patch);
-    grid.patch(index, work.data(), patch.data());
-    std::vector<double> values;
-    values.reserve(static_cast<size_t>(shape_.values()));
-    for (const double *record = patch.data(); record < patch.data() + std::ssize(patch);
-         record += grid.shape().lanes) {
+    const auto size = static_cast<size_t>(grid.shape().values());
+    std::array<double, 256> local; // enough for most pieces: they are made many at a time
+    std::vector<double> large(2 * size <= local.size() ? 0 : 2 * size), values;
+    double *const patch = large.empty() ? local.data() : large.data();
+    grid.patch(index, patch + size, patch);
+    values.reserve(
+        static_cast<size_t>(2 * shape_.values() + 2 * dim())); // for the control points and the box, too
+    for (const double *record = patch; record < patch + size; record += grid.shape().lanes) {
         const double w = record[dim()];
         for (int c = 0; c < dim(); ++c) {
             values.push_back(times_power_of_two(record[c], exponent_) + w * shift_[static_cast<size_t>(c)]);

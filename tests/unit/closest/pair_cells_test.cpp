@@ -24,7 +24,7 @@ struct Leaves {
 };
 
 bool holds(const PairCell &outer, const PairCell &inner, double slack) {
-    const size_t dim = outer.box.size() / 2;
+    constexpr size_t dim = 3;
     for (size_t c = 0; c < dim; ++c) {
         if (!(outer.box[c] <= inner.box[c] + slack && outer.box[dim + c] >= inner.box[dim + c] - slack)) {
             return false;
@@ -43,12 +43,12 @@ void visit(PairCells &cells, PairCell &cell, Leaves &leaves) {
     }
     ASSERT_TRUE(cells.split(cell));
     EXPECT_GT(cell.children.size(), 1U) << "a node with one child";
-    for (const auto &child : cell.children) {
-        cells.tighten(*child);
-        const bool whole_space = child->piece && !child->piece->positive();
-        EXPECT_TRUE(whole_space || holds(cell, *child, 1e-6))
+    for (PairCell &child : cell.children) {
+        cells.tighten(child);
+        const bool whole_space = child.piece && !child.piece->positive();
+        EXPECT_TRUE(whole_space || holds(cell, child, 1e-6))
             << "level " << cell.level << ", node " << cell.node;
-        visit(cells, *child, leaves);
+        visit(cells, child, leaves);
     }
 }
 
@@ -111,10 +111,10 @@ TEST(PairCells, halves_of_a_piece_lie_in_it) {
             }
             if (cell->piece && cell->piece->positive()) {
                 ASSERT_EQ(cell->children.size(), 2U);
-                EXPECT_TRUE(holds(*cell, *cell->children[0], 1e-14));
-                EXPECT_TRUE(holds(*cell, *cell->children[1], 1e-14));
+                EXPECT_TRUE(holds(*cell, cell->children[0], 1e-14));
+                EXPECT_TRUE(holds(*cell, cell->children[1], 1e-14));
             }
-            cell = cell->children[static_cast<size_t>(random.whole(0, 1)) % cell->children.size()].get();
+            cell = &cell->children[static_cast<size_t>(random.whole(0, 1)) % cell->children.size()];
         }
     }
 }

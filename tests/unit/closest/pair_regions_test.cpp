@@ -53,9 +53,8 @@ closest::PairCell &some_cell(Random &random, closest::PairCells &cells) {
         if (!cells.split(*cell)) {
             break;
         }
-        cell =
-            cell->children[static_cast<size_t>(random.whole(0, static_cast<int>(cell->children.size()) - 1))]
-                .get();
+        const int count = static_cast<int>(cell->children.size());
+        cell = &cell->children[static_cast<size_t>(random.whole(0, count - 1))];
     }
     return *cell;
 }
