@@ -56,7 +56,7 @@ Feet feet_of(const face::Face &own, const ConstRecords &points, double tolerance
         for (size_t c = 0; c < point.size(); ++c) {
             point[c] = points(i, static_cast<int64_t>(c));
         }
-        closest::Foot foot = locator.nearest(point.data(), tolerance);
+        closest::Foot foot = locator.nearest(point.data(), tolerance).foot;
         settle(surface, point.data(), tolerance, foot, x.data());
         feet.places.push_back(foot);
         feet.points.insert(feet.points.end(), x.begin(), x.end());

@@ -6935,7 +6935,8 @@ NURBS_API nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, in
  * tolerance and rounding unless the work ends. Nearest points are searched for on the curves of both boundaries, on
  * curves and inside of the other face, and inside of both; there, pairs of pieces of which one lies outside, or along
  * which the distance falls towards others, are left out. Places so near to a curve that rounding would have to say
- * whether they are inside count.
+ * whether they are inside count. Where both surfaces go on beyond edges that are beside each other, as in one plane, with
+ * a gap, the search takes a number of pieces in proportion to their length over the gap.
  * \param[in] a,b two faces of surfaces of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[out] at_least,at_most or NULL: the bounds. Where a curve of a boundary, composed with the surface, would have
@@ -6963,8 +6964,8 @@ NURBS_API nurbs_status nurbs_face_distance_with(const nurbs_face *a, const nurbs
 /** \brief The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it, and the other
  * way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the symmetric distance.
  * at_least[i] <= distance <= at_most[i], both proven; they differ by at most the tolerance and rounding unless the
- * work ends. Where a face ends beside the other one, bounds fall with the size of pieces alone, and take their
- * number in proportion to 1 / tolerance.
+ * work ends; at_most may be infinite then. Where a face ends beside the other one, bounds fall with the size of pieces
+ * alone, and take their number in proportion to 1 / tolerance. Of a face and a copy of it both are 0.
  * \param[in] a,b two faces of surfaces of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[out] at_least [2] or NULL: from a to b, from b to a.

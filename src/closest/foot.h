@@ -45,6 +45,12 @@ struct Foot {
     int64_t examined = 0; // number of pieces that were examined
 };
 
+// With a bound: nothing that counts is nearer, for certain.
+struct BoundedFoot {
+    Foot foot;
+    double at_least = 0;
+};
+
 // A place where the distance is critical. Kind: a critical_ constant.
 struct CriticalPoint {
     Foot foot;

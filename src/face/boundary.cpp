@@ -73,6 +73,7 @@ std::vector<BoundaryCurve> boundary_curves(const Face &face) {
     }
     for (const EndPart &part : open_ends(face)) {
         curves.push_back(segment(face, part.from, part.to));
+        curves.back().at_end = true;
     }
     return curves;
 }

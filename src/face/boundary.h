@@ -11,7 +11,8 @@ namespace nrb::face {
 // In the plane that covers the domain, and in space at equal parameters: exact, or null where the surface cannot be composed with it.
 struct BoundaryCurve {
     SplinePtr plane, space;
-    int32_t loop; // -1: of none
+    int32_t loop;        // -1: of none
+    bool at_end = false; // of the domain, where no loop runs
 };
 
 // Of the loops, of segments that close gaps, and of ends of the domain without a curve. Loops that run over seams are in pieces,

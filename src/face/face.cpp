@@ -171,6 +171,17 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
     }
 }
 
+Face::Face(const std::shared_ptr<const Face> &face, SplinePtr surface, double tolerance)
+    : surface_(std::move(surface)), loops_(face->loops_), tolerance_(tolerance), has_gaps_(face->has_gaps_),
+      covering_(face->covering_), joints_(face->joints_), trims_(face, face->trims_.get()) {
+    for (Loop &loop : loops_) {
+        for (Coedge &coedge : loop) {
+            coedge.edge = nullptr;
+            coedge.deviation.reset();
+        }
+    }
+}
+
 std::unique_ptr<const TrimMap> Face::map(const TrimPieces &plane, bool turn, bool astray) const {
     const std::vector<LoopShape> shapes = loop_shapes(plane, loops_.size(), covering_);
     return std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, turn, astray);

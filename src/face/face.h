@@ -41,6 +41,8 @@ public:
     // gap larger than the tolerance, outside_domain for a curve that leaves it by more, orientation for loops that have no
     // common inside, weight_sign for a weight that is not positive; with check_crossings what Crossings does.
     Face(FaceParts parts, std::vector<double> *gaps);
+    // The same part of a surface over the same parameters, as of one that was moved. Edges in space are left out.
+    Face(const std::shared_ptr<const Face> &face, SplinePtr surface, double tolerance);
     Face(const Face &) = delete;
     Face &operator=(const Face &) = delete;
 
@@ -67,7 +69,7 @@ private:
     bool has_gaps_ = false;
     Covering covering_;
     std::vector<Joint> joints_;
-    std::unique_ptr<const TrimMap> trims_;
+    std::shared_ptr<const TrimMap> trims_; // of the other face, if it is the same part
 };
 using FacePtr = std::shared_ptr<const Face>;
 

@@ -292,6 +292,88 @@ TEST(FaceHausdorff, no_place_inside_is_farther) {
     EXPECT_GE(certified, of_whole_run(count * 9 / 10));
 }
 
+// A small plate in a large plane over domains that do not hold (0, 0), and a square about a corner of that plane: at every limit of
+// work bounds are true, and feet are on the plate.
+TEST(FaceHausdorff, limits_of_work_leave_true_bounds) {
+    for (const double from : {0.0, 5.0}) {
+        const Vec knots{from, from, from + 1, from + 1};
+        const Handle large =
+            create({{1, 1}, {2, 2}, {knots, knots}, 3, {0, 0, 0, 0, 10, 0, 10, 0, 0, 10, 10, 0}, {}, 0});
+        const Handle outline = polygon({{from + 0.6, from + 0.6},
+                                        {from + 0.9, from + 0.6},
+                                        {from + 0.9, from + 0.9},
+                                        {from + 0.6, from + 0.9}});
+        const Face plate = face_of(large.get(), {{outline.get()}}),
+                   unit = face_of(plane(1).surface.get(), {});
+        const double exact = std::sqrt(72), exact_back = std::sqrt(128);
+        for (int64_t work = 1; work < 100000000; work *= 3) {
+            nurbs_call_options call;
+            require_ok(nurbs_call_options_init(&call, sizeof call));
+            call.work = work;
+            Farthest found;
+            require_ok(nurbs_face_hausdorff_distance_with(
+                unit.get(), plate.get(), 1e-3, found.at_least.data(), found.at_most.data(), found.a.data(),
+                found.b.data(), &found.status, &call));
+            EXPECT_LE(found.at_least[0], exact + 1e-9) << work;
+            EXPECT_GE(found.at_most[0], exact - 1e-9) << work;
+            EXPECT_LE(found.at_least[1], exact_back + 1e-9) << work;
+            EXPECT_GE(found.at_most[1], exact_back - 1e-9) << work;
+            double low = 0, high = 0;
+            require_ok(nurbs_face_distance_with(unit.get(), plate.get(), 1e-3, &low, &high, nullptr, nullptr,
+                                                nullptr, &call));
+            EXPECT_LE(low, std::sqrt(50) + 1e-9) << work;
+            EXPECT_GE(high, std::sqrt(50) - 1e-9) << work;
+            double uv[2], foot[3], distance = 0;
+            const double corner[3] = {0, 0, 0};
+            require_ok(nurbs_face_closest_points_with(plate.get(), 1, corner, 0, 0, 0, uv, foot, &distance,
+                                                      nullptr, &call));
+            EXPECT_GE(sides(plate.get(), {uv[0], uv[1]}, 1e-9)[0], 0) << work;
+            EXPECT_GE(distance, exact - 1e-9) << work;
+        }
+    }
+}
+
+// Where the surface jumps the limit from below counts; searches of other parts do not use up the work.
+TEST(FaceDistance, of_whole_surfaces_is_that_of_their_splines) {
+    const double turn = 2 * pi;
+    const Handle ball = made([](nurbs **out) {
+        return nurbs_surface_sphere(nullptr, nullptr, nullptr, 1, NURBS_ARC_QUARTERS, out);
+    });
+    const Handle ring = made([&](nurbs **out) {
+        return nurbs_surface_torus(nullptr, nullptr, nullptr, 3, 1, 0, turn, 0, turn, NURBS_ARC_QUARTERS,
+                                   out);
+    });
+    const Handle hat = made([&](nurbs **out) {
+        return nurbs_surface_cone(nullptr, nullptr, nullptr, 1, 0, 2, 0, turn, NURBS_ARC_QUARTERS, out);
+    });
+    const Handle steps = create({{1, 1},
+                                 {4, 2},
+                                 {{0, 0, .5, .5, 1, 1}, {0, 0, 1, 1}},
+                                 3,
+                                 {0, 0, 0, 0, 1, 0, .5, 0, 1, .5, 1, 1, .5, 0, 0, .5, 1, 0, 1, 0, 0, 1, 1, 0},
+                                 {},
+                                 0});
+    const Handle above = create({{1, 1},
+                                 {2, 2},
+                                 {{0, 0, 1, 1}, {0, 0, 1, 1}},
+                                 3,
+                                 {0, 0, 1.5, 0, 1, 1.5, 1, 0, 1.5, 1, 1, 1.5},
+                                 {},
+                                 0});
+    const std::vector<std::pair<const nurbs *, const nurbs *>> pairs{
+        {ball.get(), ring.get()}, {ball.get(), hat.get()}, {steps.get(), above.get()}};
+    for (const auto &[a, b] : pairs) {
+        double high = 0;
+        require_ok(nurbs_distance(a, b, 1e-9, 0, nullptr, &high, nullptr, nullptr, nullptr));
+        const Face first = face_of(a, {}), second = face_of(b, {});
+        for (const Nearest &found :
+             {distance_of(first.get(), second.get(), 1e-9), distance_of(second.get(), first.get(), 1e-9)}) {
+            EXPECT_EQ(found.status, NURBS_CLOSEST_CERTIFIED);
+            EXPECT_NEAR(found.at_most, high, 2e-9);
+        }
+    }
+}
+
 TEST(FaceHausdorff, of_a_face_and_itself_is_0) {
     Random random(1);
     const Ground ground = wavy(random);

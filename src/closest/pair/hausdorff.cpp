@@ -83,7 +83,7 @@ using Entry = pieces::BestFirst<FarPiece>::Entry;
 struct NearPoint {
     Foot foot;
     std::vector<double> point;
-    double distance = 0;
+    double at_least = 0; // of its distance
 };
 
 class FarthestSearch {
@@ -155,10 +155,9 @@ private:
         }
         NearPoint near;
         const double tolerance = frame_.unscaled(tolerance_ / 4);
-        near.foot = in_to_ != nullptr
-                        ? in_to_->nearest(query_.data(), tolerance)
-                        : locator_.nearest({query_.data(), nullptr, tolerance,
-                                            std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
+        const BoundedFoot found =
+            in_to_ != nullptr ? in_to_->nearest(query_.data(), tolerance) : nearest_of_all(tolerance);
+        near.foot = found.foot;
         budget_ -= near.foot.examined;
         eval::AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
@@ -167,11 +166,18 @@ private:
         near.point.resize(query_.size());
         eval::evaluate_points(to_, rules, 0, {near.foot.params.data(), 1, to_.axes(), to_.axes()},
                               {near.point.data(), 1, dim_, dim_});
-        near.distance = frame_.scaled(near.foot.distance);
+        near.at_least = frame_.scaled(found.at_least);
         for (size_t c = 0; c < query_.size(); ++c) {
             near.point[c] = frame_.coordinate(c, near.point[c]);
         }
         return near;
+    }
+
+    [[nodiscard]] BoundedFoot nearest_of_all(double tolerance) const {
+        const Foot foot = locator_.nearest(
+            {query_.data(), nullptr, tolerance, std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
+        const bool proven = (foot.status & (closest_certified | closest_coarse)) != 0;
+        return {foot, proven ? foot.distance - tolerance - foot.noise : -infinity};
     }
 
     void bound(Entry top) {
@@ -185,13 +191,10 @@ private:
         const NearPoint near = nearest(jet_.value());
         const Others others = known_.containing(near.foot.params); // whose rounding counts for the point
         const double noise = frame_.scaled(near.foot.noise) + 8 * (dim_ + 2) * eps;
-        const bool counts = in_from_ == nullptr || in_from_->side(piece.parameter(middle)) >= 0;
-        if (counts && (near.foot.status & (closest_certified | closest_coarse)) != 0) {
-            const double lower = near.distance - tolerance_ / 4 - noise - piece.moved();
-            if (lower > lower_) {
-                lower_ = lower;
-                best_ = piece.parameter(middle);
-            }
+        const double lower = near.at_least - 8 * (dim_ + 2) * eps - piece.moved();
+        if (lower > lower_ && (in_from_ == nullptr || in_from_->side(piece.parameter(middle)) >= 0)) {
+            lower_ = lower;
+            best_ = piece.parameter(middle);
         }
         upper = std::min(upper, from_point(piece, near.point) + noise + known_.moved() + piece.moved());
         if (upper > limit()) {
@@ -221,7 +224,8 @@ private:
                                     const std::vector<double> &point) const noexcept {
         double most = 0;
         for (int64_t i = 0; i < piece.coefficients(); ++i) {
-            most = std::max(most, distance(piece.point(i), point.data(), dim_));
+            const double own = distance(piece.point(i), point.data(), dim_);
+            most = std::isnan(own) ? infinity : std::max(most, own);
         }
         return most * (1 + (dim_ + 4) * eps);
     }
@@ -290,7 +294,7 @@ FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double to
         return nowhere_else(from);
     }
     const pieces::Frame frame = pieces::frame_of({{&from, &to}});
-    const double scaled_tolerance = frame.scaled(tolerance);
+    const double scaled_tolerance = std::min(frame.scaled(tolerance), 1e300);
     FarthestSearch search(from, to, frame, scaled_tolerance, budget, in_from, in_to);
     search.run();
     FarthestPoint result;

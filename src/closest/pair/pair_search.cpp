@@ -264,6 +264,8 @@ PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, i
     const PairSearch::Best best = search.found() ? search.best() : lower_corners(a, b);
     result.params_a = best.a;
     result.params_b = best.b;
+    result.left_a = best.left_a;
+    result.left_b = best.left_b;
     const std::vector<double> from = point_of(a, best.a, best.left_a), to = point_of(b, best.b, best.left_b);
     result.at_most = distance(from.data(), to.data(), a.dim());
     if (!std::isfinite(result.at_most)) {

@@ -15,6 +15,7 @@ struct PairDistance {
     double at_least = 0;
     double at_most = 0; // distance of the points at the parameters
     std::array<double, max_axes> params_a{}, params_b{};
+    std::array<bool, max_axes> left_a{}, left_b{}; // whether limits from below are meant
     bool certified = false;
     double rounding = 0; // what it leaves open between both bounds
 };

@@ -20,8 +20,8 @@ public:
     // Of a box of the domain: 1 if it is inside, -1 if it is outside, 0 if the boundary may come into it.
     [[nodiscard]] virtual int side(const pieces::LocalParam &lower,
                                    const pieces::LocalParam &upper) const = 0;
-    // The point of the region, boundary and all, that is nearest to a point [dim].
-    [[nodiscard]] virtual Foot nearest(const double *point, double tolerance) = 0;
+    // The point of the region, boundary and all, that is nearest to a point [dim]; some point of it at the limit of work.
+    [[nodiscard]] virtual BoundedFoot nearest(const double *point, double tolerance) = 0;
 };
 
 // Of two splines; null: all of it.

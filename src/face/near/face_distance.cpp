@@ -11,26 +11,18 @@
 #include "face/near/face_region.h"
 #include "numeric/norm.h"
 #include "spline/kind.h"
+#include "spline/same_numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <vector>
 
 namespace nrb::face {
 
 namespace {
 
 constexpr int64_t all_pairs = std::numeric_limits<int64_t>::max() / 2; // work is limited
-
-// A place of a face.
-Point2 place_of(const Face &face, const SpaceEdges &edges) {
-    if (edges.all.empty()) {
-        return {face.covering().domain(0).lower, face.covering().domain(1).lower};
-    }
-    const BoundaryCurve &first = edges.all.front().curve;
-    return place_on(face, first, first.plane->axis(0).domain().lower, false);
-}
 
 // The surface of a face, or a curve of its boundary.
 struct Stratum {
@@ -40,6 +32,11 @@ struct Stratum {
     const double *lower, *upper;   // of a box [dim]
 };
 
+struct FoundPlace {
+    Point2 place;
+    std::vector<double> point;
+};
+
 // A face, and what nearest points may lie on.
 class Strata {
 public:
@@ -47,8 +44,10 @@ public:
         : face_(face), region_(face), edges_(space_edges(face)),
           box_(bounds::bounding_box(*face.surface(), whole_domain(*face.surface()), infinity)) {
         for (const SpaceEdge &edge : edges_.all) {
-            all_.push_back(
-                {edge.curve.space.get(), &edge.curve, nullptr, edge.lower.data(), edge.upper.data()});
+            if (!edge.curve.at_end) { // ends of the domain are looked at with the surface
+                all_.push_back(
+                    {edge.curve.space.get(), &edge.curve, nullptr, edge.lower.data(), edge.upper.data()});
+            }
         }
         all_.push_back({face.surface().get(), nullptr, &region_, box_.lower.data(), box_.upper.data()});
     }
@@ -56,19 +55,28 @@ public:
     [[nodiscard]] const std::vector<Stratum> &all() const noexcept { return all_; }
     [[nodiscard]] bool exact() const noexcept { return edges_.exact; }
     [[nodiscard]] Point2 any_place() const { return place_of(face_, edges_); }
-    [[nodiscard]] Point2 place(const Stratum &stratum, const std::array<double, max_axes> &params) const {
-        return stratum.curve == nullptr ? Point2{params[0], params[1]}
-                                        : place_on(face_, *stratum.curve, params[0], false);
+    // Of a place that a search found.
+    [[nodiscard]] FoundPlace found(const Stratum &stratum, const std::array<double, max_axes> &params,
+                                   const std::array<bool, max_axes> &left) const {
+        return stratum.curve == nullptr
+                   ? at({params[0], params[1]}, {left[0], left[1]})
+                   : at(place_on(face_, *stratum.curve, params[0], left[0]), {false, false});
     }
-    [[nodiscard]] std::vector<double> point(const Point2 &place) const {
-        std::vector<double> x(static_cast<size_t>(face_.surface()->dim()));
-        const auto dim = static_cast<int64_t>(x.size());
-        eval::evaluate_points(*face_.surface(), {}, 0, {place.data(), 1, 2, 2, 1},
-                              {x.data(), 1, dim, dim, 1});
-        return x;
-    }
+    [[nodiscard]] FoundPlace any() const { return at(place_of(face_, edges_), {false, false}); }
 
 private:
+    // left: whether the limit from below is meant.
+    [[nodiscard]] FoundPlace at(const Point2 &place, const std::array<bool, 2> &left) const {
+        eval::AxisRules rules;
+        rules[0].left = left[0];
+        rules[1].left = left[1];
+        FoundPlace found{place, std::vector<double>(static_cast<size_t>(face_.surface()->dim()))};
+        const auto dim = static_cast<int64_t>(found.point.size());
+        eval::evaluate_points(*face_.surface(), rules, 0, {place.data(), 1, 2, 2, 1},
+                              {found.point.data(), 1, dim, dim, 1});
+        return found;
+    }
+
     const Face &face_;
     FaceRegion region_;
     SpaceEdges edges_;
@@ -77,14 +85,9 @@ private:
 };
 
 struct StrataPair {
-    double apart; // their boxes
+    double at_least; // proven of their distance
     const Stratum *a, *b;
 };
-
-// Of fewer dimensions first: they give a distance as far as which the others are looked at.
-int rank(const StrataPair &pair) noexcept {
-    return (pair.a->curve == nullptr ? 1 : 0) + (pair.b->curve == nullptr ? 1 : 0);
-}
 
 std::vector<StrataPair> pairs_of(const Strata &a, const Strata &b, int dim) {
     std::vector<StrataPair> pairs;
@@ -93,12 +96,9 @@ std::vector<StrataPair> pairs_of(const Strata &a, const Strata &b, int dim) {
             const double apart = norm_of(dim, [&](int c) {
                 return std::max({x.lower[c] - y.upper[c], y.lower[c] - x.upper[c], 0.0});
             });
-            pairs.push_back({apart, &x, &y});
+            pairs.push_back({apart * (1 - (dim + 4) * eps), &x, &y});
         }
     }
-    std::ranges::sort(pairs, [](const StrataPair &x, const StrataPair &y) {
-        return std::pair(rank(x), x.apart) < std::pair(rank(y), y.apart);
-    });
     return pairs;
 }
 
@@ -107,17 +107,25 @@ public:
     SmallestSearch(const Face &a, const Face &b, double tolerance)
         : a_(a), b_(b), dim_(a.surface()->dim()), tolerance_(tolerance) {}
 
-    // At the limit of work the points may be any.
+    // Some points come first: so there is an answer at the limit of work. All pairs are looked at briefly before one of them takes
+    // long, since what is found in others may end it.
     FaceDistance run() {
-        settle(a_.any_place(), b_.any_place());
+        settle(a_.any(), b_.any());
         if (!std::isfinite(found_.at_most)) {
             fail(Status::not_representable, "the distance overflows double precision");
         }
-        for (const StrataPair &pair : pairs_of(a_, b_, dim_)) {
-            look_at(pair);
+        const bool exact = a_.exact() && b_.exact();
+        std::vector<StrataPair> pairs = pairs_of(a_, b_, dim_);
+        for (const int64_t budget :
+             {int64_t{64}, int64_t{2048}, exact ? int64_t{65536} : 0, exact ? all_pairs : 0}) {
+            look_at(pairs, budget);
         }
-        if (!a_.exact() || !b_.exact()) {
-            prove_without_curves();
+        if (!exact) {
+            pairs = {{0, &a_.all().back(), &b_.all().back()}};
+            search(pairs.front(), all_pairs, true);
+        }
+        for (const StrataPair &pair : pairs) {
+            found_.at_least = std::min(found_.at_least, pair.at_least);
         }
         found_.at_least = std::min(found_.at_least, found_.at_most);
         found_.certified = found_.at_most - found_.at_least <= tolerance_ + rounding_;
@@ -125,38 +133,33 @@ public:
     }
 
 private:
-    void look_at(const StrataPair &pair) {
-        if (pair.apart > found_.at_most) {
-            return;
+    void look_at(std::vector<StrataPair> &pairs, int64_t budget) {
+        std::ranges::sort(pairs, {}, &StrataPair::at_least);
+        for (StrataPair &pair : pairs) {
+            if (budget > 0 && pair.at_least + tolerance_ + rounding_ < found_.at_most && !work_ended()) {
+                search(pair, budget, false);
+            }
         }
-        if (work_ended()) {
-            found_.at_least = std::min(found_.at_least, pair.apart);
-            return;
-        }
-        search(pair, false);
     }
-    // By pieces of both surfaces alone, which come near the boundary by halving: in many steps.
-    void prove_without_curves() {
-        found_.at_least = infinity;
-        search({0, &a_.all().back(), &b_.all().back()}, true);
-    }
-    void search(const StrataPair &pair, bool boundaries) {
+    // boundaries: by pieces of both surfaces alone, which come near the boundary by halving, in many steps; else what is nearest
+    // inside of both.
+    void search(StrataPair &pair, int64_t budget, bool boundaries) {
         const closest::PairDistance own =
-            closest::pair_distance(*pair.a->spline, *pair.b->spline, tolerance_, all_pairs,
+            closest::pair_distance(*pair.a->spline, *pair.b->spline, tolerance_, budget,
                                    {pair.a->region, pair.b->region, boundaries}, found_.at_most);
-        found_.at_least = std::min(found_.at_least, own.at_least);
+        pair.at_least = std::max(pair.at_least, own.at_least);
         rounding_ = std::max(rounding_, own.rounding);
         if (own.at_most < found_.at_most) {
-            settle(a_.place(*pair.a, own.params_a), b_.place(*pair.b, own.params_b));
+            settle(a_.found(*pair.a, own.params_a, own.left_a), b_.found(*pair.b, own.params_b, own.left_b));
         }
     }
     // The distance of the places, which is what others are compared with.
-    void settle(const Point2 &a, const Point2 &b) {
-        const double away = distance(a_.point(a).data(), b_.point(b).data(), dim_);
+    void settle(const FoundPlace &a, const FoundPlace &b) {
+        const double away = distance(a.point.data(), b.point.data(), dim_);
         if (away < found_.at_most) {
             found_.at_most = away;
-            found_.a = a;
-            found_.b = b;
+            found_.a = a.place;
+            found_.b = b.place;
         }
     }
 
@@ -165,6 +168,18 @@ private:
     double tolerance_, rounding_ = 0;
     FaceDistance found_{infinity, infinity};
 };
+
+bool same_curves(const Loop &a, const Loop &b) {
+    return std::ranges::equal(a, b, [](const Coedge &x, const Coedge &y) {
+        return x.curve == y.curve || same_numbers(*x.curve, *y.curve);
+    });
+}
+
+// Bit for bit, as of a copy.
+bool same_faces(const Face &a, const Face &b) {
+    return &a == &b || (same_numbers(*a.surface(), *b.surface()) && a.joints().empty() &&
+                        b.joints().empty() && std::ranges::equal(a.loops(), b.loops(), same_curves));
+}
 
 } // namespace
 
@@ -177,7 +192,7 @@ FaceDistance smallest_distance(const Face &a, const Face &b, double tolerance) {
 FaceDistance largest_distance(const Face &from, const Face &to, double tolerance) {
     check_same_dimension(*from.surface(), *to.surface());
     const LimitedSearch limited;
-    if (&from == &to) {
+    if (same_faces(from, to)) {
         return {0, 0, place_of(from, space_edges(from)), {}, true};
     }
     const FaceRegion in_from(from);

@@ -13,8 +13,8 @@ struct FaceDistance {
     bool certified = false;
 };
 
-// The smallest distance of two faces. Nearest points lie on the boundaries, or inside of one face or both: curves with curves,
-// curves with surfaces, and surfaces with each other, nearest boxes first, each as far as it may hold something nearer. Throws
+// The smallest distance of two faces. Nearest points lie on curves of the boundaries, or inside of one face or both: curves with
+// curves, curves with surfaces, and surfaces with each other are searched, each as far as it may hold something nearer. Throws
 // Status::incompatible, not_representable.
 FaceDistance smallest_distance(const Face &a, const Face &b, double tolerance);
 

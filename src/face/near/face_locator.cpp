@@ -3,6 +3,8 @@
 
 #include "base/numbers.h"
 #include "closest/closest.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +24,23 @@ closest::Foot nearest_of(const Spline &spline, const double *point, double toler
 
 } // namespace
 
+// The limit from below at a jump is no point of the face if the boundary runs there.
 int FaceLocator::side(const closest::Foot &foot) const noexcept {
-    return face_.trims().side({foot.params[0], foot.params[1]});
+    const int side = face_.trims().side({foot.params[0], foot.params[1]});
+    return side == 0 && foot.left != 0 ? -1 : side;
+}
+
+// Where the boundary begins. Precondition: edges_ are known, and not empty.
+closest::Foot FaceLocator::any_foot(const double *point) const {
+    const Spline &surface = *face_.surface();
+    const Point2 place = place_of(face_, *edges_);
+    const int dim = surface.dim();
+    std::vector<double> x(static_cast<size_t>(dim));
+    eval::evaluate_points(surface, {}, 0, {place.data(), 1, 2, 2, 1}, {x.data(), 1, dim, dim, 1});
+    closest::Foot foot;
+    foot.params = {place[0], place[1]};
+    foot.distance = distance(x.data(), point, dim);
+    return foot;
 }
 
 // The nearest box first, so that most of the others need no search.
@@ -50,21 +67,29 @@ FaceLocator::Found FaceLocator::on_edges(const double *point, double tolerance) 
             best.foot = {{place[0], place[1]}, foot.distance, 0, foot.noise, 0, foot.examined};
         }
     }
+    if (!std::isfinite(best.foot.distance)) {
+        best = {any_foot(point), false};
+    }
     return best;
 }
 
-closest::Foot FaceLocator::nearest(const double *point, double tolerance, double far) {
+closest::BoundedFoot FaceLocator::nearest(const double *point, double tolerance, double far) {
+    const auto bound = [tolerance](const closest::Foot &foot) {
+        return certified(foot) ? std::max(0.0, foot.distance - tolerance - foot.noise) : 0;
+    };
     const closest::Foot least = nearest_of(*face_.surface(), point, tolerance);
-    if (certified(least) && least.distance - tolerance - least.noise > far) {
-        return least;
+    const double at_least = bound(least);
+    if (at_least > far) {
+        return {least, at_least};
     }
     if (const int side = this->side(least); side >= 0) {
         closest::Foot foot = least;
         foot.status &= ~closest::closest_boundary;
         foot.status |= side == 0 ? closest::closest_boundary : 0;
-        return foot;
+        return {foot, at_least};
     }
-    return nearest_inside(point, tolerance, least);
+    const closest::Foot foot = nearest_inside(point, tolerance, least);
+    return {foot, std::max(at_least, bound(foot))};
 }
 
 // The nearest point is on the boundary, or it is a local minimum of the surface that is nearer. Minima for which rounding would

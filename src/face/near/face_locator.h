@@ -17,8 +17,9 @@ public:
     explicit FaceLocator(const Face &face) noexcept : face_(face) {}
 
     // point: [dim], finite. tolerance: how much nearer another point may be. Status: closest_ bits; closest_boundary is that of the
-    // face. Where the whole surface is farther than `far` for certain its foot is the answer.
-    [[nodiscard]] closest::Foot nearest(const double *point, double tolerance, double far = infinity);
+    // face. Where the whole surface is farther than `far` for certain its foot is the answer, inside or not. At the limit of work
+    // it is some place of the face.
+    [[nodiscard]] closest::BoundedFoot nearest(const double *point, double tolerance, double far = infinity);
 
 private:
     struct Found {
@@ -28,6 +29,7 @@ private:
     [[nodiscard]] Found on_edges(const double *point, double tolerance);
     [[nodiscard]] closest::Foot nearest_inside(const double *point, double tolerance,
                                                const closest::Foot &least);
+    [[nodiscard]] closest::Foot any_foot(const double *point) const;
     [[nodiscard]] int side(const closest::Foot &foot) const noexcept;
 
     const Face &face_;

@@ -21,7 +21,7 @@ public:
                    ? 0
                    : face_.trims().side({low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2});
     }
-    [[nodiscard]] closest::Foot nearest(const double *point, double tolerance) override {
+    [[nodiscard]] closest::BoundedFoot nearest(const double *point, double tolerance) override {
         return locator_.nearest(point, tolerance);
     }
 

@@ -18,10 +18,14 @@ struct SpaceEdge {
 
 struct SpaceEdges {
     std::vector<SpaceEdge> all;
-    bool exact = true; // else some could not be composed with the surface, and are near it, without proof
+    // Else some could not be composed with the surface, and are near it, without proof; or the surface jumps along them.
+    bool exact = true;
 };
 
 SpaceEdges space_edges(const Face &face);
+
+// Of the face: where the first curve begins.
+Point2 place_of(const Face &face, const SpaceEdges &edges);
 
 // Where a curve is in the domain, at one of its parameters or just below that.
 Point2 place_on(const Face &face, const BoundaryCurve &curve, double t, bool left);

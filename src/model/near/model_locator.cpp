@@ -2,10 +2,10 @@
 #include "model/near/model_locator.h"
 
 #include "base/watch.h"
-#include "bounds/box.h"
 #include "eval/evaluate.h"
 #include "model/rays/face_place.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nrb::model {
@@ -13,19 +13,6 @@ namespace nrb::model {
 namespace {
 
 constexpr int64_t work_of_a_visit = 30;
-
-// With curves in the domain only, which are the same.
-face::FacePtr face_in_whole(const face::Face &own, const Placement &placement) {
-    face::FaceParts parts{placement.in_whole(own.surface()), own.loops(),
-                          placement.growth_to_whole() * own.tolerance()};
-    parts.keep_gaps = true;
-    for (face::Loop &loop : parts.loops) {
-        for (face::Coedge &coedge : loop) {
-            coedge.edge = nullptr;
-        }
-    }
-    return std::make_shared<const face::Face>(std::move(parts), nullptr);
-}
 
 Vector3 point_of(const Spline &surface, const closest::Foot &foot) {
     eval::AxisRules rules;
@@ -43,27 +30,30 @@ ModelLocator::Moved &ModelLocator::moved(int32_t placed) {
     std::unique_ptr<Moved> &own = moved_[placed];
     if (own == nullptr) {
         const Placement &placement = scene_.placement(scene_.face(placed));
-        const face::Face &face = this->face(scene_.face(placed).face);
-        const double size = face_box(face).magnitude();
-        own = std::make_unique<Moved>(face_in_whole(face, placement), placement.rounding(size));
+        const face::FacePtr &face = model_.faces[static_cast<size_t>(scene_.face(placed).face)].face;
+        own = std::make_unique<Moved>(
+            std::make_shared<const face::Face>(face, placement.in_whole(face->surface()),
+                                               placement.growth_to_whole() * face->tolerance()),
+            placement.rounding(face_box(*face).magnitude()));
     }
     return *own;
 }
 
-closest::Foot ModelLocator::foot(int32_t number, const Vector3 &x, double tolerance, double far) {
+closest::BoundedFoot ModelLocator::foot(int32_t number, const Vector3 &x, double tolerance, double far) {
     const PlacedFace &placed = scene_.face(number);
     if (scene_.placement(placed).keeps_ratios()) {
         return foot_in_part(placed, x, tolerance, far);
     }
     const double at[] = {x.x, x.y, x.z};
     Moved &own = moved(number);
-    closest::Foot foot = own.locator.nearest(at, tolerance, far + own.rounding);
-    foot.noise += own.rounding;
-    return foot;
+    closest::BoundedFoot found = own.locator.nearest(at, tolerance, far + own.rounding);
+    found.foot.noise += own.rounding;
+    found.at_least -= own.rounding;
+    return found;
 }
 
-closest::Foot ModelLocator::foot_in_part(const PlacedFace &placed, const Vector3 &x, double tolerance,
-                                         double far) {
+closest::BoundedFoot ModelLocator::foot_in_part(const PlacedFace &placed, const Vector3 &x, double tolerance,
+                                                double far) {
     auto &own = locators_[static_cast<size_t>(placed.face)];
     if (own == nullptr) {
         own = std::make_unique<face::FaceLocator>(face(placed.face));
@@ -72,32 +62,36 @@ closest::Foot ModelLocator::foot_in_part(const PlacedFace &placed, const Vector3
     const Vector3 local = placement.moved(x);
     const double at[] = {local.x, local.y, local.z}, error = placement.error(x),
                  scale = placement.growth_to_whole(), condition = scale * placement.growth_to_part();
-    closest::Foot foot =
+    closest::BoundedFoot found =
         own->nearest(at, tolerance / scale, condition * placement.growth_to_part() * far + error);
+    closest::Foot &foot = found.foot;
     foot.distance *= scale;
     foot.noise = scale * (foot.noise + error) + (condition - 1) * foot.distance;
-    return foot;
+    found.at_least = (found.at_least - error) / placement.growth_to_part();
+    return found;
 }
 
-// The nearest one so far.
+// The nearest one so far. It is proven by bounds of all faces, whether or not those of other faces are proven to be nearest.
 class ModelLocator::Nearest {
 public:
     [[nodiscard]] double limit() const noexcept { return best_.foot.distance; }
-    void add(const closest::Foot &foot, const PlacedFace &placed) noexcept {
-        sure_ = sure_ && (foot.status & closest::closest_certified) != 0;
-        if (best_.face < 0 || foot.distance < best_.foot.distance) {
-            best_ = {foot, {}, placed.face, placed.instance};
+    void add(const closest::BoundedFoot &found, const PlacedFace &placed) noexcept {
+        at_least_ = std::min(at_least_, found.at_least);
+        if (best_.face < 0 || found.foot.distance < best_.foot.distance) {
+            best_ = {found.foot, {}, placed.face, placed.instance};
         }
     }
-    void leave_out() noexcept { sure_ = false; }
+    void leave_out() noexcept { at_least_ = 0; }
+    [[nodiscard]] bool any() const noexcept { return best_.face >= 0; }
     // If there is no face it is proven to be infinitely far away.
-    [[nodiscard]] ModelFoot found() const noexcept {
+    [[nodiscard]] ModelFoot found(double tolerance) const noexcept {
         ModelFoot result = best_;
+        const double least = best_.foot.distance - tolerance - 2 * best_.foot.noise;
+        const bool sure = !any() || (at_least_ >= least && std::isfinite(least));
         result.foot.status &= ~closest::closest_certified;
-        result.foot.status |= sure_ ? closest::closest_certified : 0;
+        result.foot.status |= sure ? closest::closest_certified : 0;
         return result;
     }
-    [[nodiscard]] bool any() const noexcept { return best_.face >= 0; }
 
 private:
     static closest::Foot nowhere() noexcept {
@@ -107,7 +101,7 @@ private:
         return foot;
     }
     ModelFoot best_{nowhere(), {nan_value, nan_value, nan_value}};
-    bool sure_ = true;
+    double at_least_ = infinity;
 };
 
 ModelFoot ModelLocator::nearest(const Vector3 &x, double tolerance) {
@@ -121,7 +115,7 @@ ModelFoot ModelLocator::nearest(const Vector3 &x, double tolerance) {
             nearest.add(foot(i, x, tolerance, nearest.limit()), scene_.face(i));
         });
     count_work(work_of_a_visit * visits);
-    ModelFoot found = nearest.found();
+    ModelFoot found = nearest.found(tolerance);
     if (found.face >= 0) {
         settle(found, x, tolerance);
     }

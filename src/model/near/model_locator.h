@@ -41,10 +41,10 @@ private:
     [[nodiscard]] const face::Face &face(int64_t i) const noexcept {
         return *model_.faces[static_cast<size_t>(i)].face;
     }
-    // As far as another face is for certain.
-    [[nodiscard]] closest::Foot foot(int32_t placed, const Vector3 &x, double tolerance, double far);
-    [[nodiscard]] closest::Foot foot_in_part(const PlacedFace &placed, const Vector3 &x, double tolerance,
-                                             double far);
+    // In the whole; of its surface, if that is farther than `far` for certain.
+    [[nodiscard]] closest::BoundedFoot foot(int32_t placed, const Vector3 &x, double tolerance, double far);
+    [[nodiscard]] closest::BoundedFoot foot_in_part(const PlacedFace &placed, const Vector3 &x,
+                                                    double tolerance, double far);
     [[nodiscard]] Moved &moved(int32_t placed);
     void settle(ModelFoot &found, const Vector3 &x, double tolerance) const;
 

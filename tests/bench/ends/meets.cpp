@@ -8,12 +8,12 @@ namespace ends {
 
 namespace {
 
-// 1000 balls on a grid, and planes across it.
+// 1000 balls on a grid, and planes across it that meet some 30 of them each.
 struct Balls {
     nurbs_model *model = nullptr;
 
     Balls() {
-        const Shape ball = sphere(0.4);
+        const Shape ball = sphere(0.15);
         std::vector<nurbs_face *> faces;
         for (int i = 0; i < 1000; ++i) {
             const Shape one = moved(ball.get(), 1, {double(i % 10), double(i / 10 % 10), double(i / 100)});

@@ -21,7 +21,7 @@ public:
                            const pieces::LocalParam & /*upper*/) const override {
         return 0;
     }
-    [[nodiscard]] closest::Foot nearest(const double * /*point*/, double /*tolerance*/) override {
+    [[nodiscard]] closest::BoundedFoot nearest(const double * /*point*/, double /*tolerance*/) override {
         return {};
     }
 };

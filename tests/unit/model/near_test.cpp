@@ -101,6 +101,27 @@ TEST(PlacedNearest, of_stretched_parts_no_point_is_nearer) {
     EXPECT_GE(sure, 396);
 }
 
+// A ball with a hole, whose loop runs around it with the ball to its left: what is stretched stays the same part.
+TEST(PlacedNearest, of_stretched_faces_are_of_the_same_part) {
+    const SplinePtr ball =
+        build::sphere(build::make_placement(3, nullptr, nullptr, nullptr, "centre"), radius, 0);
+    const SplinePtr hole = make_spline({make_knot_vector(1, {0, 0, 1, 2, 3, 4, 4})}, 2, Form::polynomial,
+                                       {0.4, 0.4, 0.4, 0.6, 0.6, 0.6, 0.6, 0.4, 0.4, 0.4}, {});
+    face::FaceParts parts{ball, {{{hole, nullptr}}}, 1e-9};
+    parts.as_oriented = true;
+    Model model = model_of_faces({std::make_shared<const face::Face>(parts, nullptr)}, 1);
+    for (const double stretch : {1.0, 1.0001, 1.5, 1e-6}) {
+        model.uses[0].placement = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, stretch, 0};
+        model.rays = {};
+        ModelLocator locator(model);
+        const ModelFoot over_hole = locator.nearest({-2 * radius, 0, 0}, 1e-9);
+        EXPECT_TRUE(certified(over_hole));
+        EXPECT_GT(over_hole.foot.distance, 1.001 * radius) << stretch;
+        const ModelFoot opposite = locator.nearest({2 * radius, 0, 0}, 1e-9);
+        EXPECT_NEAR(opposite.foot.distance, radius, 1e-8) << stretch;
+    }
+}
+
 TEST(PlacedNearest, of_no_faces_is_infinitely_far) {
     const Model model;
     const ModelFoot found = ModelLocator(model).nearest({1, 2, 3}, 0);
