@@ -6,7 +6,7 @@
 #include "closest/pair/region.h"
 #include "pieces/slopes.h"
 
-#include <deque>
+#include <vector>
 
 namespace nrb::closest {
 
@@ -36,7 +36,7 @@ private:
     std::array<const Spline *, 2> splines_;
     std::array<const Region *, 2> regions_;
     bool boundaries_;
-    std::deque<Known> known_;
+    std::vector<Known> known_;
 };
 
 } // namespace nrb::closest
