@@ -2479,7 +2479,7 @@ void query(const Inputs &in) {
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
-        const auto found = in.face.distance(ball_face, 1e-06);
+        const auto found = in.face.distance(ball_face, 4.0);
         show("at_least", found.at_least);
         show("at_most", found.at_most);
         show("params_a", found.params_a);
@@ -2491,7 +2491,7 @@ void query(const Inputs &in) {
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
-        const auto found = in.face.hausdorff_distance(ball_face, 0.1);
+        const auto found = in.face.hausdorff_distance(ball_face, 4.0);
         show("at_least", found.at_least);
         show("at_most", found.at_most);
         show("params_a", found.params_a);
@@ -3075,7 +3075,7 @@ void query(const Inputs &in) {
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
-        const auto found = in.face.distance(ball_face, 1e-06, watched());
+        const auto found = in.face.distance(ball_face, 4.0, watched());
         show("at_least", found.at_least);
         show("at_most", found.at_most);
         show("params_a", found.params_a);
@@ -3087,7 +3087,7 @@ void query(const Inputs &in) {
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
-        const auto found = in.face.hausdorff_distance(ball_face, 0.1, watched());
+        const auto found = in.face.hausdorff_distance(ball_face, 4.0, watched());
         show("at_least", found.at_least);
         show("at_most", found.at_most);
         show("params_a", found.params_a);

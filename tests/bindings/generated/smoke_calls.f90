@@ -4263,7 +4263,7 @@ contains
             allocate (params_a_found(2))
             allocate (params_b_found(2))
             call face%distance(other=ball_face, at_least=at_least_found, at_most=at_most_found, &
-                params_a=params_a_found, params_b=params_b_found, state=state_found, tolerance=1d-06)
+                params_a=params_a_found, params_b=params_b_found, state=state_found, tolerance=4.0d0)
             call show('at_least', at_least_found)
             call show('at_most', at_most_found)
             call show('params_a', params_a_found)
@@ -4285,7 +4285,7 @@ contains
             allocate (at_most_found(2))
             allocate (params_a_found(2))
             allocate (params_b_found(2))
-            call face%hausdorff_distance(other=ball_face, tolerance=0.1d0, at_least=at_least_found, &
+            call face%hausdorff_distance(other=ball_face, tolerance=4.0d0, at_least=at_least_found, &
                 at_most=at_most_found, params_a=params_a_found, params_b=params_b_found, state=state_found)
             call show('at_least', at_least_found)
             call show('at_most', at_most_found)
@@ -5268,7 +5268,7 @@ contains
             allocate (params_a_found(2))
             allocate (params_b_found(2))
             call face%distance(other=ball_face, at_least=at_least_found, at_most=at_most_found, &
-                params_a=params_a_found, params_b=params_b_found, state=state_found, tolerance=1d-06, call=watching)
+                params_a=params_a_found, params_b=params_b_found, state=state_found, tolerance=4.0d0, call=watching)
             call show('at_least', at_least_found)
             call show('at_most', at_most_found)
             call show('params_a', params_a_found)
@@ -5291,7 +5291,7 @@ contains
             allocate (at_most_found(2))
             allocate (params_a_found(2))
             allocate (params_b_found(2))
-            call face%hausdorff_distance(other=ball_face, tolerance=0.1d0, at_least=at_least_found, &
+            call face%hausdorff_distance(other=ball_face, tolerance=4.0d0, at_least=at_least_found, &
                 at_most=at_most_found, params_a=params_a_found, params_b=params_b_found, state=state_found, &
                 call=watching)
             call show('at_least', at_least_found)

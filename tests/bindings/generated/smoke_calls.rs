@@ -3550,7 +3550,7 @@ fn query(given: &Given) -> nurbs::Result<()> {
             0,
         )?;
         let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
-        let found = given.face.distance(&ball_face, 1e-06)?;
+        let found = given.face.distance(&ball_face, 4.0)?;
         show("at_least", &found.at_least);
         show("at_most", &found.at_most);
         show("params_a", &found.params_a);
@@ -3567,7 +3567,7 @@ fn query(given: &Given) -> nurbs::Result<()> {
             0,
         )?;
         let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
-        let found = given.face.hausdorff_distance(&ball_face, 0.1)?;
+        let found = given.face.hausdorff_distance(&ball_face, 4.0)?;
         show("at_least", &found.at_least);
         show("at_most", &found.at_most);
         show("params_a", &found.params_a);
@@ -4339,7 +4339,7 @@ fn query(given: &Given) -> nurbs::Result<()> {
         let found =
             given
                 .face
-                .distance_with(&ball_face, 1e-06, &mut Call::new().progress(|_| true))?;
+                .distance_with(&ball_face, 4.0, &mut Call::new().progress(|_| true))?;
         show("at_least", &found.at_least);
         show("at_most", &found.at_most);
         show("params_a", &found.params_a);
@@ -4358,7 +4358,7 @@ fn query(given: &Given) -> nurbs::Result<()> {
         let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
         let found = given.face.hausdorff_distance_with(
             &ball_face,
-            0.1,
+            4.0,
             &mut Call::new().progress(|_| true),
         )?;
         show("at_least", &found.at_least);

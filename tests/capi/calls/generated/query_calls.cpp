@@ -302,8 +302,8 @@ const Call group[] = {
          if (made_ball_face.status() != NURBS_OK) {
              return made_ball_face.status();
          }
-         return nurbs_face_distance(in.face, made_ball_face, 1e-06, o.values, o.values + 1, o.values + 2,
-             o.values + 4, o.states);
+         return nurbs_face_distance(in.face, made_ball_face, 4, o.values, o.values + 1, o.values + 2, o.values
+             + 4, o.states);
      }},
     {"face_hausdorff_distance",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -315,8 +315,8 @@ const Call group[] = {
          if (made_ball_face.status() != NURBS_OK) {
              return made_ball_face.status();
          }
-         return nurbs_face_hausdorff_distance(in.face, made_ball_face, 0.1, o.values, o.values + 2, o.values +
-             4, o.values + 6, o.states);
+         return nurbs_face_hausdorff_distance(in.face, made_ball_face, 4, o.values, o.values + 2, o.values + 4,
+             o.values + 6, o.states);
      }},
     {"model_instances",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -881,7 +881,7 @@ const Call group[] = {
          }
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_face_distance_with(in.face, made_ball_face, 1e-06, o.values, o.values + 1, o.values + 2,
+         return nurbs_face_distance_with(in.face, made_ball_face, 4, o.values, o.values + 1, o.values + 2,
              o.values + 4, o.states, &call);
      }},
     {"face_hausdorff_distance_with",
@@ -896,8 +896,8 @@ const Call group[] = {
          }
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_face_hausdorff_distance_with(in.face, made_ball_face, 0.1, o.values, o.values + 2,
-             o.values + 4, o.values + 6, o.states, &call);
+         return nurbs_face_hausdorff_distance_with(in.face, made_ball_face, 4, o.values, o.values + 2, o.values
+             + 4, o.values + 6, o.states, &call);
      }},
     {"model_rays_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
