@@ -48,9 +48,11 @@ class OwnTable {
 public:
     OwnTable() noexcept = default;
     OwnTable(const OwnTable &) noexcept {}
-    OwnTable &operator=(const OwnTable &) noexcept {
-        std::destroy_at(&slot_);
-        std::construct_at(&slot_);
+    OwnTable &operator=(const OwnTable &other) noexcept {
+        if (this != &other) {
+            std::destroy_at(&slot_);
+            std::construct_at(&slot_);
+        }
         return *this;
     }
     ~OwnTable() = default;

@@ -42,7 +42,7 @@ private:
         return *model_.faces[static_cast<size_t>(i)].face;
     }
     // In the whole; of its surface, if that is farther than `far` for certain.
-    [[nodiscard]] closest::BoundedFoot foot(int32_t placed, const Vector3 &x, double tolerance, double far);
+    [[nodiscard]] closest::BoundedFoot foot(int32_t number, const Vector3 &x, double tolerance, double far);
     [[nodiscard]] closest::BoundedFoot foot_in_part(const PlacedFace &placed, const Vector3 &x,
                                                     double tolerance, double far);
     [[nodiscard]] Moved &moved(int32_t placed);
