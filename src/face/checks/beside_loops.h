@@ -48,7 +48,7 @@ private:
     [[nodiscard]] std::optional<Point2> astray_of(std::span<const Part> parts, Steps &steps) const;
     [[nodiscard]] std::optional<Point2> astray_of_uncut(std::span<const Part> parts) const;
     [[nodiscard]] std::optional<Point2> astray_in(const Part &part, const std::array<Point2, 2> &ends) const;
-    [[nodiscard]] Sample sample(size_t piece, double share) const noexcept;
+    [[nodiscard]] Sample sample(size_t number, double share) const noexcept;
     [[nodiscard]] bool is_astray(const Sample &sample) const;
     [[nodiscard]] bool is_wrong(const Point2 &x) const noexcept;
     [[nodiscard]] Point2 step_aside(const Sample &sample) const;

@@ -131,17 +131,17 @@ void LoopHits::add(const Spline &curve, Point2 shift, LoopCurve of) {
 void LoopHits::compare(size_t a, const intersect::BoxTree &tree) {
     const Box3 all = tree.box(), &own = boxes_[a];
     const Point2 period{covering_.period(0) * scale_[0], covering_.period(1) * scale_[1]};
-    std::array<Interval, 2> turns{};
+    std::array<int64_t, 2> first{}, last{}; // loops run into few copies of the domain
     for (const int k : {0, 1}) {
         const auto at = static_cast<size_t>(k);
         if (covering_.closed(k)) {
-            turns[at] = {std::ceil((own.lower[at] - all.upper[at]) / period[at]),
-                         std::floor((own.upper[at] - all.lower[at]) / period[at])};
+            first[at] = static_cast<int64_t>(std::ceil((own.lower[at] - all.upper[at]) / period[at]));
+            last[at] = static_cast<int64_t>(std::floor((own.upper[at] - all.lower[at]) / period[at]));
         }
     }
-    for (double i = turns[0].lower; i <= turns[0].upper; ++i) {
-        for (double j = turns[1].lower; j <= turns[1].upper; ++j) {
-            const Point2 move{i * period[0], j * period[1]};
+    for (int64_t i = first[0]; i <= last[0]; ++i) {
+        for (int64_t j = first[1]; j <= last[1]; ++j) {
+            const Point2 move{static_cast<double>(i) * period[0], static_cast<double>(j) * period[1]};
             const bool itself = i > 0 || (i == 0 && j >= 0);
             int64_t looked = 1;
             tree.walk_box(moved_box(own, {-move[0], -move[1]}), [&](int32_t found) {

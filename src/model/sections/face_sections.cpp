@@ -98,7 +98,7 @@ void FaceCutter::add_meet(const face::BorderedMeet &found, const Cut &cut, FaceS
     }
 }
 
-int64_t FaceCutter::add_node(const MeetNode &node, const Cut &cut, FaceSections &out) const {
+int64_t FaceCutter::add_node(const MeetNode &node, const Cut &cut, FaceSections &out) {
     MeetNode own = node;
     own.level = cut.levels[static_cast<size_t>(node.level)];
     own.next = -1;

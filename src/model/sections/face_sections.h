@@ -55,7 +55,7 @@ private:
     };
     void add_meet(const face::BorderedMeet &found, const Cut &cut, FaceSections &out);
     void add_branch(const face::BorderedMeet &found, size_t i, const Cut &cut, FaceSections &out);
-    [[nodiscard]] int64_t add_node(const intersect::MeetNode &node, const Cut &cut, FaceSections &out) const;
+    static int64_t add_node(const intersect::MeetNode &node, const Cut &cut, FaceSections &out);
     [[nodiscard]] bool is_above_shared_edge(const face::Course &course, int64_t face) const;
 
     const Model &model_;
