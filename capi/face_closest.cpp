@@ -10,7 +10,6 @@
 #include "face/near/face_locator.h"
 #include "numeric/norm.h"
 
-#include <cmath>
 #include <vector>
 
 using namespace nrb;
@@ -30,13 +29,7 @@ void settle(const Spline &surface, const double *point, double tolerance, closes
     const int dim = surface.dim();
     eval::evaluate_points(surface, rules, 0, {foot.params.data(), 1, 2, 2, 1}, {x, 1, dim, dim, 1});
     const double distance = norm_of(dim, [&](int c) { return x[c] - point[c]; });
-    const double allowed = foot.distance + tolerance + foot.noise;
-    if ((foot.status & closest::closest_certified) != 0 &&
-        !(distance <= allowed && std::isfinite(distance))) {
-        foot.status ^= closest::closest_certified | closest::closest_coarse;
-    }
-    foot.distance = distance;
-    foot.status |= static_cast<int32_t>(foot.left) * closest::closest_left;
+    closest::settle(foot, distance, foot.distance + tolerance + foot.noise);
 }
 
 struct Feet {

@@ -26,10 +26,9 @@ face::FaceDistance farthest(const face::Face &from, const face::Face &to, double
 }
 
 // With half of the work that the caller allows, so that the other way is not left without.
-template <class Search>
-face::FaceDistance with_half(Search &&search) {
+face::FaceDistance farthest_with_half(const face::Face &from, const face::Face &to, double tolerance) {
     const HalfOfWork half;
-    return search();
+    return farthest(from, to, tolerance);
 }
 
 } // namespace
@@ -73,7 +72,7 @@ nurbs_status nurbs_face_hausdorff_distance(const nurbs_face *a, const nurbs_face
                      memory("params_a", params_a, 2), memory("params_b", params_b, 2),
                      memory("status", status, 1)},
                     {});
-        const face::FaceDistance there = with_half([&] { return farthest(*a->face, *b->face, tolerance); }),
+        const face::FaceDistance there = farthest_with_half(*a->face, *b->face, tolerance),
                                  back = farthest(*b->face, *a->face, tolerance);
         put_all(at_least, std::array{there.at_least, back.at_least});
         put_all(at_most, std::array{there.at_most, back.at_most});

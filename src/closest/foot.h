@@ -7,6 +7,7 @@
 #include "spline/spline.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -44,6 +45,16 @@ struct Foot {
     uint32_t left = 0;    // bit k: at parameter k the limit from below is meant
     int64_t examined = 0; // number of pieces that were examined
 };
+
+// With the distance of the point at the parameters, as they are rounded: what was proven holds for it if it is no more than is
+// allowed.
+inline void settle(Foot &foot, double distance, double allowed) noexcept {
+    if ((foot.status & closest_certified) != 0 && !(distance <= allowed && std::isfinite(distance))) {
+        foot.status ^= closest_certified | closest_coarse;
+    }
+    foot.distance = distance;
+    foot.status |= static_cast<int32_t>(foot.left) * closest_left;
+}
 
 // With a bound: nothing that counts is nearer, for certain.
 struct BoundedFoot {

@@ -54,7 +54,6 @@ public:
 
     [[nodiscard]] const std::vector<Stratum> &all() const noexcept { return all_; }
     [[nodiscard]] bool exact() const noexcept { return edges_.exact; }
-    [[nodiscard]] Point2 any_place() const { return place_of(face_, edges_); }
     // Of a place that a search found.
     [[nodiscard]] FoundPlace found(const Stratum &stratum, const std::array<double, max_axes> &params,
                                    const std::array<bool, max_axes> &left) const {

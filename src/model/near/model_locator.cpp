@@ -128,14 +128,8 @@ void ModelLocator::settle(ModelFoot &found, const Vector3 &x, double tolerance) 
     closest::Foot &foot = found.foot;
     const Vector3 local = point_of(*face(found.face).surface(), foot);
     found.point = placement.in_whole(local);
-    const double distance = length(found.point - x),
-                 allowed = foot.distance + tolerance + foot.noise + placement.rounding(length(local));
-    if ((foot.status & closest::closest_certified) != 0 &&
-        !(distance <= allowed && std::isfinite(distance))) {
-        foot.status ^= closest::closest_certified | closest::closest_coarse;
-    }
-    foot.distance = distance;
-    foot.status |= static_cast<int32_t>(foot.left) * closest::closest_left;
+    closest::settle(foot, length(found.point - x),
+                    foot.distance + tolerance + foot.noise + placement.rounding(length(local)));
 }
 
 } // namespace nrb::model
