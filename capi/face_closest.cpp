@@ -10,6 +10,7 @@
 #include "face/near/face_locator.h"
 #include "numeric/norm.h"
 
+#include <cmath>
 #include <vector>
 
 using namespace nrb;
@@ -29,7 +30,8 @@ void settle(const Spline &surface, const double *point, double tolerance, closes
     const int dim = surface.dim();
     eval::evaluate_points(surface, rules, 0, {foot.params.data(), 1, 2, 2, 1}, {x, 1, dim, dim, 1});
     const double distance = norm_of(dim, [&](int c) { return x[c] - point[c]; });
-    closest::settle(foot, distance, foot.distance + tolerance + foot.noise);
+    const double allowed = foot.distance + tolerance + foot.noise;
+    closest::settle(foot, distance, distance <= allowed && std::isfinite(allowed));
 }
 
 struct Feet {

@@ -91,11 +91,7 @@ private:
     // The proof holds for the place that was found. The distance of its parameter, which is rounded, may
     // differ, or overflow.
     void finish(Foot &foot, double distance) const {
-        if ((foot.status & closest_certified) != 0 && !keeps(foot, distance)) {
-            foot.status ^= closest_certified | closest_coarse;
-        }
-        foot.distance = distance;
-        foot.status |= static_cast<int32_t>(foot.left) * closest_left;
+        settle(foot, distance, (foot.status & closest_certified) != 0 && keeps(foot, distance));
     }
     [[nodiscard]] bool keeps(const Foot &foot, double distance) const noexcept {
         const double worse = query_->farthest ? foot.distance - distance : distance - foot.distance;

@@ -7,7 +7,6 @@
 #include "spline/spline.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -46,10 +45,9 @@ struct Foot {
     int64_t examined = 0; // number of pieces that were examined
 };
 
-// With the distance of the point at the parameters, as they are rounded: what was proven holds for it if it is no more than is
-// allowed.
-inline void settle(Foot &foot, double distance, double allowed) noexcept {
-    if ((foot.status & closest_certified) != 0 && !(distance <= allowed && std::isfinite(distance))) {
+// With the distance of the point at the parameters, as they are rounded, for which what was proven may hold or not.
+inline void settle(Foot &foot, double distance, bool holds) noexcept {
+    if ((foot.status & closest_certified) != 0 && !holds) {
         foot.status ^= closest_certified | closest_coarse;
     }
     foot.distance = distance;

@@ -128,8 +128,9 @@ void ModelLocator::settle(ModelFoot &found, const Vector3 &x, double tolerance) 
     closest::Foot &foot = found.foot;
     const Vector3 local = point_of(*face(found.face).surface(), foot);
     found.point = placement.in_whole(local);
-    closest::settle(foot, length(found.point - x),
-                    foot.distance + tolerance + foot.noise + placement.rounding(length(local)));
+    const double distance = length(found.point - x),
+                 allowed = foot.distance + tolerance + foot.noise + placement.rounding(length(local));
+    closest::settle(foot, distance, distance <= allowed && std::isfinite(allowed));
 }
 
 } // namespace nrb::model
