@@ -46,7 +46,9 @@ void PieceGrid::set_axes(const Spline &spline) {
         breaks_[at] = refine::breaks_of(axis);
         periodic_[at] = axis.periodic();
         for (const double t : breaks_[at]) {
-            jumps_[at].push_back(multiplicity(axis, t) > axis.degree() ? 1 : 0);
+            const int64_t m = multiplicity(axis, t);
+            jumps_[at].push_back(m > axis.degree() ? 1 : 0);
+            kinks_[at].push_back(m >= axis.degree() ? 1 : 0);
         }
         count_ *= count(k);
         steps += axis.degree() + 1;

@@ -42,6 +42,10 @@ public:
     [[nodiscard]] bool jumps(int axis, int64_t i) const noexcept {
         return jumps_[static_cast<size_t>(axis)][static_cast<size_t>(i)] != 0;
     }
+    // Whether its first derivatives may jump there, or the homogeneous coordinates do.
+    [[nodiscard]] bool kinks(int axis, int64_t i) const noexcept {
+        return kinks_[static_cast<size_t>(axis)][static_cast<size_t>(i)] != 0;
+    }
     // The piece next to i upwards or downwards, or -1 at an end, and where the spline jumps.
     [[nodiscard]] int64_t neighbour(int axis, int64_t i, bool up) const noexcept;
     [[nodiscard]] bool periodic(int axis) const noexcept { return periodic_[static_cast<size_t>(axis)]; }
@@ -91,7 +95,7 @@ private:
     int axes_ = 0;
     std::array<int, max_axes> map_{};
     std::array<std::vector<double>, max_axes> breaks_;
-    std::array<std::vector<char>, max_axes> jumps_; // at each break
+    std::array<std::vector<char>, max_axes> jumps_, kinks_; // at each break
     std::array<bool, max_axes> periodic_{};
     int64_t count_ = 1;
     Frame frame_;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The Bezier pieces of a surface over the cells of a search that goes into depth.
+#pragma once
+
+#include "mesh/proof/triangle_bound.h"
+#include "pieces/tree/piece_grid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace nrb::mesh {
+
+// Pieces [lower, upper) along each axis.
+struct PieceRange {
+    std::array<int64_t, 2> lower{}, upper{};
+
+    [[nodiscard]] int64_t count(size_t k) const noexcept { return upper[k] - lower[k]; }
+    [[nodiscard]] int64_t count() const noexcept { return count(0) * count(1); }
+};
+
+// Nets [u][v] of (x, y, z, w), in the frame of the grid, of the parts of pieces that make up a cell. Axes of degree 0 have degree 1.
+class CellNets {
+public:
+    explicit CellNets(const pieces::PieceGrid &grid);
+
+    [[nodiscard]] int degree(size_t k) const noexcept { return degrees_[k]; }
+    [[nodiscard]] size_t values() const noexcept { return values_; } // of a net
+    // Of a whole piece: [values()].
+    void extract(int64_t u, int64_t v, double *net);
+    // How far coefficients may be from exact ones after so many divisions, relative to the largest weight, and what rounding moves
+    // the surface.
+    [[nodiscard]] double noise(int divisions) const noexcept;
+    [[nodiscard]] double moved() const noexcept;
+
+private:
+    const pieces::PieceGrid &grid_;
+    std::array<int, 2> degrees_{1, 1};
+    size_t values_ = 0;
+    std::vector<double> patch_, work_;
+};
+
+// The four corners (x, y, z, w) of a net: at (0, 0), (1, 0), (1, 1) and (0, 1).
+std::array<const double *, 4> corners_of(const CellNets &nets, const double *net) noexcept;
+
+} // namespace nrb::mesh

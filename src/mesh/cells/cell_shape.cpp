@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/cells/cell_shape.h"
+
+#include "mesh/proof/pairs.h"
+
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+Vector3 point_of(const double *corner) noexcept {
+    return (1 / corner[3]) * Vector3{corner[0], corner[1], corner[2]};
+}
+
+// A unit vector of a direction, or another one if it has none.
+Vector3 direction(const Vector3 &v, const Vector3 &other) noexcept {
+    const double size = length(v);
+    return size > 0 && std::isfinite(size) ? (1 / size) * v : other;
+}
+
+Vector3 any_across(const Vector3 &t) noexcept {
+    const Vector3 least = std::abs(t.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
+    return direction(cross(t, least), {0, 0, 1});
+}
+
+} // namespace
+
+HessianBox box_about(const CellCorners &corners) noexcept {
+    const Vector3 a = point_of(corners[0]), b = point_of(corners[1]), c = point_of(corners[2]),
+                  d = point_of(corners[3]);
+    const Vector3 along = direction((b - a) + (c - d), direction((d - a) + (c - b), {1, 0, 0}));
+    const Vector3 product = cross(c - a, d - b);
+    const Vector3 across = product - dot(product, along) * along;
+    const Vector3 normal = direction(across, any_across(along));
+    return HessianBox(a, {along, cross(normal, along), normal});
+}
+
+CellBend bend_of(const HessianBox &box) noexcept {
+    const Hessian along = box.of(0), across = box.of(1), height = box.of(2);
+    const double w = box.least_weight();
+    const auto divided = [&](const Range &range) {
+        return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
+    };
+    return {{divided(height.uu), divided(height.uv), divided(height.vv)},
+            {across.uu.most() / w / 8, along.vv.most() / w / 8}};
+}
+
+namespace {
+
+// Over the triangle of three corners of a part, about its middle.
+double over_triangle(const Hessian &h, const std::array<std::array<double, 2>, 3> &places) noexcept {
+    std::array<Values, 3> q;
+    Values rest;
+    double u = 0, v = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto &from = places[(k + 1) % 3], &to = places[(k + 2) % 3];
+        for (size_t m = 0; m < 3; ++m) {
+            q[k][m] = h.along(to[0] - from[0], to[1] - from[1], places[m][0], places[m][1]);
+        }
+        rest[k] = h.beside(to[0] - from[0], to[1] - from[1]);
+        u = std::max(u, std::abs(to[0] - from[0]));
+        v = std::max(v, std::abs(to[1] - from[1]));
+    }
+    return Bend(q, rest, h.beside(u, v)).both();
+}
+
+} // namespace
+
+// Of the two diagonals the better one counts. Of several parts, that in the middle of which the surface bends most.
+double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
+    const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
+    const auto part = [&](const Range &range) {
+        const double away = (std::abs(range.u) * (1 - u) + std::abs(range.v) * (1 - v)) / 2;
+        return Range{range.middle < 0 ? range.middle - away : range.middle + away, range.u, range.v, range.radius};
+    };
+    const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
+    const double one = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {a, b}}}),
+                                over_triangle(h, {{{-a, -b}, {a, b}, {-a, b}}}));
+    const double other = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {-a, b}}}),
+                                  over_triangle(h, {{{a, -b}, {a, b}, {-a, b}}}));
+    return std::hypot(std::min(one, other), std::max(beside[0] * u * u, beside[1] * v * v));
+}
+
+Cut best_cut(const CellBend &bend, double chord) noexcept {
+    const double halved_u = bend.in_parts(2, 1), halved_v = bend.in_parts(1, 2);
+    const size_t axis = halved_u <= halved_v ? 0 : 1;
+    if (std::min(halved_u, halved_v) > chord && (axis == 0 ? bend.in_parts(3, 1) : bend.in_parts(1, 3)) <= chord) {
+        return {axis, 1.0 / 3};
+    }
+    return {axis, 0.5};
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How far the two triangles of a cell are about to be from the surface, and into how many parts the cell is best divided.
+#pragma once
+
+#include "mesh/proof/hessian_box.h"
+
+namespace nrb::mesh {
+
+// An estimate, for deciding. Second derivatives along the axes of the cell, divided by its weight: across its plane, and in the plane across
+// the sides.
+struct CellBend {
+    Hessian heights;
+    std::array<double, 2> beside{};
+
+    // The distance of a cell of a grid of so many along the axes.
+    [[nodiscard]] double in_parts(double u_parts, double v_parts) const noexcept;
+};
+
+// corners: (x, y, z, w) at (0, 0), (1, 0), (1, 1) and (0, 1).
+using CellCorners = std::array<const double *, 4>;
+
+// About the first corner, with the last axis across the plane of the corners.
+HessianBox box_about(const CellCorners &corners) noexcept;
+CellBend bend_of(const HessianBox &box) noexcept;
+
+// An axis to cut, and where: a share of the side.
+struct Cut {
+    size_t axis;
+    double share;
+};
+Cut best_cut(const CellBend &bend, double chord) noexcept;
+
+} // namespace nrb::mesh

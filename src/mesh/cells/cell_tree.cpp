@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/cells/cell_tree.h"
+
+#include "base/watch.h"
+#include "bernstein/de_casteljau.h"
+#include "mesh/cells/cell_shape.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Cells of at most so many pieces have their nets; larger ones look at the pieces one after the other.
+constexpr int64_t most_nets = 32;
+// Multiply-adds of looking at a net, estimated, for each of its numbers.
+constexpr int64_t work_for_a_number = 12;
+
+} // namespace
+
+// Goes into depth, so that nets of cells are needed along one way only; they lie on each other in one array.
+class CellTree::Builder {
+public:
+    Builder(const pieces::PieceGrid &grid, const CellRule &rule, CellTree &tree)
+        : grid_(grid), rule_(rule), tree_(tree), nets_(grid), one_(nets_.values()) {}
+
+    void build();
+    void cut(int32_t cell);
+    void sort_lines();
+
+private:
+    struct Item {
+        std::array<int32_t, 2> lower, upper; // lines
+        Rectangle part;
+        PieceRange pieces;
+        int64_t nets = -1; // where they begin
+        int32_t parent = -1; // whose upper child it is
+        int32_t cell = -1;   // which it takes the place of
+        int divisions = 0;
+    };
+
+    void set_blocks();
+    void add_block(const std::array<int64_t, 2> &block);
+    int32_t add_line(size_t k, double t, bool from_left);
+    void look_at(Item item);
+    [[nodiscard]] bool at_border(const Item &item) const noexcept;
+    void make_nets(Item &item);
+    struct Found {
+        HessianBox box;
+        bool whole = true; // all pieces were looked at
+    };
+    [[nodiscard]] Found box_of(const Item &item, bool all);
+    [[nodiscard]] const double *net_of(const Item &item, int64_t u, int64_t v);
+    [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
+    [[nodiscard]] Interval part_of(const Item &item, size_t k, int64_t piece) const noexcept;
+    void add_cell(const Item &item, const HessianBox &box, Side side);
+    bool divide(Item &item, Cut cut);
+    [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const noexcept;
+    void divide_nets(const Item &item, size_t k, double at, Item &low, Item &high);
+    [[nodiscard]] Item item_of(const Cell &cell);
+    void restrict_nets(const Item &item);
+
+    const pieces::PieceGrid &grid_;
+    const CellRule &rule_;
+    CellTree &tree_;
+    CellNets nets_;
+    std::vector<double> one_;
+    std::vector<double> pool_;
+    std::vector<Item> open_;
+    int32_t block_ = 0;
+};
+
+// Blocks end where the homogeneous coordinates may have a kink.
+void CellTree::Builder::set_blocks() {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<int>(k);
+        for (int64_t i = 0; i <= grid_.count(axis); ++i) {
+            if (i == 0 || i == grid_.count(axis) || grid_.kinks(axis, i)) {
+                tree_.blocks_[k].push_back(i);
+                tree_.block_ends_[k].push_back(grid_.break_at(axis, i));
+            }
+        }
+    }
+}
+
+int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
+    auto &lines = tree_.lines_[k];
+    lines.push_back({t, from_left});
+    return static_cast<int32_t>(lines.size() - 1);
+}
+
+void CellTree::Builder::build() {
+    tree_.moved_ = nets_.moved();
+    set_blocks();
+    const int64_t across = std::ssize(tree_.blocks_[1]) - 1, count = (std::ssize(tree_.blocks_[0]) - 1) * across;
+    Steps steps(count);
+    for (int64_t i = 0; i < count; ++i, steps.next()) {
+        block_ = static_cast<int32_t>(i);
+        add_block({i / across, i % across});
+    }
+    sort_lines();
+}
+
+void CellTree::Builder::add_block(const std::array<int64_t, 2> &block) {
+    Item item;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto at = static_cast<size_t>(block[k]);
+        item.pieces.lower[k] = tree_.blocks_[k][at];
+        item.pieces.upper[k] = tree_.blocks_[k][at + 1];
+        item.part.lower[k] = tree_.block_ends_[k][at];
+        item.part.upper[k] = tree_.block_ends_[k][at + 1];
+        item.lower[k] = add_line(k, item.part.lower[k], false);
+        item.upper[k] = add_line(k, item.part.upper[k], true);
+    }
+    tree_.roots_.push_back(static_cast<int32_t>(tree_.nodes_.size()));
+    for (open_.assign(1, item); !open_.empty();) {
+        const Item next = open_.back();
+        open_.pop_back();
+        look_at(next);
+    }
+}
+
+void CellTree::Builder::look_at(Item item) {
+    if (item.parent >= 0) {
+        tree_.nodes_[static_cast<size_t>(item.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
+    }
+    const Side side = rule_.side ? rule_.side(item.part) : Side::inside;
+    make_nets(item);
+    const Found found = box_of(item, side == Side::outside);
+    CellBend bend = bend_of(found.box);
+    if (!at_border(item)) {
+        bend.beside = {0, 0};
+    }
+    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord;
+    if (flat || side == Side::outside || work_ended() || !divide(item, best_cut(bend, rule_.chord))) {
+        tree_.reached_ = tree_.reached_ && (flat || side == Side::outside);
+        add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
+    }
+}
+
+// Elsewhere what comes out of a triangle is over others.
+bool CellTree::Builder::at_border(const Item &item) const noexcept {
+    bool result = false;
+    for (size_t k = 0; k < 2; ++k) {
+        result = result || item.part.lower[k] == tree_.block_ends_[k].front() ||
+                 item.part.upper[k] == tree_.block_ends_[k].back();
+    }
+    return result;
+}
+
+void CellTree::Builder::make_nets(Item &item) {
+    if (item.nets >= 0 || item.pieces.count() > most_nets) {
+        return;
+    }
+    item.nets = std::ssize(pool_);
+    pool_.resize(pool_.size() + static_cast<size_t>(item.pieces.count()) * nets_.values());
+    double *out = pool_.data() + item.nets;
+    for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, out += nets_.values()) {
+            nets_.extract(i, j, out);
+        }
+    }
+}
+
+const double *CellTree::Builder::net_of(const Item &item, int64_t u, int64_t v) {
+    if (item.nets < 0) {
+        nets_.extract(u, v, one_.data());
+        return one_.data();
+    }
+    const int64_t at = (u - item.pieces.lower[0]) * item.pieces.count(1) + v - item.pieces.lower[1];
+    return pool_.data() + item.nets + at * static_cast<int64_t>(nets_.values());
+}
+
+// What a piece has of a cell along an axis.
+Interval CellTree::Builder::part_of(const Item &item, size_t k, int64_t piece) const noexcept {
+    const auto axis = static_cast<int>(k);
+    return {std::max(item.part.lower[k], grid_.break_at(axis, piece)),
+            std::min(item.part.upper[k], grid_.break_at(axis, piece + 1))};
+}
+
+std::array<double, 2> CellTree::Builder::factors(const Item &item, int64_t u, int64_t v) const noexcept {
+    const Interval a = part_of(item, 0, u), b = part_of(item, 1, v);
+    return {item.part.side(0) / (a.upper - a.lower), item.part.side(1) / (b.upper - b.lower)};
+}
+
+// Of many pieces no more than it takes to see that they are not flat, unless all are wanted.
+CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
+    std::array<std::array<double, HessianBox::coordinates>, 4> points;
+    CellCorners corners;
+    for (size_t c = 0; c < 4; ++c) {
+        const bool right = c == 1 || c == 2, top = c >= 2;
+        const double *net = net_of(item, right ? item.pieces.upper[0] - 1 : item.pieces.lower[0],
+                                   top ? item.pieces.upper[1] - 1 : item.pieces.lower[1]);
+        std::copy_n(corners_of(nets_, net)[c], points[c].size(), points[c].begin());
+        corners[c] = points[c].data();
+    }
+    Found found{box_about(corners)};
+    const double noise = nets_.noise(item.divisions);
+    for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j) {
+            found.box.add(nets_.degree(0), nets_.degree(1), net_of(item, i, j), factors(item, i, j), noise);
+            count_work(work_for_a_number * static_cast<int64_t>(nets_.values()));
+        }
+        if (!all && item.nets < 0 && !(bend_of(found.box).in_parts(1, 1) <= 4 * rule_.chord)) {
+            found.whole = i + 1 == item.pieces.upper[0];
+            break;
+        }
+    }
+    return found;
+}
+
+void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side side) {
+    const auto node = static_cast<int32_t>(tree_.nodes_.size());
+    const Cell cell{item.lower, item.upper, block_, node, side, box};
+    const bool instead = item.cell >= 0;
+    tree_.nodes_.push_back({-1, instead ? item.cell : static_cast<int32_t>(tree_.cells_.size()), 0});
+    if (instead) {
+        tree_.cells_[static_cast<size_t>(item.cell)] = cell;
+    } else {
+        tree_.cells_.push_back(cell);
+    }
+    if (item.nets >= 0) {
+        pool_.resize(static_cast<size_t>(item.nets));
+    }
+}
+
+// Between two pieces if there are several.
+double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const noexcept {
+    const double wanted = item.part.lower[k] + share * item.part.side(k);
+    if (item.pieces.count(k) == 1) {
+        return wanted;
+    }
+    double best = wanted, distance = infinity;
+    for (int64_t i = item.pieces.lower[k] + 1; i < item.pieces.upper[k]; ++i) {
+        const double t = grid_.break_at(static_cast<int>(k), i);
+        if (std::abs(t - wanted) < distance) {
+            distance = std::abs(t - wanted);
+            best = t;
+        }
+    }
+    return best;
+}
+
+bool CellTree::Builder::divide(Item &item, Cut cut) {
+    size_t k = cut.axis;
+    if (item.nets < 0 && item.pieces.count(k) == 1) {
+        k = 1 - k;
+    }
+    const double at = place_to_cut(item, k, cut.share);
+    if (!(at > item.part.lower[k] && at < item.part.upper[k])) {
+        return false;
+    }
+    Item low = item, high = item;
+    low.part.upper[k] = high.part.lower[k] = at;
+    low.upper[k] = high.lower[k] = add_line(k, at, false);
+    low.divisions = high.divisions = item.divisions + 1;
+    const int64_t piece = grid_.find(static_cast<int>(k), at); // the one to the right
+    high.pieces.lower[k] = piece;
+    low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;
+    divide_nets(item, k, at, low, high);
+    high.parent = static_cast<int32_t>(tree_.nodes_.size());
+    low.parent = -1;
+    high.cell = -1;
+    tree_.nodes_.push_back({static_cast<int32_t>(k), 0, at});
+    open_.push_back(high);
+    open_.push_back(low);
+    return true;
+}
+
+// The nets of the upper part stay below those of the lower one, which is looked at first.
+void CellTree::Builder::divide_nets(const Item &item, size_t k, double at, Item &low, Item &high) {
+    if (item.nets < 0) {
+        return;
+    }
+    const auto values = static_cast<int64_t>(nets_.values());
+    const std::vector<double> all(pool_.begin() + item.nets, pool_.end());
+    pool_.resize(static_cast<size_t>(item.nets + (low.pieces.count() + high.pieces.count()) * values));
+    high.nets = item.nets;
+    low.nets = item.nets + high.pieces.count() * values;
+    const AxisLayers layers = k == 0 ? AxisLayers{1, nets_.degree(0), (nets_.degree(1) + 1) * 4}
+                                     : AxisLayers{nets_.degree(0) + 1, nets_.degree(1), 4};
+    const double *net = all.data();
+    const auto place = [&](const Item &part, int64_t i, int64_t j) {
+        return pool_.data() + part.nets +
+               ((i - part.pieces.lower[0]) * part.pieces.count(1) + j - part.pieces.lower[1]) * values;
+    };
+    for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, net += values) {
+            const int64_t along = k == 0 ? i : j;
+            const bool in_low = along < low.pieces.upper[k], in_high = along >= high.pieces.lower[k];
+            if (in_low && in_high) {
+                const Interval part = part_of(item, k, along);
+                std::copy_n(net, values, place(high, i, j));
+                subdivide(layers, (at - part.lower) / (part.upper - part.lower), place(high, i, j),
+                          place(low, i, j));
+            } else {
+                std::copy_n(net, values, place(in_low ? low : high, i, j));
+            }
+        }
+    }
+}
+
+// Lines are numbered as they rise, and equal ones have one number.
+void CellTree::Builder::sort_lines() {
+    for (size_t k = 0; k < 2; ++k) {
+        auto &lines = tree_.lines_[k];
+        const auto key = [&](int32_t i) {
+            const CellLine &line = lines[static_cast<size_t>(i)];
+            return std::pair(line.t, !line.from_left);
+        };
+        std::vector<int32_t> order(lines.size()), number(lines.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::sort(order, {}, key);
+        std::vector<CellLine> sorted;
+        for (const int32_t i : order) {
+            const CellLine &line = lines[static_cast<size_t>(i)];
+            if (sorted.empty() || sorted.back().t != line.t || sorted.back().from_left != line.from_left) {
+                sorted.push_back(line);
+            }
+            number[static_cast<size_t>(i)] = static_cast<int32_t>(sorted.size() - 1);
+        }
+        lines = std::move(sorted);
+        for (Cell &cell : tree_.cells_) {
+            cell.lower[k] = number[static_cast<size_t>(cell.lower[k])];
+            cell.upper[k] = number[static_cast<size_t>(cell.upper[k])];
+        }
+    }
+}
+
+// A cell as it was when it was looked at.
+CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
+    Item item;
+    item.lower = cell.lower;
+    item.upper = cell.upper;
+    item.part = tree_.rectangle(cell);
+    item.divisions = 4;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<int>(k);
+        item.pieces.lower[k] = grid_.find(axis, item.part.lower[k]);
+        item.pieces.upper[k] = grid_.find(axis, item.part.upper[k]) + 1;
+        if (item.pieces.upper[k] > item.pieces.lower[k] + 1 &&
+            grid_.break_at(axis, item.pieces.upper[k] - 1) == item.part.upper[k]) {
+            --item.pieces.upper[k];
+        }
+    }
+    make_nets(item);
+    restrict_nets(item);
+    return item;
+}
+
+void CellTree::Builder::restrict_nets(const Item &item) {
+    std::vector<double> line(static_cast<size_t>(std::max(nets_.degree(0), nets_.degree(1)) + 1));
+    const auto values = static_cast<int64_t>(nets_.values()), row = int64_t{nets_.degree(1) + 1} * 4;
+    double *net = pool_.data() + item.nets;
+    for (int64_t i = item.pieces.lower[0]; item.nets >= 0 && i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, net += values) {
+            for (size_t k = 0; k < 2; ++k) {
+                const auto axis = static_cast<int>(k);
+                const int64_t piece = k == 0 ? i : j, step = k == 0 ? row : 4, other = k == 0 ? 4 : row;
+                const double from = grid_.break_at(axis, piece), size = grid_.break_at(axis, piece + 1) - from;
+                const Interval part = part_of(item, k, piece);
+                const double low = (part.lower - from) / size, high = (part.upper - from) / size;
+                const int64_t across = nets_.degree(1 - k) + 1;
+                for (int64_t o = 0; o < across; ++o) {
+                    for (int64_t c = 0; c < 4; ++c) {
+                        double *first = net + o * other + c;
+                        for (int64_t d = 0; d <= nets_.degree(k); ++d) {
+                            line[static_cast<size_t>(d)] = first[d * step];
+                        }
+                        restrict_to(nets_.degree(k), low, high, line.data());
+                        for (int64_t d = 0; d <= nets_.degree(k); ++d) {
+                            first[d * step] = line[static_cast<size_t>(d)];
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+void CellTree::Builder::cut(int32_t number) {
+    const Cell cell = tree_.cells_[static_cast<size_t>(number)];
+    block_ = cell.block;
+    Item item = item_of(cell);
+    CellBend bend = bend_of(cell.box);
+    const double u = bend.in_parts(2, 1) , v = bend.in_parts(1, 2);
+    const auto node = static_cast<int32_t>(tree_.nodes_.size());
+    item.cell = number;
+    open_.clear();
+    if (!divide(item, {u <= v ? size_t{0} : size_t{1}, 0.5})) {
+        pool_.clear();
+        return;
+    }
+    // The old leaf leads on to the new node.
+    tree_.nodes_[static_cast<size_t>(cell.node)] = {2, node, 0};
+    while (!open_.empty()) {
+        const Item next = open_.back();
+        open_.pop_back();
+        if (next.parent >= 0) {
+            tree_.nodes_[static_cast<size_t>(next.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
+        }
+        const Side side = rule_.side ? rule_.side(next.part) : Side::inside;
+        add_cell(next, box_of(next, true).box, side);
+    }
+}
+
+CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule) : grid_(grid), rule_(rule) {
+    Builder(grid, rule_, *this).build();
+}
+
+void CellTree::cut(const std::vector<int32_t> &cells) {
+    Builder builder(grid_, rule_, *this);
+    for (const int32_t cell : cells) {
+        builder.cut(cell);
+    }
+    builder.sort_lines();
+}
+
+Rectangle CellTree::rectangle(const Cell &cell) const noexcept {
+    Rectangle result;
+    for (size_t k = 0; k < 2; ++k) {
+        result.lower[k] = lines_[k][static_cast<size_t>(cell.lower[k])].t;
+        result.upper[k] = lines_[k][static_cast<size_t>(cell.upper[k])].t;
+    }
+    return result;
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A surface in cells that are so flat that two triangles each are within a distance of it.
+#pragma once
+
+#include "mesh/cells/cell_nets.h"
+
+#include <functional>
+#include <vector>
+
+namespace nrb::mesh {
+
+// Where a part of the domain is in relation to what is to be meshed.
+enum class Side { outside, border, inside };
+
+struct CellRule {
+    double chord = infinity; // in the units of the grid
+    std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
+};
+
+// A line u = t or v = t along which cells end. Where the surface may have a kink or a jump, cells to its left and to its right have
+// lines of their own, the left one first.
+struct CellLine {
+    double t;
+    bool from_left;
+};
+
+struct Cell {
+    std::array<int32_t, 2> lower, upper; // numbers of lines of each axis
+    int32_t block;
+    int32_t node;
+    Side side;
+    HessianBox box;
+};
+
+// Cells lie in blocks between the lines along which the surface may have a kink, so that homogeneous coordinates have continuous
+// first derivatives in each. A cell may cover many pieces.
+class CellTree {
+public:
+    CellTree(const pieces::PieceGrid &grid, const CellRule &rule);
+
+    // Cuts cells in two, along which axis a function of each says. Cells that cannot be cut stay.
+    void cut(const std::vector<int32_t> &cells);
+    [[nodiscard]] const std::vector<Cell> &cells() const noexcept { return cells_; }
+    // Rising.
+    [[nodiscard]] const std::vector<CellLine> &lines(size_t k) const noexcept { return lines_[k]; }
+    [[nodiscard]] Rectangle rectangle(const Cell &cell) const noexcept;
+    // What the answer of the rule was for a part of the domain of the rule: whether all cells are within the chord as far as
+    // that was looked at.
+    [[nodiscard]] bool reached() const noexcept { return reached_; }
+    // Of the surface by rounding, in units of the grid.
+    [[nodiscard]] double moved() const noexcept { return moved_; }
+    // Calls visit(cell) for the cells that meet a rectangle.
+    template <class Visit>
+    void for_each_in(const Rectangle &part, Visit &&visit) const;
+
+private:
+    class Builder;
+    friend class Builder;
+    struct Node {
+        int32_t axis = -1; // -1: a leaf; 2: it was one, and leads on
+        int32_t next = 0;  // the cell, or the upper child; the lower one is the next node
+        double split = 0;
+    };
+
+    const pieces::PieceGrid &grid_;
+    CellRule rule_;
+    std::vector<Cell> cells_;
+    std::vector<Node> nodes_;
+    std::array<std::vector<CellLine>, 2> lines_;
+    std::array<std::vector<int64_t>, 2> blocks_; // breaks at which they begin, and the last break
+    std::vector<int32_t> roots_;                 // nodes of the blocks
+    std::array<std::vector<double>, 2> block_ends_;
+    bool reached_ = true;
+    double moved_ = 0;
+};
+
+template <class Visit>
+void CellTree::for_each_in(const Rectangle &part, Visit &&visit) const {
+    std::vector<int32_t> open;
+    const auto first = [&](size_t k) {
+        const auto &ends = block_ends_[k];
+        const auto at = std::upper_bound(ends.begin() + 1, ends.end() - 1, part.lower[k]) - ends.begin() - 1;
+        return at > 0 && ends[static_cast<size_t>(at)] >= part.lower[k] ? at - 1 : at;
+    };
+    const int64_t across = std::ssize(block_ends_[1]) - 1;
+    for (int64_t i = first(0); i + 1 < std::ssize(block_ends_[0]) && block_ends_[0][static_cast<size_t>(i)] <= part.upper[0]; ++i) {
+        for (int64_t j = first(1); j < across && block_ends_[1][static_cast<size_t>(j)] <= part.upper[1]; ++j) {
+            open.push_back(roots_[static_cast<size_t>(i * across + j)]);
+        }
+    }
+    while (!open.empty()) {
+        const int32_t at = open.back();
+        open.pop_back();
+        const Node &node = nodes_[static_cast<size_t>(at)];
+        if (node.axis < 0) {
+            visit(cells_[static_cast<size_t>(node.next)]);
+            continue;
+        }
+        if (node.axis == 2) {
+            open.push_back(node.next);
+            continue;
+        }
+        const auto k = static_cast<size_t>(node.axis);
+        if (part.lower[k] <= node.split) {
+            open.push_back(at + 1);
+        }
+        if (part.upper[k] >= node.split) {
+            open.push_back(node.next);
+        }
+    }
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/cells/place_table.h"
+
+#include "base/watch.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nrb::mesh {
+
+namespace {
+
+uint64_t key_of(int32_t u, int32_t v) noexcept {
+    return static_cast<uint64_t>(u) << 32 | static_cast<uint32_t>(v);
+}
+
+} // namespace
+
+LineTwins::LineTwins(const CellTree &tree, const pieces::PieceGrid &grid) {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &lines = tree.lines(k);
+        first[k].resize(lines.size());
+        std::iota(first[k].begin(), first[k].end(), 0);
+        collapsed[k].assign(lines.size(), 0);
+        for (size_t i = 1; i < lines.size(); ++i) {
+            const auto axis = static_cast<int>(k);
+            if (lines[i].t == lines[i - 1].t && !grid.jumps(axis, grid.find(axis, lines[i].t))) {
+                first[k][i] = static_cast<int32_t>(i - 1);
+            }
+        }
+    }
+}
+
+void LineTwins::close(size_t k) {
+    first[k].back() = 0;
+}
+
+PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(twins) {
+    std::array<std::vector<int32_t>, 2> others; // of each line, the other one or itself
+    for (size_t k = 0; k < 2; ++k) {
+        others[k] = twins.first[k];
+        for (size_t i = 0; i < others[k].size(); ++i) {
+            others[k][static_cast<size_t>(twins.first[k][i])] = static_cast<int32_t>(i);
+        }
+    }
+    keys_.reserve(4 * tree.cells().size());
+    for (const Cell &cell : tree.cells()) {
+        for (size_t c = 0; c < 4 && cell.side != Side::outside; ++c) {
+            const int32_t u = c % 2 == 0 ? cell.lower[0] : cell.upper[0], v = c < 2 ? cell.lower[1] : cell.upper[1];
+            const int32_t u2 = others[0][static_cast<size_t>(u)], v2 = others[1][static_cast<size_t>(v)];
+            keys_.push_back(key_of(u, v));
+            if (u2 != u) {
+                keys_.push_back(key_of(u2, v));
+            }
+            if (v2 != v) {
+                keys_.push_back(key_of(u, v2));
+                if (u2 != u) {
+                    keys_.push_back(key_of(u2, v2));
+                }
+            }
+        }
+        count_work(100);
+    }
+    std::ranges::sort(keys_);
+    keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    first_on_u_.resize(tree.lines(0).size() + 1);
+    int32_t at = 0;
+    for (size_t u = 0; u < first_on_u_.size(); ++u) {
+        for (; at < count() && (keys_[static_cast<size_t>(at)] >> 32) < u; ++at) {
+        }
+        first_on_u_[u] = at;
+    }
+    // By v, each line from the left to the right: places come in that order already.
+    std::vector<int32_t> starts(tree.lines(1).size() + 1, 0);
+    for (const uint64_t key : keys_) {
+        ++starts[(key & 0xffffffffU) + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    across_.resize(keys_.size());
+    where_.resize(keys_.size());
+    for (int32_t i = 0; i < count(); ++i) {
+        int32_t &next = starts[keys_[static_cast<size_t>(i)] & 0xffffffffU];
+        across_[static_cast<size_t>(next)] = i;
+        where_[static_cast<size_t>(i)] = next++;
+    }
+}
+
+int32_t PlaceTable::find(int32_t u, int32_t v) const noexcept {
+    const auto first = keys_.begin() + first_on_u_[static_cast<size_t>(u)],
+               last = keys_.begin() + first_on_u_[static_cast<size_t>(u) + 1];
+    return static_cast<int32_t>(std::lower_bound(first, last, key_of(u, v)) - keys_.begin());
+}
+
+int32_t PlaceTable::point_of(int32_t i) const {
+    const auto [u, v] = place(i).lines;
+    const int32_t first_u = twins_.first[0][static_cast<size_t>(u)], first_v = twins_.first[1][static_cast<size_t>(v)];
+    if (twins_.collapsed[0][static_cast<size_t>(first_u)] != 0) {
+        return first_on_u_[static_cast<size_t>(first_u)];
+    }
+    if (twins_.collapsed[1][static_cast<size_t>(first_v)] != 0) {
+        const auto first = std::ranges::lower_bound(
+            across_, first_v, {}, [&](int32_t at) { return static_cast<int32_t>(keys_[static_cast<size_t>(at)] & 0xffffffffU); });
+        return *first;
+    }
+    return first_u == u && first_v == v ? i : find(first_u, first_v);
+}
+
+void PlaceTable::border(const Cell &cell, std::vector<int32_t> &places) const {
+    const int32_t a = find(cell.lower[0], cell.lower[1]), b = find(cell.upper[0], cell.lower[1]),
+                  c = find(cell.upper[0], cell.upper[1]), d = find(cell.lower[0], cell.upper[1]);
+    const auto where = [&](int32_t i) { return where_[static_cast<size_t>(i)]; };
+    places.clear();
+    for (int32_t i = where(a); i < where(b); ++i) {
+        places.push_back(across_[static_cast<size_t>(i)]);
+    }
+    for (int32_t i = b; i < c; ++i) {
+        places.push_back(i);
+    }
+    for (int32_t i = where(c); i > where(d); --i) {
+        places.push_back(across_[static_cast<size_t>(i)]);
+    }
+    for (int32_t i = d; i > a; --i) {
+        places.push_back(i);
+    }
+}
+
+} // namespace nrb::mesh

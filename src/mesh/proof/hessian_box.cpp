@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/proof/hessian_box.h"
+
+#include "base/limits.h"
+
+#include <algorithm>
+
+namespace nrb::mesh {
+
+namespace {
+
+constexpr size_t width = HessianBox::coordinates;
+using Row = std::array<double, width>;
+using Ranges = std::array<Range, width>;
+
+// Bernstein coefficients [u][v] of a derivative.
+class Net {
+public:
+    void resize(int u_count, int v_count) noexcept {
+        u_ = u_count;
+        v_ = v_count;
+    }
+    [[nodiscard]] bool empty() const noexcept { return u_ <= 0 || v_ <= 0; }
+    [[nodiscard]] Row &at(int i, int j) noexcept { return rows_[static_cast<size_t>(i * v_ + j)]; }
+    [[nodiscard]] const Row &at(int i, int j) const noexcept { return rows_[static_cast<size_t>(i * v_ + j)]; }
+
+    // Times a factor. The plane is that through the means of the corners; a plane has the coefficients of its values at the places
+    // of control points, so that what coefficients differ from it bounds what the function does.
+    [[nodiscard]] Ranges ranges(double factor, double noise, bool planes) const noexcept;
+
+private:
+    int u_ = 0, v_ = 0;
+    std::array<Row, size_t{max_degree + 1} * (max_degree + 1)> rows_;
+};
+
+Ranges Net::ranges(double factor, double noise, bool planes) const noexcept {
+    Ranges result{};
+    if (empty() || factor == 0) {
+        return result;
+    }
+    const Row &a = at(0, 0), &b = at(u_ - 1, 0), &c = at(u_ - 1, v_ - 1), &d = at(0, v_ - 1);
+    Row low, high, u{}, v{};
+    low.fill(infinity);
+    high.fill(-infinity);
+    for (size_t k = 0; planes && k < width; ++k) {
+        u[k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
+        v[k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
+    }
+    for (int i = 0; i < u_; ++i) {
+        const double x = u_ > 1 ? i / (u_ - 1.0) - 0.5 : 0;
+        for (int j = 0; j < v_; ++j) {
+            const double y = v_ > 1 ? j / (v_ - 1.0) - 0.5 : 0;
+            const Row &row = at(i, j);
+            for (size_t k = 0; k < width; ++k) {
+                const double rest = row[k] - (u[k] * x + v[k] * y);
+                low[k] = std::min(low[k], rest);
+                high[k] = std::max(high[k], rest);
+            }
+        }
+    }
+    for (size_t k = 0; k < width; ++k) {
+        const double size = std::max(std::abs(low[k]), std::abs(high[k])) + std::abs(u[k]) + std::abs(v[k]);
+        result[k] = {factor * (low[k] + high[k]) / 2, factor * u[k], factor * v[k],
+                     std::abs(factor) * ((high[k] - low[k]) / 2 + noise + 8 * eps * size)};
+    }
+    return result;
+}
+
+// The products of a coefficient row with the axes, about the origin.
+Row in_axes(const double *row, const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept {
+    const double w = row[3];
+    const Vector3 a{row[0] - w * origin.x, row[1] - w * origin.y, row[2] - w * origin.z};
+    return {dot(axes[0], a), dot(axes[1], a), dot(axes[2], a), w};
+}
+
+Row difference(const Row &a, const Row &b) noexcept {
+    return {b[0] - a[0], b[1] - a[1], b[2] - a[2], b[3] - a[3]};
+}
+
+void differentiate_u(const Net &net, int u_count, int v_count, Net &out) noexcept {
+    out.resize(u_count - 1, v_count);
+    for (int i = 0; i + 1 < u_count; ++i) {
+        for (int j = 0; j < v_count; ++j) {
+            out.at(i, j) = difference(net.at(i, j), net.at(i + 1, j));
+        }
+    }
+}
+
+void differentiate_v(const Net &net, int u_count, int v_count, Net &out) noexcept {
+    out.resize(u_count, v_count - 1);
+    for (int i = 0; i < u_count; ++i) {
+        for (int j = 0; j + 1 < v_count; ++j) {
+            out.at(i, j) = difference(net.at(i, j), net.at(i, j + 1));
+        }
+    }
+}
+
+Range constant(const Range &range) noexcept {
+    return {range.middle, 0, 0, range.width() * (1 + 4 * eps)};
+}
+
+void add_constant(const Range &other, Range &range) noexcept {
+    const double low = std::min(range.middle - range.radius, other.middle - other.radius),
+                 high = std::max(range.middle + range.radius, other.middle + other.radius);
+    range = {(low + high) / 2, 0, 0, (high - low) / 2 + 4 * eps * std::max(std::abs(low), std::abs(high))};
+}
+
+} // namespace
+
+Hessian Hessian::anywhere() const noexcept {
+    return {constant(uu), constant(uv), constant(vv)};
+}
+
+void Hessian::add(const Hessian &constants) noexcept {
+    add_constant(constants.uu, uu);
+    add_constant(constants.uv, uv);
+    add_constant(constants.vv, vv);
+}
+
+Hessian Hessian::in_units(double u, double v) const noexcept {
+    const auto times = [](const Range &range, double factor) {
+        return Range{range.middle * factor, range.u * factor, range.v * factor,
+                     (range.radius + 4 * eps * range.most()) * std::abs(factor)};
+    };
+    return {times(uu, u * u), times(uv, u * v), times(vv, v * v)};
+}
+
+void HessianBox::add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
+                     double noise) {
+    static thread_local Net rows, first, second;
+    const bool whole = factors[0] == 1 && factors[1] == 1, fresh = largest_weight_ < least_weight_;
+    const int m = u_degree + 1, n = v_degree + 1;
+    rows.resize(m, n);
+    for (int i = 0; i < m; ++i) {
+        for (int j = 0; j < n; ++j, net += width) {
+            rows.at(i, j) = in_axes(net, origin_, axes_);
+            least_weight_ = std::min(least_weight_, net[3]);
+            largest_weight_ = std::max(largest_weight_, net[3]);
+        }
+    }
+    const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1], error = noise * largest_weight_;
+    differentiate_u(rows, m, n, first);
+    differentiate_u(first, m - 1, n, second);
+    const Ranges uu = second.ranges(p * (p - 1) * fu * fu, error, whole);
+    differentiate_v(first, m - 1, n, second);
+    const Ranges uv = second.ranges(p * q * fu * fv, error, whole);
+    differentiate_v(rows, m, n, first);
+    differentiate_v(first, m, n - 1, second);
+    const Ranges vv = second.ranges(q * (q - 1) * fv * fv, error, whole);
+    for (size_t c = 0; c < coordinates; ++c) {
+        if (fresh) {
+            uu_[c] = uu[c];
+            uv_[c] = uv[c];
+            vv_[c] = vv[c];
+        } else {
+            add_constant(uu[c], uu_[c]);
+            add_constant(uv[c], uv_[c]);
+            add_constant(vv[c], vv_[c]);
+        }
+    }
+}
+
+// d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps.
+Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
+    const Row factors{dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]), dot(d, origin_ - p)};
+    const auto sum = [&](const Ranges &ranges) {
+        Range result;
+        double all = 0;
+        for (size_t c = 0; c < coordinates; ++c) {
+            result.middle += factors[c] * ranges[c].middle;
+            result.u += factors[c] * ranges[c].u;
+            result.v += factors[c] * ranges[c].v;
+            result.radius += std::abs(factors[c]) * ranges[c].radius;
+            all += std::max(1.0, std::abs(factors[c])) * ranges[c].most();
+        }
+        result.radius += 16 * eps * all;
+        return result;
+    };
+    return {sum(uu_), sum(uv_), sum(vv_)};
+}
+
+Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
+    const double apart = length(origin_ - p) + distance;
+    const auto radius = [&](const Ranges &ranges) {
+        const double x = ranges[0].most(), y = ranges[1].most(), z = ranges[2].most();
+        return Range{0, 0, 0, (std::sqrt(x * x + y * y + z * z) + apart * ranges[3].most()) * (1 + 32 * eps)};
+    };
+    return {radius(uu_), radius(uv_), radius(vv_)};
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What the second derivatives of a surface can be over a cell of its domain.
+#pragma once
+
+#include "base/numbers.h"
+#include "numeric/vector3.h"
+
+#include <array>
+#include <cmath>
+
+namespace nrb::mesh {
+
+// A function over a cell: middle + u x + v y, give or take the radius, where x and y go from -1/2 to 1/2.
+struct Range {
+    double middle = 0, u = 0, v = 0, radius = 0;
+
+    [[nodiscard]] double at(double x, double y) const noexcept { return middle + u * x + v * y; }
+    [[nodiscard]] double width() const noexcept { return (std::abs(u) + std::abs(v)) / 2 + radius; } // half of it
+    [[nodiscard]] double most() const noexcept { return std::abs(middle) + width(); }
+};
+
+// Of a function of two parameters.
+struct Hessian {
+    Range uu, uv, vv;
+
+    // H(u, v) at a place, but for the radii, and the most that these add to it.
+    [[nodiscard]] double along(double u, double v, double x = 0, double y = 0) const noexcept {
+        return uu.at(x, y) * u * u + 2 * uv.at(x, y) * u * v + vv.at(x, y) * v * v;
+    }
+    [[nodiscard]] double beside(double u, double v) const noexcept {
+        return uu.radius * u * u + 2 * uv.radius * std::abs(u * v) + vv.radius * v * v;
+    }
+    // The same anywhere in the cell, as radii about constants; that of two cells; by parameters in other units: those of the new ones
+    // in the old.
+    [[nodiscard]] Hessian anywhere() const noexcept;
+    void add(const Hessian &constants) noexcept;
+    [[nodiscard]] Hessian in_units(double u, double v) const noexcept;
+};
+
+// The homogeneous coordinates (A - w O, w) of a surface A / w about an origin O, in axes of the cell, along which they differ most in size:
+// the middle of the cell is nearly plane, and lies across the last one. Parameters are measured by the sides of the cell.
+class HessianBox {
+public:
+    static constexpr size_t coordinates = 4;
+
+    HessianBox() = default;
+    // The axes are orthonormal to rounding.
+    HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept
+        : origin_(origin), axes_(axes) {}
+
+    [[nodiscard]] const Vector3 &origin() const noexcept { return origin_; }
+    [[nodiscard]] const std::array<Vector3, 3> &axes() const noexcept { return axes_; }
+    [[nodiscard]] double least_weight() const noexcept { return least_weight_; }
+    [[nodiscard]] double largest_weight() const noexcept { return largest_weight_; }
+    // Whether weights are positive for certain.
+    [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
+
+    // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
+    // 1. `noise`: of a coefficient, relative to the largest weight.
+    void add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
+             double noise);
+
+    // Of the function d . (A - w P).
+    [[nodiscard]] Hessian along(const Vector3 &d, const Vector3 &p) const noexcept;
+    // Bounds of the sizes of A - w Q for all points Q in a distance from P: radii about 0.
+    [[nodiscard]] Hessian size(const Vector3 &p, double distance) const noexcept;
+    // Of coordinate c in the axes of the cell, about its origin.
+    [[nodiscard]] Hessian of(size_t c) const noexcept { return {uu_[c], uv_[c], vv_[c]}; }
+
+private:
+    using Ranges = std::array<Range, coordinates>;
+
+    Vector3 origin_;
+    std::array<Vector3, 3> axes_{};
+    Ranges uu_{}, uv_{}, vv_{};
+    double least_weight_ = infinity, largest_weight_ = -infinity;
+};
+
+} // namespace nrb::mesh

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// How far a quadratic function is from its linear interpolant on a triangle.
+#pragma once
+
+#include "base/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nrb::mesh {
+
+using Values = std::array<double, 3>;
+
+// The most of l_0 l_1 q[2] + l_1 l_2 q[0] + l_2 l_0 q[1] over l_i >= 0 with the sum 1: in the middle of a side, or at the centre of
+// the circle about a triangle with sides of the squares q, where that is inside.
+inline double most_of_pairs(const Values &q) noexcept {
+    const double a = q[0], b = q[1], c = q[2];
+    const double side = std::max({a, b, c, 0.0}) / 4;
+    const bool inside = a > 0 && b > 0 && c > 0 && a < b + c && b < a + c && c < a + b;
+    return inside ? std::max(side, a * b * c / (2 * (a * b + b * c + c * a) - (a * a + b * b + c * c)) *
+                                       (1 + 64 * eps))
+                  : side;
+}
+
+// How far a function N of a triangle can be from its linear interpolant, if its Hessian H is an affine function to within a radius. Side k is
+// opposite of corner k. With means m_k of H along side k in its two ends, and d_k a twelfth of their difference,
+//
+//     interpolant - N = 1/2 sum l_i l_j m_k + sum l_i l_j (l_i - l_j) d_k + l_0 l_1 l_2 g
+//
+// (Taylor's formula with the remainder as an integral; g is 0 if H is constant). The sum of all |l_i l_j (l_i - l_j)| is at most 0.118, on a side 0.0963.
+class Bend {
+public:
+    // q[k][m]: H along side k in corner m; rest[k]: what the radius adds along side k, `all`: on the whole triangle.
+    Bend(const std::array<Values, 3> &q, const Values &rest, double all) noexcept : rest_(rest) {
+        double in_ends = 0, opposite = 0, steepest = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            const double a = q[k][(k + 1) % 3], b = q[k][(k + 2) % 3];
+            means_[k] = (a + b) / 2;
+            differences_[k] = std::abs(b - a) / 12;
+            in_ends += a + b;
+            opposite += q[k][k];
+            steepest = std::max(steepest, differences_[k]);
+        }
+        all_ = 0.118 * steepest + std::abs(in_ends / 12 - opposite / 6) / 27 + all / 8;
+    }
+
+    [[nodiscard]] double above() const noexcept {
+        return most_of_pairs({-means_[0], -means_[1], -means_[2]}) / 2 + all_;
+    }
+    [[nodiscard]] double both() const noexcept {
+        return std::max(most_of_pairs(means_) / 2 + all_, above());
+    }
+    [[nodiscard]] double on_side(size_t k) const noexcept {
+        return (std::abs(means_[k]) + rest_[k]) / 8 + 0.0963 * differences_[k];
+    }
+
+private:
+    Values means_{}, differences_{}, rest_;
+    double all_;
+};
+
+} // namespace nrb::mesh

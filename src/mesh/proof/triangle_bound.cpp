@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/proof/triangle_bound.h"
+
+#include "mesh/proof/pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Relative, of all that is summed up here.
+constexpr double rounding = 1 + 64 * eps;
+
+class Triangle {
+public:
+    Triangle(const std::array<Corner, 3> &corners, std::span<const CellPart> cells) noexcept
+        : corners_(corners), cells_(cells), unit_(cells.front().part.sides()) {
+        for (size_t k = 0; k < 3; ++k) {
+            const Corner &from = corner(k + 1), &to = corner(k + 2);
+            sides_[k] = to.point - from.point;
+            lengths_[k] = length(sides_[k]);
+            longest_ = std::max(longest_, lengths_[k]);
+            for (size_t c = 0; c < 2; ++c) {
+                places_[k][c] = (corners[k].param[c] - cells.front().part.lower[c]) / unit_[c] - 0.5;
+                steps_[k][c] = (to.param[c] - from.param[c]) / unit_[c];
+                reach_[c] = std::max(reach_[c], std::abs(steps_[k][c]));
+            }
+        }
+        for (const CellPart &cell : cells) {
+            least_weight_ = std::min(least_weight_, cell.box->least_weight());
+            largest_weight_ = std::max(largest_weight_, cell.box->largest_weight());
+        }
+        sizes_ = over_cells([&](const HessianBox &box) { return box.size(corners[0].point, longest_); });
+        for (size_t k = 0; k < 3; ++k) {
+            bends_[k] = sizes_.beside(steps_[k][0], steps_[k][1]) * rounding;
+        }
+    }
+
+    [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
+    [[nodiscard]] TriangleBound bound() const noexcept;
+
+private:
+    [[nodiscard]] const Corner &corner(size_t k) const noexcept { return corners_[k % 3]; }
+    template <class Of>
+    [[nodiscard]] Hessian over_cells(Of &&of) const noexcept;
+    [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
+    [[nodiscard]] double second_derivative(size_t k) const noexcept;
+    [[nodiscard]] double equal_parameters() const noexcept;
+    [[nodiscard]] bool runs_along(size_t k) const noexcept;
+    [[nodiscard]] double sharpness() const noexcept;
+    [[nodiscard]] double off(const Vector3 &d) const noexcept;
+
+    const std::array<Corner, 3> &corners_;
+    std::span<const CellPart> cells_;
+    std::array<double, 2> unit_;
+    std::array<Vector3, 3> sides_;
+    std::array<std::array<double, 2>, 3> steps_, places_; // in the first cell
+    std::array<double, 2> reach_{};
+    Values lengths_;
+    double longest_ = 0;
+    double least_weight_ = infinity, largest_weight_ = 0;
+    Hessian sizes_; // whatever the direction and the corner
+    Values bends_;  // of these along the sides
+};
+
+// Of several cells as constants.
+template <class Of>
+Hessian Triangle::over_cells(Of &&of) const noexcept {
+    Hessian all = of(*cells_.front().box);
+    if (cells_.size() > 1) {
+        all = all.anywhere();
+    }
+    for (const CellPart &cell : cells_.subspan(1)) {
+        const auto sides = cell.part.sides();
+        all.add(of(*cell.box).anywhere().in_units(unit_[0] / sides[0], unit_[1] / sides[1]));
+    }
+    return all;
+}
+
+Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
+    const Hessian h = over_cells([&](const HessianBox &box) { return box.along(d, p); });
+    std::array<Values, 3> q;
+    Values rest;
+    for (size_t k = 0; k < 3; ++k) {
+        for (size_t m = 0; m < 3; ++m) {
+            q[k][m] = h.along(steps_[k][0], steps_[k][1], places_[m][0], places_[m][1]);
+        }
+        rest[k] = h.beside(steps_[k][0], steps_[k][1]);
+    }
+    return {q, rest, h.beside(reach_[0], reach_[1])};
+}
+
+// The whole distance from the point of the triangle at equal parameters, whatever the direction. With N = A - w P and values N_i in the
+// corners it is (N - sum l_i N_i) / w + sum l_i N_i / w_i (w_i / w - 1).
+double Triangle::equal_parameters() const noexcept {
+    return (sizes_.beside(reach_[0], reach_[1]) / 8 / least_weight_ +
+            longest_ * (largest_weight_ / least_weight_ - 1)) *
+           rounding;
+}
+
+// Whether the image of side k, projected on it, does not leave it over its ends. N along the side, from one end on, is at least
+// s w l - s (1 - s) / 2 |N''|, and likewise from the other end.
+bool Triangle::runs_along(size_t k) const noexcept {
+    return bends_[k] / 2 <= least_weight_ * lengths_[k];
+}
+
+// Points that come out of the triangle no farther than 1 over each side are no farther from it than this: where two sides meet at an
+// angle, the tip of what both allow is 1 / sin of half of it away. If the surface does not pass the corner along the line that halves the angle,
+// the tip is cut off, and what is left is within 1 / cos. With N along that line, outwards, and N <= -t_i w in the other corners,
+// N(x) <= sum l_i (-t_i w + 1/2 (Q_ki + Q_ij)), with the most Q of the second derivative along the sides.
+double Triangle::sharpness() const noexcept {
+    double most = 1;
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t i = (k + 1) % 3, j = (k + 2) % 3; // the sides at corner k
+        const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
+        const double half_cosine = std::sqrt(std::max(1 + cosine - 8 * eps, 0.0) / 2);
+        const double half_sine = std::sqrt(std::max(1 - cosine - 8 * eps, 0.0) / 2);
+        const double opposite = bends_[k];
+        const bool cut = (bends_[i] + opposite) / 2 <= least_weight_ * lengths_[i] * half_cosine &&
+                         (bends_[j] + opposite) / 2 <= least_weight_ * lengths_[j] * half_cosine;
+        most = std::max(most, 1 / std::max(half_sine, cut ? half_cosine : 0.0));
+    }
+    return most * rounding;
+}
+
+// How far corners are from a plane that is to contain them all.
+double Triangle::off(const Vector3 &normal) const noexcept {
+    return std::max(std::abs(dot(normal, sides_[1])), std::abs(dot(normal, sides_[2]))) + 8 * eps * longest_;
+}
+
+TriangleBound Triangle::bound() const noexcept {
+    const Vector3 product = cross(sides_[0], sides_[1]);
+    const double area = length(product);
+    if (!(area > 1e-12 * longest_ * longest_)) { // no plane to speak of
+        const double whole = equal_parameters();
+        return {whole, 0, whole, 0, {}};
+    }
+    const Vector3 normal = (1 / area) * product;
+    const Bend heights = bend(normal, corners_[0].point);
+    const double flat = off(normal), slack = flat + 8 * eps * longest_;
+    TriangleBound result;
+    result.normal = normal;
+    result.altitude = area / longest_ * (1 - 16 * eps);
+    result.height = (heights.both() / least_weight_ + flat) * rounding;
+    for (size_t k = 0; k < 3; ++k) {
+        const Vector3 across = cross((1 / lengths_[k]) * sides_[k], normal);
+        const Bend bend_out = bend(across, corner(k + 1).point);
+        result.out = std::max(result.out, bend_out.above() / least_weight_ + slack);
+        const double beside =
+            runs_along(k) ? std::hypot(heights.on_side(k), bend_out.on_side(k)) / least_weight_ + slack
+                          : equal_parameters();
+        result.beside = std::max(result.beside, beside * rounding);
+    }
+    result.out *= sharpness();
+    if (result.out > result.height) {
+        result.out = std::min(result.out, equal_parameters());
+    }
+    return result;
+}
+
+} // namespace
+
+TriangleBound triangle_bound(const std::array<Corner, 3> &corners,
+                             std::span<const CellPart> cells) noexcept {
+    const Triangle triangle(corners, cells);
+    return triangle.certain() ? triangle.bound() : TriangleBound{infinity, 0, infinity, 0, {}};
+}
+
+} // namespace nrb::mesh
