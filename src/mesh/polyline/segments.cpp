@@ -17,6 +17,8 @@ namespace {
 // What a step aims at, where it is long enough, and what segments may need on average to be spread evenly.
 constexpr double aim = 0.98, enough = 0.95, even = 0.99;
 constexpr int most_tries = 8;
+// A short segment at the end is shared by so many.
+constexpr size_t most_spread = 16;
 
 struct Step {
     Vertex to;
@@ -128,6 +130,17 @@ std::optional<Run> fitting_run(CurveParts &parts, const Run &old, const std::vec
     return run;
 }
 
+// Takes the last segments off, so many at most.
+Run last_of(Run &run, size_t most) {
+    const size_t count = std::min(run.segments.size(), most), first = run.segments.size() - count;
+    Run last;
+    last.vertices.assign(run.vertices.begin() + static_cast<std::ptrdiff_t>(first), run.vertices.end());
+    last.segments.assign(run.segments.begin() + static_cast<std::ptrdiff_t>(first), run.segments.end());
+    run.vertices.resize(first + 1);
+    run.segments.resize(first);
+    return last;
+}
+
 } // namespace
 
 void append(Run &run, Run more) {
@@ -139,7 +152,7 @@ Run greedy(CurveParts &parts, const Vertex &from, const Vertex &to) {
     Run run{{from}, {}};
     double guess = to.t - from.t;
     while (run.vertices.back().t < to.t) {
-        const Vertex start = run.vertices.back();
+        const Vertex &start = run.vertices.back();
         Step step = StepSearch(parts, start, to).run(guess);
         run.segments.push_back(step.segment);
         run.vertices.push_back(std::move(step.to));
@@ -148,25 +161,24 @@ Run greedy(CurveParts &parts, const Vertex &from, const Vertex &to) {
 }
 
 Run spread_evenly(CurveParts &parts, Run run) {
-    double total = 0;
-    for (const Segment &segment : run.segments) {
-        total += segment.need;
-    }
-    const int64_t given = std::ssize(run.segments);
-    const bool worth =
-        given > 1 && run.segments.back().need < 0.8 && total <= static_cast<double>(given) && total > 0;
-    if (!worth) {
+    if (run.segments.back().need >= 0.8) {
         return run;
     }
-    const auto fewest = static_cast<int64_t>(std::ceil(total / even));
-    for (const int64_t count : {std::min(fewest, given), given}) {
-        if (work_ended()) {
+    Run tail = last_of(run, most_spread);
+    double total = 0;
+    for (const Segment &segment : tail.segments) {
+        total += segment.need;
+    }
+    const int64_t given = std::ssize(tail.segments);
+    const auto fewest =
+        static_cast<int64_t>(std::clamp(std::ceil(total / even), 1.0, static_cast<double>(given)));
+    for (int64_t count = fewest; count <= given && given > 1 && !work_ended(); ++count) {
+        if (std::optional<Run> found = fitting_run(parts, tail, even_params(tail, total, count))) {
+            tail = *std::move(found);
             break;
         }
-        if (std::optional<Run> found = fitting_run(parts, run, even_params(run, total, count))) {
-            return *std::move(found);
-        }
     }
+    append(run, std::move(tail));
     return run;
 }
 

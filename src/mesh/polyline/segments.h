@@ -18,8 +18,7 @@ void append(Run &run, Run more);
 // Each vertex about as far from the one before as the rule allows. Usually a segment is looked at once or twice.
 Run greedy(CurveParts &parts, const Vertex &from, const Vertex &to);
 
-// The same number of segments that all need about the same, so that none at the end is tiny; the run itself if not all of
-// them keep to the rule.
+// If the last segment is short: the last few so that they all need about the same, where that keeps to the rule.
 Run spread_evenly(CurveParts &parts, Run run);
 
 // With vertices at equal steps of the parameter among others, as far as doubles have them.
