@@ -10,6 +10,23 @@
 
 namespace nrb::pieces {
 
+namespace {
+
+// What the ends of an interval count for at a place inside. Each is within 3/2 eps of itself, near the other end as well,
+// where the difference from 1 would not be.
+struct Shares {
+    Shares(Interval ends, double t) noexcept
+        : lower((ends.upper - t) / (ends.upper - ends.lower)),
+          upper((t - ends.lower) / (ends.upper - ends.lower)) {}
+
+    double lower, upper;
+};
+
+// Of a step of de Casteljau's algorithm with such shares, for the coefficient and for its weight.
+constexpr double error_of_cut = 5 * eps;
+
+} // namespace
+
 BezierPiece::BezierPiece(const double *point, int dim) : numbers_(point, point + dim) {
     shape_.width = dim + 1;
     numbers_.push_back(1);
@@ -197,6 +214,59 @@ std::optional<BezierPiece> BezierPiece::halve() {
         return std::nullopt;
     }
     return halve(axis);
+}
+
+BezierPiece BezierPiece::between(Interval range) const {
+    BezierPiece result = *this;
+    count_work(coefficients() * degree(0) * shape_.width);
+    if (range.lower > part_[0].lower) {
+        result.cut_before(range.lower);
+    }
+    if (range.upper < part_[0].upper) {
+        result.cut_after(range.upper);
+    }
+    result.keep_even_weights(*this);
+    result.update();
+    return result;
+}
+
+// A weight that is constant stays what it is.
+void BezierPiece::keep_even_weights(const BezierPiece &whole) noexcept {
+    const double w = whole.weight(0);
+    for (int64_t i = 1; i < coefficients(); ++i) {
+        if (whole.weight(i) != w) {
+            return;
+        }
+    }
+    for (int64_t i = 0; i < coefficients(); ++i) {
+        numbers_[static_cast<size_t>(i * shape_.width + dim())] = w;
+    }
+}
+
+void BezierPiece::cut_before(double t) noexcept {
+    const Shares share(part_[0], t);
+    const int64_t n = shape_.coefficients() - 1, width = shape_.width;
+    add_rounding(static_cast<double>(n) * error_of_cut);
+    for (int64_t level = n; level > 0; --level) {
+        for (int64_t i = 0; i < level * width; ++i) {
+            double &value = numbers_[static_cast<size_t>(i)];
+            value = share.lower * value + share.upper * numbers_[static_cast<size_t>(i + width)];
+        }
+    }
+    part_[0].lower = t;
+}
+
+void BezierPiece::cut_after(double t) noexcept {
+    const Shares share(part_[0], t);
+    const int64_t n = shape_.coefficients() - 1, width = shape_.width;
+    add_rounding(static_cast<double>(n) * error_of_cut);
+    for (int64_t first = 1; first <= n; ++first) {
+        for (int64_t i = (n + 1) * width; i-- > first * width;) {
+            double &value = numbers_[static_cast<size_t>(i)];
+            value = share.lower * numbers_[static_cast<size_t>(i - width)] + share.upper * value;
+        }
+    }
+    part_[0].upper = t;
 }
 
 std::vector<BezierPiece> bezier_pieces(const Spline &spline, const Frame &frame,

@@ -70,6 +70,8 @@ public:
     // The same along the axis with the longest legs. None if it has no degree or its parameters cannot be
     // halved.
     std::optional<BezierPiece> halve();
+    // What lies between two parameters of a piece of a curve, lower < upper.
+    [[nodiscard]] BezierPiece between(Interval range) const;
 
 private:
     // Of the coefficients, points and box together.
@@ -82,6 +84,9 @@ private:
     void set_reach() noexcept;
     void set_box() noexcept;
     void add_rounding(double relative) noexcept;
+    void cut_before(double t) noexcept;
+    void cut_after(double t) noexcept;
+    void keep_even_weights(const BezierPiece &whole) noexcept;
     [[nodiscard]] double middle(int axis) const noexcept;
     [[nodiscard]] double legs(int axis) const noexcept;
 

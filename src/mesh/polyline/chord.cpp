@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/polyline/chord.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "numeric/norm.h"
+#include "pieces/slopes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nrb::mesh {
+
+namespace {
+
+// The largest value of a (1 - s) + b s + 4 h s (1 - s) for s between 0 and 1.
+double highest(double a, double b, double h) noexcept {
+    const double slope = std::abs(b - a);
+    return slope >= 4 * h ? std::max(a, b) : a / 2 + b / 2 + h + slope * (slope / (16 * h));
+}
+
+} // namespace
+
+Chord::Chord(int dim) : dim_(dim) {
+    const auto n = static_cast<size_t>(dim);
+    start_.resize(n);
+    end_.resize(n);
+    direction_.resize(n);
+}
+
+void Chord::set(const double *start, const double *end) {
+    start_.assign(start, start + dim_);
+    end_.assign(end, end + dim_);
+    length_ = nrb::distance(start, end, dim_);
+    for (size_t c = 0; c < direction_.size(); ++c) {
+        direction_[c] = length_ > 0 ? (end[c] - start[c]) / length_ : 0;
+    }
+    rounding_ = (dim_ + 4) * eps * (norm(start, dim_) + norm(end, dim_));
+}
+
+// The vectors from the start to control points, their products with the direction and their components across it are each
+// within some (dim + 4) eps of the distances of both from the centre; the ends are within eps of their own.
+double Chord::noise(const pieces::BezierPiece &piece) const noexcept {
+    return piece.moved() + 4 * ((dim_ + 4) * eps * piece.reach() + rounding_);
+}
+
+Chord::Spread Chord::spread(const pieces::BezierPiece &piece) {
+    const auto n = static_cast<size_t>(dim_);
+    Spread all{0, infinity, -infinity};
+    numerators_.resize(static_cast<size_t>(piece.coefficients()) * n);
+    double *across = numerators_.data();
+    for (int64_t i = 0; i < piece.coefficients(); ++i, across += n) {
+        const double *x = piece.point(i);
+        if (!piece.has_point(i)) {
+            std::fill_n(across, n, 0.0);
+            continue;
+        }
+        double along = 0;
+        for (size_t c = 0; c < n; ++c) {
+            across[c] = x[c] - start_[c];
+            along += across[c] * direction_[c];
+        }
+        for (size_t c = 0; c < n; ++c) {
+            across[c] -= along * direction_[c];
+        }
+        all.across = std::max(all.across, norm(across, dim_));
+        all.least = std::min(all.least, along);
+        all.most = std::max(all.most, along);
+        std::for_each_n(across, n, [w = piece.weight(i)](double &v) { v *= w; });
+    }
+    return all;
+}
+
+// The numerator N(s) of the vector across the segment is within s (1 - s) / 2 max |N''| of the line between its ends, and
+// N'' in the hull of degree (degree - 1) times second differences. Exact to the third order of the length of the piece,
+// where control points are twice as far away (degree 2) as the curve.
+double Chord::across_by_bends(const pieces::BezierPiece &piece) const noexcept {
+    const auto n = static_cast<size_t>(dim_);
+    const int64_t last = piece.coefficients() - 1;
+    double bend = 0, largest = 0, least = infinity;
+    for (int64_t i = 0; i <= last; ++i) {
+        const double *v = numerators_.data() + static_cast<size_t>(i) * n;
+        largest = std::max(largest, norm(v, dim_));
+        least = std::min(least, piece.weight(i));
+        if (i + 2 <= last) {
+            bend =
+                std::max(bend, norm_of(dim_, [v, n](int c) { return v[c] - 2 * v[c + n] + v[c + 2 * n]; }));
+        }
+    }
+    const double factor = static_cast<double>(last) * static_cast<double>(last - 1) / 8;
+    const double lift = factor * (bend + 8 * eps * largest);
+    const double *first = numerators_.data(), *end = first + static_cast<size_t>(last) * n;
+    return highest(norm(first, dim_), norm(end, dim_), lift) * (1 + (dim_ + 8) * eps) / least;
+}
+
+// Of a point that is between the ends, seen along the segment, the distance is that across; beyond an end both count.
+double Chord::distance(const pieces::BezierPiece &piece) {
+    if (!piece.sound()) {
+        return infinity;
+    }
+    count_work(6 * piece.coefficients() * dim_);
+    const Spread all = spread(piece);
+    const double beyond = std::max({0.0, -all.least, all.most - length_});
+    const double across = std::min(all.across, across_by_bends(piece));
+    const double bound = std::hypot(across, beyond) * (1 + 4 * eps) + noise(piece);
+    return std::isfinite(bound) ? bound : infinity;
+}
+
+double Chord::start_gap(const pieces::BezierPiece &piece) const noexcept {
+    return nrb::distance(piece.point(0), start_.data(), dim_) + noise(piece);
+}
+
+double Chord::end_gap(const pieces::BezierPiece &piece) const noexcept {
+    return nrb::distance(piece.point(piece.coefficients() - 1), end_.data(), dim_) + noise(piece);
+}
+
+// Of all vectors that are within `error` of this one.
+double Chord::angle_with(const double *vector, double error) const noexcept {
+    const double size = norm(vector, dim_);
+    const double along = dot(vector, direction_.data(), dim_);
+    const double across =
+        norm_of(dim_, [&](int c) { return vector[c] - along * direction_[static_cast<size_t>(c)]; });
+    const double off = error + (2 * dim_ + 8) * eps * size;
+    if (!(size > off)) {
+        return std::numbers::pi;
+    }
+    const double more = std::asin(std::min(1.0, off / size));
+    return std::min(std::numbers::pi, (std::atan2(across, along) + more) * (1 + 4 * eps));
+}
+
+double Chord::turn(const pieces::BezierPiece &piece) const {
+    if (!piece.positive() || !(length_ > 4 * rounding_)) {
+        return std::numbers::pi;
+    }
+    if (piece.degree(0) == 0) {
+        return 0;
+    }
+    const pieces::Slopes slopes(piece);
+    double turn = 0;
+    for (size_t i = 0; i < slopes.count(); ++i) {
+        turn = std::max(turn, angle_with(slopes.vector(i), slopes.error()));
+    }
+    // The direction of the segment is off by the rounding of its ends.
+    turn += std::asin(std::min(1.0, 4 * rounding_ / length_));
+    return turn < std::numbers::pi / 2 ? turn : std::numbers::pi;
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/polyline/curve_parts.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "eval/curve_point.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Parts that are smaller, in the frame, are not divided for the sake of an angle: they hold a cusp.
+constexpr double least_turn = 0x1p-20;
+constexpr int64_t work_of_a_point = 100;
+
+// The direction at an end of a piece with positive weights, and how far it may be off.
+struct Direction {
+    std::vector<double> unit;
+    double error = infinity;
+};
+
+Direction direction_at(const pieces::BezierPiece &piece, bool upper) {
+    const int dim = piece.dim();
+    const int64_t n = piece.coefficients() - 1;
+    const double *end = piece.point(upper ? n : 0);
+    for (int64_t i = 1; i <= n; ++i) {
+        const int64_t at = upper ? n - i : i;
+        const double leg = piece.has_point(at) ? distance(piece.point(at), end, dim) : 0;
+        if (leg > 8 * piece.moved()) {
+            Direction found{std::vector<double>(end, end + dim), 2 * piece.moved() / leg + (dim + 8) * eps};
+            for (size_t c = 0; c < found.unit.size(); ++c) {
+                found.unit[c] = (piece.point(at)[c] - end[c]) / (upper ? -leg : leg);
+            }
+            return found;
+        }
+    }
+    return {};
+}
+
+// Whether no weight is more than rounding.
+bool hidden(const pieces::BezierPiece &piece) noexcept {
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        if (std::abs(piece.weight(i)) > 128 * piece.rounding().weight) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Rounded up, so that it holds where the unit of the caller is so large that digits are lost.
+double rounded_up(double bound) noexcept {
+    return std::nextafter(bound, infinity);
+}
+
+} // namespace
+
+CurveParts::CurveParts(const Spline &curve, const PolylineRule &rule)
+    : curve_(curve), rule_(rule), frame_(pieces::frame_of(curve)),
+      pieces_(pieces::bezier_pieces(curve, frame_)), chord_(frame_.scaled(rule.chord)),
+      longest_(rule.longest > 0 ? frame_.scaled(rule.longest) : infinity), segment_(curve.dim()) {
+    starts_.reserve(pieces_.size());
+    for (const pieces::BezierPiece &piece : pieces_) {
+        starts_.push_back(piece.parameter({})[0]);
+    }
+}
+
+// Whether the directions on both sides of the start of piece e > 0 agree up to rounding.
+bool CurveParts::smooth(size_t e) const {
+    if (!pieces_[e - 1].sound() || !pieces_[e].sound()) {
+        return false;
+    }
+    const Direction before = direction_at(pieces_[e - 1], true), after = direction_at(pieces_[e], false);
+    return std::isfinite(before.error) && std::isfinite(after.error) &&
+           distance(before.unit.data(), after.unit.data(), curve_.dim()) <= 4 * (before.error + after.error);
+}
+
+Corner CurveParts::corner(size_t e) const {
+    const double t = starts_[e];
+    const Vertex left = vertex(t, true), right = vertex(t, false);
+    const int dim = curve_.dim();
+    const double gap = distance(left.in_frame.data(), right.in_frame.data(), dim);
+    const double size = norm(left.in_frame.data(), dim) + norm(right.in_frame.data(), dim);
+    const double noise = pieces_[e - 1].moved() + pieces_[e].moved() + 4 * eps * size;
+    const bool known = multiplicity(curve_.axis(0).knots(), t) <= curve_.axis(0).degree();
+    return {t, !known && !(gap <= noise)};
+}
+
+std::vector<Corner> CurveParts::corners() const {
+    const KnotVector &axis = curve_.axis(0);
+    std::vector<Corner> found;
+    for (size_t e = 1; e < pieces_.size(); ++e) {
+        if (multiplicity(axis.knots(), starts_[e]) < axis.degree()) {
+            continue;
+        }
+        count_work(work_of_a_point);
+        const Corner here = corner(e);
+        if (here.jump || !smooth(e)) {
+            found.push_back(here);
+        }
+    }
+    return found;
+}
+
+bool CurveParts::closed() const {
+    if (curve_.axis(0).periodic()) {
+        return true;
+    }
+    const Interval domain = curve_.axis(0).domain();
+    const Vertex first = vertex(domain.lower, false), last = vertex(domain.upper, true);
+    const double room = pieces_.front().moved() + pieces_.back().moved();
+    return distance(first.in_frame.data(), last.in_frame.data(), curve_.dim()) <= 4 * room;
+}
+
+Vertex CurveParts::vertex(double t, bool left) const {
+    count_work(work_of_a_point);
+    Vertex made{t, eval::curve_point(curve_, t, left), {}};
+    made.in_frame.resize(made.point.size());
+    for (size_t c = 0; c < made.point.size(); ++c) {
+        made.in_frame[c] = frame_.coordinate(c, made.point[c]);
+    }
+    return made;
+}
+
+size_t CurveParts::piece_at(double t) const noexcept {
+    const auto next = std::upper_bound(starts_.begin() + 1, starts_.end(), t);
+    return static_cast<size_t>(next - starts_.begin()) - 1;
+}
+
+void CurveParts::add(const pieces::BezierPiece &piece, Sizes &sizes) {
+    sizes.bound = std::max(sizes.bound, segment_.distance(piece));
+    sizes.floor = std::max(sizes.floor, segment_.noise(piece));
+    sizes.extent += piece.size();
+    sizes.hidden = sizes.hidden && hidden(piece);
+    if (rule_.angle > 0 && sizes.turning < std::numbers::pi) {
+        sizes.turning = std::min(std::numbers::pi, std::max(sizes.turning, 2 * segment_.turn(piece)));
+    }
+}
+
+// The gaps at the ends come from rounding alone: no division makes them less.
+// As the curve is continuous between the vertices, its points lie across all of the segment but what is left at the
+// ends: so the distance of the segment from the curve is no larger than that of the curve from the segment, or the gaps at
+// its ends.
+CurveParts::Sizes CurveParts::sizes(const Vertex &from, const Vertex &to) {
+    segment_.set(from.in_frame.data(), to.in_frame.data());
+    Sizes all;
+    for (size_t e = piece_at(from.t); e < pieces_.size() && starts_[e] < to.t; ++e) {
+        const double end = e + 1 < starts_.size() ? starts_[e + 1] : to.t;
+        const bool first = starts_[e] <= from.t, last = end >= to.t;
+        const bool whole = starts_[e] >= from.t && pieces_[e].parameter({1, 1, 1})[0] <= to.t;
+        const Interval range{std::max(starts_[e], from.t), std::min(end, to.t)};
+        const pieces::BezierPiece cut = whole ? pieces::BezierPiece() : pieces_[e].between(range);
+        const pieces::BezierPiece &piece = whole ? pieces_[e] : cut;
+        add(piece, all);
+        all.floor =
+            std::max({all.floor, first ? segment_.start_gap(piece) : 0, last ? segment_.end_gap(piece) : 0});
+    }
+    all.bound = std::max(all.bound, all.floor);
+    return all;
+}
+
+// A bound falls with the square of the length of a segment, so far as rounding lets it; what turns, with the length.
+Segment CurveParts::segment(const Vertex &from, const Vertex &to) {
+    const Sizes all = sizes(from, to);
+    const double reachable = std::max(chord_ * (1 - 0x1p-30), 4 * all.floor);
+    const double by_chord = std::isinf(reachable) ? 0 : std::sqrt(all.bound / reachable);
+    const double by_angle = rule_.angle > 0 ? all.turning / rule_.angle : 0;
+    const double by_length = segment_.length() / longest_;
+    Segment result;
+    result.bound = rounded_up(frame_.unscaled(all.bound));
+    const double need = std::max({by_chord, by_angle, by_length});
+    const bool known = std::isfinite(all.bound) && std::isfinite(segment_.length());
+    result.need = known ? need : infinity;
+    result.proven = known && result.bound <= rule_.chord && by_angle <= 1 && by_length <= 1;
+    result.hopeless = all.hidden || (known && by_chord <= 1 && by_length <= 1 && all.extent <= least_turn);
+    return result;
+}
+
+} // namespace nrb::mesh
