@@ -13,7 +13,7 @@
 namespace nrb::mesh {
 
 // Where a face has a point: on a border of faces, at a crease or a seam a point has several.
-struct Vertex {
+struct MeshVertex {
     int32_t point;
     std::array<double, 2> param;
     Vector3 normal; // NaN where there is none
@@ -31,7 +31,7 @@ struct MeshFace {
 
 struct Mesh {
     std::vector<Vector3> points;
-    std::vector<Vertex> vertices;
+    std::vector<MeshVertex> vertices;
     std::vector<std::array<int32_t, 3>> triangles; // of vertices, counterclockwise about the normal of the surface
     std::vector<MeshFace> faces;
 };

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A whole surface as triangles.
+// Meshes of whole surfaces and of models.
 #pragma once
 
-#include "base/numbers.h"
-#include "mesh/mesh.h"
+#include "mesh/domain_mesh.h"
 
 namespace nrb::mesh {
 
-struct MeshRule {
-    double chord = infinity; // the largest distance, both ways
-};
-
 // Precondition: a surface of dimension 2 or 3.
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule);
+// In the coordinates of their parts.
+MeshPtr mesh_of(const model::Model &model, const MeshRule &rule);
 
 } // namespace nrb::mesh

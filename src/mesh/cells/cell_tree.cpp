@@ -417,6 +417,26 @@ void CellTree::cut(const std::vector<int32_t> &cells) {
     builder.sort_lines();
 }
 
+int32_t CellTree::block_at(const std::array<double, 2> &x) const noexcept {
+    std::array<int64_t, 2> at{};
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = block_ends_[k];
+        at[k] = std::upper_bound(ends.begin() + 1, ends.end() - 1, x[k]) - ends.begin() - 1;
+    }
+    return static_cast<int32_t>(at[0] * (std::ssize(block_ends_[1]) - 1) + at[1]);
+}
+
+Rectangle CellTree::block(int32_t number) const noexcept {
+    const int64_t across = std::ssize(block_ends_[1]) - 1;
+    Rectangle result;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto at = static_cast<size_t>(k == 0 ? number / across : number % across);
+        result.lower[k] = block_ends_[k][at];
+        result.upper[k] = block_ends_[k][at + 1];
+    }
+    return result;
+}
+
 Rectangle CellTree::rectangle(const Cell &cell) const noexcept {
     Rectangle result;
     for (size_t k = 0; k < 2; ++k) {

@@ -44,6 +44,11 @@ public:
     // Rising.
     [[nodiscard]] const std::vector<CellLine> &lines(size_t k) const noexcept { return lines_[k]; }
     [[nodiscard]] Rectangle rectangle(const Cell &cell) const noexcept;
+    // The block that holds a place; its part of the domain.
+    [[nodiscard]] int32_t block_at(const std::array<double, 2> &x) const noexcept;
+    [[nodiscard]] Rectangle block(int32_t number) const noexcept;
+    // Where blocks end along an axis.
+    [[nodiscard]] const std::vector<double> &block_ends(size_t k) const noexcept { return block_ends_[k]; }
     // What the answer of the rule was for a part of the domain of the rule: whether all cells are within the chord as far as
     // that was looked at.
     [[nodiscard]] bool reached() const noexcept { return reached_; }

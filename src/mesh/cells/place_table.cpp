@@ -76,6 +76,7 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
         ++starts[(key & 0xffffffffU) + 1];
     }
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    first_on_v_ = starts;
     across_.resize(keys_.size());
     where_.resize(keys_.size());
     for (int32_t i = 0; i < count(); ++i) {
@@ -98,11 +99,18 @@ int32_t PlaceTable::point_of(int32_t i) const {
         return first_on_u_[static_cast<size_t>(first_u)];
     }
     if (twins_.collapsed[1][static_cast<size_t>(first_v)] != 0) {
-        const auto first = std::ranges::lower_bound(
-            across_, first_v, {}, [&](int32_t at) { return static_cast<int32_t>(keys_[static_cast<size_t>(at)] & 0xffffffffU); });
-        return *first;
+        return across_[static_cast<size_t>(first_on_v_[static_cast<size_t>(first_v)])];
     }
     return first_u == u && first_v == v ? i : find(first_u, first_v);
+}
+
+std::vector<int32_t> PlaceTable::on_line(size_t k, int32_t line) const {
+    const auto &starts = k == 0 ? first_on_u_ : first_on_v_;
+    std::vector<int32_t> result;
+    for (int32_t i = starts[static_cast<size_t>(line)]; i < starts[static_cast<size_t>(line) + 1]; ++i) {
+        result.push_back(k == 0 ? i : across_[static_cast<size_t>(i)]);
+    }
+    return result;
 }
 
 void PlaceTable::border(const Cell &cell, std::vector<int32_t> &places) const {

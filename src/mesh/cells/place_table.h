@@ -38,17 +38,20 @@ public:
     }
     // The first of those that are one in space with it.
     [[nodiscard]] int32_t point_of(int32_t i) const;
+    // That on two lines.
+    [[nodiscard]] int32_t find(int32_t u, int32_t v) const noexcept;
+    // Those of a line of an axis, rising.
+    [[nodiscard]] std::vector<int32_t> on_line(size_t k, int32_t line) const;
     // The places on the border of a cell, counterclockwise from its lower left corner on.
     void border(const Cell &cell, std::vector<int32_t> &places) const;
 
 private:
-    [[nodiscard]] int32_t find(int32_t u, int32_t v) const noexcept;
-
     const LineTwins &twins_;
     std::vector<uint64_t> keys_;      // u, then v
     std::vector<int32_t> across_;     // places by v, then u
     std::vector<int32_t> where_;      // of places in across_
     std::vector<int32_t> first_on_u_; // keys of a line of axis 0
+    std::vector<int32_t> first_on_v_; // of across_ of a line of axis 1
 };
 
 } // namespace nrb::mesh

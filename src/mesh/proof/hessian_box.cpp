@@ -27,11 +27,23 @@ public:
     // Times a factor. The plane is that through the means of the corners; a plane has the coefficients of its values at the places
     // of control points, so that what coefficients differ from it bounds what the function does.
     [[nodiscard]] Ranges ranges(double factor, double noise, bool planes) const noexcept;
+    // The largest length of the first three, and of the last one.
+    [[nodiscard]] std::array<double, 2> largest() const noexcept;
 
 private:
     int u_ = 0, v_ = 0;
     std::array<Row, size_t{max_degree + 1} * (max_degree + 1)> rows_;
 };
+
+std::array<double, 2> Net::largest() const noexcept {
+    std::array<double, 2> result{};
+    for (size_t i = 0; !empty() && i < static_cast<size_t>(u_ * v_); ++i) {
+        const Row &row = rows_[i];
+        result[0] = std::max(result[0], row[0] * row[0] + row[1] * row[1] + row[2] * row[2]);
+        result[1] = std::max(result[1], std::abs(row[3]));
+    }
+    return {std::sqrt(result[0]), result[1]};
+}
 
 Ranges Net::ranges(double factor, double noise, bool planes) const noexcept {
     Ranges result{};
@@ -139,12 +151,15 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
         }
     }
     const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1], error = noise * largest_weight_;
+    reach_ = std::max(reach_, rows.largest()[0] + error);
     differentiate_u(rows, m, n, first);
+    set_speed(0, first.largest(), p * fu, error);
     differentiate_u(first, m - 1, n, second);
     const Ranges uu = second.ranges(p * (p - 1) * fu * fu, error, whole);
     differentiate_v(first, m - 1, n, second);
     const Ranges uv = second.ranges(p * q * fu * fv, error, whole);
     differentiate_v(rows, m, n, first);
+    set_speed(1, first.largest(), q * fv, error);
     differentiate_v(first, m, n - 1, second);
     const Ranges vv = second.ranges(q * (q - 1) * fv * fv, error, whole);
     for (size_t c = 0; c < coordinates; ++c) {
@@ -158,6 +173,11 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
             add_constant(vv[c], vv_[c]);
         }
     }
+}
+
+void HessianBox::set_speed(size_t k, const std::array<double, 2> &largest, double factor, double noise) noexcept {
+    speeds_[k] = std::max(speeds_[k], factor * (largest[0] + 2 * noise));
+    weight_speeds_[k] = std::max(weight_speeds_[k], factor * (largest[1] + 2 * noise));
 }
 
 // d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps.

@@ -15,10 +15,10 @@ constexpr double rounding = 1 + 64 * eps;
 
 class Triangle {
 public:
-    Triangle(const std::array<Corner, 3> &corners, std::span<const CellPart> cells) noexcept
+    Triangle(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells) noexcept
         : corners_(corners), cells_(cells), unit_(cells.front().part.sides()) {
         for (size_t k = 0; k < 3; ++k) {
-            const Corner &from = corner(k + 1), &to = corner(k + 2);
+            const TriangleCorner &from = corner(k + 1), &to = corner(k + 2);
             sides_[k] = to.point - from.point;
             lengths_[k] = length(sides_[k]);
             longest_ = std::max(longest_, lengths_[k]);
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] TriangleBound bound() const noexcept;
 
 private:
-    [[nodiscard]] const Corner &corner(size_t k) const noexcept { return corners_[k % 3]; }
+    [[nodiscard]] const TriangleCorner &corner(size_t k) const noexcept { return corners_[k % 3]; }
     template <class Of>
     [[nodiscard]] Hessian over_cells(Of &&of) const noexcept;
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
@@ -52,7 +52,7 @@ private:
     [[nodiscard]] double sharpness() const noexcept;
     [[nodiscard]] double off(const Vector3 &d) const noexcept;
 
-    const std::array<Corner, 3> &corners_;
+    const std::array<TriangleCorner, 3> &corners_;
     std::span<const CellPart> cells_;
     std::array<double, 2> unit_;
     std::array<Vector3, 3> sides_;
@@ -162,7 +162,7 @@ TriangleBound Triangle::bound() const noexcept {
 
 } // namespace
 
-TriangleBound triangle_bound(const std::array<Corner, 3> &corners,
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept {
     const Triangle triangle(corners, cells);
     return triangle.certain() ? triangle.bound() : TriangleBound{infinity, 0, infinity, 0, {}};

@@ -31,7 +31,7 @@ struct Rectangle {
 };
 
 // A corner: parameters, and the point in space.
-struct Corner {
+struct TriangleCorner {
     std::array<double, 2> param;
     Vector3 point;
 };
@@ -56,6 +56,6 @@ struct TriangleBound {
 
 // The cells cover the triangle. Corners may be rounded; what that moves comes on top of these bounds. Infinite where weights may not
 // be positive.
-TriangleBound triangle_bound(const std::array<Corner, 3> &corners, std::span<const CellPart> cells) noexcept;
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells) noexcept;
 
 } // namespace nrb::mesh

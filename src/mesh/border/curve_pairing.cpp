@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/border/curve_pairing.h"
+
+#include "eval/curve_point.h"
+#include "spline/part.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+Vector3 vector_of(const double *x, int dim) noexcept {
+    return {x[0], dim > 1 ? x[1] : 0, dim > 2 ? x[2] : 0};
+}
+
+// Of a rising or falling list, the place of x between its values.
+double interpolated(const std::vector<double> &from, const std::vector<double> &to, double x) noexcept {
+    const bool rising = from.front() < from.back();
+    const auto above = rising ? std::upper_bound(from.begin() + 1, from.end() - 1, x)
+                              : std::upper_bound(from.begin() + 1, from.end() - 1, x, std::greater<>());
+    const auto i = static_cast<size_t>(above - from.begin());
+    const double step = from[i] - from[i - 1];
+    const double share = step == 0 ? 0 : std::clamp((x - from[i - 1]) / step, 0.0, 1.0);
+    return to[i - 1] * (1 - share) + to[i] * share;
+}
+
+// Parameters at equal shares of the length, from points at equal steps.
+std::vector<double> at_equal_lengths(Interval domain, const std::vector<Vector3> &points, size_t count) {
+    std::vector<double> lengths{0}, params{domain.lower};
+    for (size_t i = 1; i < points.size(); ++i) {
+        lengths.push_back(lengths.back() + length(points[i] - points[i - 1]));
+        params.push_back(parameter_in(domain, static_cast<double>(i) / static_cast<double>(points.size() - 1)));
+    }
+    std::vector<double> result;
+    for (size_t i = 0; i <= count; ++i) {
+        const double wanted = lengths.back() * static_cast<double>(i) / static_cast<double>(count);
+        result.push_back(i == 0 ? domain.lower : i == count ? domain.upper : interpolated(lengths, params, wanted));
+    }
+    return result;
+}
+
+} // namespace
+
+CurvePairing::CurvePairing(const face::Face &face, const Spline &curve, const Spline &edge, bool against, double near)
+    : face_(face), curve_(curve), edge_(edge), against_(against), curve_domain_(curve.axis(0).domain()),
+      edge_domain_(edge.axis(0).domain()) {
+    if (!is_near(near)) {
+        make_tables();
+    }
+}
+
+bool CurvePairing::is_near(double distance) const {
+    constexpr int samples = 8;
+    for (int i = 0; i <= samples; ++i) {
+        const double s = parameter_in(curve_domain_, static_cast<double>(i) / samples);
+        if (!(length(image(s) - edge_jet(line_to_edge(s)).point) <= distance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void CurvePairing::make_tables() {
+    const auto steps = static_cast<size_t>(64 + 8 * std::max(curve_.count(0), edge_.count(0)));
+    std::vector<Vector3> images, points;
+    for (size_t i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(steps);
+        images.push_back(image(parameter_in(curve_domain_, share)));
+        points.push_back(edge_jet(parameter_in(edge_domain_, share)).point);
+    }
+    s_ = at_equal_lengths(curve_domain_, images, steps);
+    t_ = at_equal_lengths(edge_domain_, points, steps);
+    if (against_) {
+        std::ranges::reverse(t_);
+    }
+}
+
+double CurvePairing::line_to_edge(double s) const noexcept {
+    const double share = (s - curve_domain_.lower) / (curve_domain_.upper - curve_domain_.lower);
+    return parameter_in(edge_domain_, against_ ? 1 - share : share);
+}
+
+double CurvePairing::line_to_curve(double t) const noexcept {
+    const double share = (t - edge_domain_.lower) / (edge_domain_.upper - edge_domain_.lower);
+    return parameter_in(curve_domain_, against_ ? 1 - share : share);
+}
+
+CurvePairing::Jet CurvePairing::edge_jet(double t) const {
+    std::array<double, 6> jet{};
+    const int dim = edge_.dim();
+    eval::evaluate_points(edge_, {}, 1, {&t, 1, 1, 1, 1}, {jet.data(), 1, 2 * dim, 2 * dim, 1});
+    return {vector_of(jet.data(), dim), vector_of(jet.data() + dim, dim)};
+}
+
+CurvePairing::Jet CurvePairing::image_jet(double s) const {
+    std::array<double, 4> plane{};
+    eval::evaluate_points(curve_, {}, 1, {&s, 1, 1, 1, 1}, {plane.data(), 1, 4, 4, 1});
+    const face::Point2 x = face_.covering().in_domain({plane[0], plane[1]});
+    std::array<double, 9> jet{};
+    const int dim = face_.surface()->dim();
+    eval::evaluate_points(*face_.surface(), {}, 1, {x.data(), 1, 2, 2, 1}, {jet.data(), 1, 3 * dim, 3 * dim, 1});
+    return {vector_of(jet.data(), dim),
+            plane[2] * vector_of(jet.data() + dim, dim) + plane[3] * vector_of(jet.data() + 2 * dim, dim)};
+}
+
+Vector3 CurvePairing::image(double s) const {
+    return image_jet(s).point;
+}
+
+namespace {
+
+// Towards the place where a curve, of which jet(x) tells point and derivative, comes nearest to a point.
+template <class JetOf>
+double nearer(double x, Interval domain, const Vector3 &point, JetOf &&jet) {
+    for (int i = 0; i < 6; ++i) {
+        const auto [at, along] = jet(x);
+        const double squared = dot(along, along), step = squared > 0 ? dot(point - at, along) / squared : 0;
+        const double next = std::clamp(x + step, domain.lower, domain.upper);
+        if (!std::isfinite(next) || next == x) {
+            break;
+        }
+        const bool done = std::abs(next - x) <= 1e-12 * (domain.upper - domain.lower);
+        x = next;
+        if (done) {
+            break;
+        }
+    }
+    return x;
+}
+
+} // namespace
+
+double CurvePairing::on_edge(double s) const {
+    if (s_.empty() || s == curve_domain_.lower || s == curve_domain_.upper) {
+        return line_to_edge(s);
+    }
+    const double step = (edge_domain_.upper - edge_domain_.lower) / 16, guess = interpolated(s_, t_, s);
+    const Interval around{std::max(edge_domain_.lower, guess - step), std::min(edge_domain_.upper, guess + step)};
+    return nearer(guess, around, image(s), [&](double t) { return edge_jet(t); });
+}
+
+double CurvePairing::on_curve(double t) const {
+    if (s_.empty() || t == edge_domain_.lower || t == edge_domain_.upper) {
+        return line_to_curve(t);
+    }
+    const double step = (curve_domain_.upper - curve_domain_.lower) / 16, guess = interpolated(t_, s_, t);
+    const Interval around{std::max(curve_domain_.lower, guess - step), std::min(curve_domain_.upper, guess + step)};
+    return nearer(guess, around, edge_jet(t).point, [&](double s) { return image_jet(s); });
+}
+
+} // namespace nrb::mesh

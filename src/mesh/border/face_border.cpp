@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/border/face_border.h"
+
+#include "bernstein/de_casteljau.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+using face::Point2;
+
+// The control points of a part of a piece.
+std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from, double to) {
+    const std::span<const double> given = pieces.coefficients(piece);
+    const size_t width = piece.weighted ? 3 : 2, count = static_cast<size_t>(piece.degree) + 1;
+    std::vector<Point2> points(count);
+    std::array<std::vector<double>, 3> columns;
+    for (size_t c = 0; c < width; ++c) {
+        for (size_t i = 0; i < count; ++i) {
+            columns[c].push_back(given[i * width + c]);
+        }
+        restrict_to(piece.degree, from, to, columns[c].data());
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double w = piece.weighted ? columns[2][i] : 1;
+        points[i] = {columns[0][i] / w, columns[1][i] / w};
+    }
+    return points;
+}
+
+class BorderWalk {
+public:
+    BorderWalk(const model::Model &model, int64_t number, const ModelEdges &edges)
+        : number_(number), face_(*model.faces[static_cast<size_t>(number)].face), edges_(edges), border_(face_) {}
+
+    FaceBorder walk() {
+        const auto &all = face_.trims().pieces().all();
+        for (size_t i = 0; i < all.size(); ++i) {
+            if (i > 0 && all[i].loop != all[i - 1].loop) {
+                close();
+            }
+            add(all[i]);
+        }
+        close();
+        return std::move(result_);
+    }
+
+private:
+    void add(const face::TrimPiece &piece);
+    void arrive(const Point2 &x, int32_t point);
+    void close();
+    void connect(int32_t from, int32_t to);
+    void collect(const face::TrimPiece &piece, double from, double to);
+    [[nodiscard]] bool jumps(const Point2 &a, const Point2 &b) const noexcept;
+
+    int64_t number_;
+    const face::Face &face_;
+    const ModelEdges &edges_;
+    face::BorderPieces border_;
+    FaceBorder result_;
+    int32_t first_ = -1, last_ = -1; // points of the loop
+    std::vector<Point2> hull_;       // of the curve since the last point
+};
+
+// Whether the way from one place to another leads over a seam, or along a pole.
+bool BorderWalk::jumps(const Point2 &a, const Point2 &b) const noexcept {
+    const face::Covering &covering = face_.covering();
+    for (int k = 0; k < 2; ++k) {
+        const auto at = static_cast<size_t>(k);
+        if (covering.closed(k) && std::abs(a[at] - b[at]) > covering.period(k) / 2) {
+            return true;
+        }
+        for (const int end : {0, 1}) {
+            const double t = end == 0 ? covering.domain(k).lower : covering.domain(k).upper;
+            if (covering.collapsed(k, end) && a[at] == t && b[at] == t) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
+    if (from < to && piece.degree > 1) {
+        const std::vector<Point2> points = control_points(face_.trims().pieces(), piece, from, to);
+        hull_.insert(hull_.end(), points.begin(), points.end());
+    } else if (from < to) {
+        hull_.push_back(face_.trims().pieces().point(piece, from));
+        hull_.push_back(face_.trims().pieces().point(piece, to));
+    }
+}
+
+void BorderWalk::add(const face::TrimPiece &piece) {
+    if (piece.range.lower == piece.range.upper) { // a segment behind a curve
+        return;
+    }
+    const face::BorderPlace start = border_.place_of(piece, 0), end = border_.place_of(piece, 1);
+    const auto &vertices = edges_.vertices(number_, start.loop, start.index);
+    const bool rising = start.param < end.param;
+    const double low = std::min(start.param, end.param), high = std::max(start.param, end.param);
+    auto first = std::ranges::lower_bound(vertices, low, {}, &CurveVertex::param);
+    auto last = std::ranges::upper_bound(vertices, high, {}, &CurveVertex::param);
+    double before = 0;
+    for (auto count = last - first; count > 0; --count) {
+        const CurveVertex &vertex = rising ? *first++ : *--last;
+        const double place = std::clamp((vertex.param - start.param) / (end.param - start.param), 0.0, 1.0);
+        const Point2 x = vertex.param == start.param ? piece.start
+                         : vertex.param == end.param ? piece.end
+                         : vertex.place              ? *vertex.place
+                                                     : face_.trims().pieces().point(piece, place);
+        collect(piece, before, place);
+        before = place;
+        arrive(x, vertex.point);
+    }
+    collect(piece, before, 1);
+}
+
+void BorderWalk::arrive(const Point2 &x, int32_t point) {
+    if (last_ >= 0 && result_.points[static_cast<size_t>(last_)].point == point &&
+        result_.points[static_cast<size_t>(last_)].param == x) {
+        hull_.clear();
+        return;
+    }
+    result_.points.push_back({x, point});
+    const auto number = static_cast<int32_t>(result_.points.size() - 1);
+    if (last_ >= 0) {
+        connect(last_, number);
+    } else {
+        first_ = number;
+    }
+    last_ = number;
+    hull_.clear();
+}
+
+void BorderWalk::connect(int32_t from, int32_t to) {
+    const Point2 &a = result_.points[static_cast<size_t>(from)].param, &b = result_.points[static_cast<size_t>(to)].param;
+    if (a == b || jumps(a, b)) {
+        return;
+    }
+    BorderSegment segment{from, to};
+    const double du = (b[0] - a[0]) / face_.covering().period(0), dv = (b[1] - a[1]) / face_.covering().period(1);
+    for (const Point2 &x : hull_) {
+        const double t = std::clamp(((x[0] - a[0]) / face_.covering().period(0) * du + (x[1] - a[1]) / face_.covering().period(1) * dv) /
+                                        (du * du + dv * dv),
+                                    0.0, 1.0);
+        for (size_t k = 0; k < 2; ++k) {
+            segment.over[k] = std::max(segment.over[k], std::abs(x[k] - (a[k] * (1 - t) + b[k] * t)));
+        }
+    }
+    result_.segments.push_back(segment);
+}
+
+void BorderWalk::close() {
+    if (last_ >= 0 && last_ != first_) {
+        connect(last_, first_);
+    }
+    first_ = last_ = -1;
+    hull_.clear();
+}
+
+} // namespace
+
+FaceBorder border_of(const model::Model &model, int64_t face, const ModelEdges &edges) {
+    return BorderWalk(model, face, edges).walk();
+}
+
+} // namespace nrb::mesh

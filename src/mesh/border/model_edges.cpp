@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/border/model_edges.h"
+
+#include "base/watch.h"
+#include "eval/curve_point.h"
+#include "face/deviation.h"
+#include "refine/knots/bezier_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Rounds of adding vertices for the sake of faces, each between two others.
+constexpr int most_rounds = 12;
+
+// The places inside the domain where homogeneous coordinates may have a kink along an axis.
+std::vector<double> kinks_of(const KnotVector &axis) {
+    std::vector<double> result;
+    const std::vector<double> breaks = refine::breaks_of(axis);
+    for (size_t i = 1; i + 1 < breaks.size(); ++i) {
+        const auto [first, last] = std::ranges::equal_range(axis.knots(), breaks[i]);
+        if (last - first >= axis.degree()) {
+            result.push_back(breaks[i]);
+        }
+    }
+    return result;
+}
+
+double distance_from_segment(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
+    const Vector3 along = b - a;
+    const double squared = dot(along, along);
+    const double t = squared > 0 ? std::clamp(dot(x - a, along) / squared, 0.0, 1.0) : 0;
+    return length(x - (a + t * along));
+}
+
+} // namespace
+
+ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : model_(model), borders_(model) {
+    set_uses();
+    set_curves();
+    const double near = std::isfinite(rule.chord) ? rule.chord / 32 : 0;
+    for (Use &use : uses_) {
+        const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
+        const face::Coedge &coedge = face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
+        use.pairing = std::make_unique<CurvePairing>(face, *coedge.curve, *curves_[use.line], coedge.against, near);
+        count_work(1 << 12);
+    }
+    for (face_ = 0; face_ < std::ssize(model_.faces); ++face_) {
+        add_fixed(face_);
+    }
+    Steps steps(std::ssize(lines_));
+    for (size_t line = 0; line < lines_.size(); ++line, steps.next()) {
+        make_line(line, rule);
+    }
+    for (Use &use : uses_) {
+        set_vertices(use);
+    }
+}
+
+void ModelEdges::set_uses() {
+    for (int64_t face = 0; face < std::ssize(model_.faces); ++face) {
+        const auto &loops = model_.faces[static_cast<size_t>(face)].face->loops();
+        for (int32_t loop = 0; loop < static_cast<int32_t>(loops.size()); ++loop) {
+            for (int32_t i = 0; i < static_cast<int32_t>(loops[static_cast<size_t>(loop)].size()); ++i) {
+                uses_.push_back({face, loop, i, lines_.max_size()});
+            }
+        }
+    }
+}
+
+// Edges of the model, and those that faces have for themselves.
+void ModelEdges::set_curves() {
+    for (const model::Edge &edge : model_.edges) {
+        lines_.push_back({std::ssize(lines_)});
+        curves_.push_back(edge.curve);
+        users_.emplace_back();
+        for (const model::EdgeUse &use : edge.uses) {
+            const size_t at = use_at(use.face, static_cast<int32_t>(use.loop), static_cast<int32_t>(use.index));
+            uses_[at].line = lines_.size() - 1;
+            users_.back().push_back(at);
+        }
+    }
+    for (size_t at = 0; at < uses_.size(); ++at) {
+        Use &use = uses_[at];
+        if (use.line == lines_.max_size()) {
+            const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
+            use.line = lines_.size();
+            lines_.emplace_back();
+            curves_.push_back(face::edge_of(face, face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)]));
+            users_.push_back({at});
+        }
+    }
+}
+
+// Where pieces of the border end at a seam, and where they pass a kink of the surface.
+void ModelEdges::add_fixed(int64_t number) {
+    const face::Face &face = *model_.faces[static_cast<size_t>(number)].face;
+    const face::BorderPieces border(face);
+    const auto &pieces = face.trims().pieces();
+    std::array<std::vector<double>, 2> kinks;
+    for (const int k : {0, 1}) {
+        kinks[static_cast<size_t>(k)] = kinks_of(face.surface()->axis(k));
+    }
+    for (const face::TrimPiece &piece : pieces.all()) {
+        for (size_t k = 0; k < 2; ++k) {
+            const Interval domain = face.covering().domain(static_cast<int>(k));
+            for (const double at : {0.0, 1.0}) {
+                const face::Point2 &x = at == 0 ? piece.start : piece.end;
+                const bool seam = face.covering().closed(static_cast<int>(k)) && (x[k] == domain.lower || x[k] == domain.upper);
+                if (seam || std::ranges::binary_search(kinks[k], x[k])) {
+                    fix(border.place_of(piece, at), x);
+                }
+            }
+            const auto first = std::ranges::upper_bound(kinks[k], piece.lower[k]);
+            for (auto kink = first; kink != kinks[k].end() && *kink < piece.upper[k]; ++kink) {
+                const double at = pieces.place_of(piece, static_cast<int>(k), *kink);
+                face::Point2 x = pieces.point(piece, at);
+                x[k] = *kink;
+                fix(border.place_of(piece, at), x);
+            }
+        }
+    }
+}
+
+void ModelEdges::fix(const face::BorderPlace &place, const face::Point2 &x) {
+    Use &use = uses_[use_at(face_, place.loop, place.index)];
+    use.fixed.push_back({place.param, use.pairing->on_edge(place.param), x});
+}
+
+std::vector<double> ModelEdges::fixed_params(size_t line) const {
+    const Interval domain = curves_[line]->axis(0).domain();
+    std::vector<double> result;
+    for (const size_t at : users_[line]) {
+        for (const Fixed &fixed : uses_[at].fixed) {
+            if (fixed.edge > domain.lower && fixed.edge < domain.upper) {
+                result.push_back(fixed.edge);
+            }
+        }
+    }
+    std::ranges::sort(result);
+    result.erase(std::ranges::unique(result).begin(), result.end());
+    return result;
+}
+
+// Whether what a face has between two vertices is far from the segment: on its curve, or on the segment in its domain.
+bool ModelEdges::is_far(const Use &use, const std::array<double, 2> &params, double chord) const {
+    const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
+    const face::Coedge &coedge = face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
+    const double middle = params[0] / 2 + params[1] / 2;
+    std::array<face::Point2, 3> places;
+    for (size_t i = 0; i < 3; ++i) {
+        eval::curve_point(*coedge.curve, i == 0 ? params[0] : i == 1 ? params[1] : middle, false, places[i].data());
+    }
+    const face::Point2 between{places[0][0] / 2 + places[1][0] / 2, places[0][1] / 2 + places[1][1] / 2};
+    const auto in_space = [&](const face::Point2 &x) {
+        const std::vector<double> point = face::point_at(*face.surface(), face.covering().in_domain(x));
+        return Vector3{point[0], point.size() > 1 ? point[1] : 0, point.size() > 2 ? point[2] : 0};
+    };
+    const Vector3 a = in_space(places[0]), b = in_space(places[1]), on_chord = in_space(between);
+    return distance_from_segment(on_chord, a, b) + length(in_space(places[2]) - on_chord) > chord;
+}
+
+std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<double> &params, double chord) const {
+    std::vector<double> result;
+    for (size_t i = 0; i + 1 < params.size(); ++i) {
+        const double middle = params[i] / 2 + params[i + 1] / 2;
+        const bool far = middle > params[i] && middle < params[i + 1] &&
+                         std::ranges::any_of(users_[line], [&](size_t at) {
+                             const Use &use = uses_[at];
+                             return is_far(use, {use.pairing->on_curve(params[i]), use.pairing->on_curve(params[i + 1])}, chord);
+                         });
+        if (far) {
+            result.push_back(middle);
+        }
+        count_work(1 << 10);
+    }
+    return result;
+}
+
+void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
+    std::vector<double> fixed = fixed_params(line);
+    Polyline polyline = polyline_of(*curves_[line], rule, fixed);
+    for (int round = 0; round < most_rounds && std::isfinite(rule.chord); ++round) {
+        const std::vector<double> more = places_to_add(line, polyline.params, rule.chord);
+        if (more.empty()) {
+            break;
+        }
+        fixed = polyline.params;
+        fixed.insert(fixed.end(), more.begin(), more.end());
+        std::ranges::sort(fixed);
+        fixed.erase(std::ranges::unique(fixed).begin(), fixed.end());
+        polyline = polyline_of(*curves_[line], rule, fixed);
+    }
+    set_points(line, polyline);
+}
+
+int32_t ModelEdges::corner(int64_t number, const Vector3 &x) {
+    const auto [known, fresh] = corners_.try_emplace(number, static_cast<int32_t>(points_.size()));
+    if (fresh) {
+        points_.push_back(x);
+    }
+    return known->second;
+}
+
+void ModelEdges::set_points(size_t line, const Polyline &polyline) {
+    EdgeLine &out = lines_[line];
+    const int dim = curves_[line]->dim();
+    const auto point = [&](size_t i) {
+        const double *x = polyline.points.data() + i * static_cast<size_t>(dim);
+        return Vector3{x[0], dim > 1 ? x[1] : 0, dim > 2 ? x[2] : 0};
+    };
+    const size_t count = polyline.params.size();
+    out.params = polyline.params;
+    for (const double bound : polyline.bounds) {
+        out.bound = std::max(out.bound, bound);
+    }
+    out.reached = polyline.reached;
+    for (size_t i = 0; i < count; ++i) {
+        const bool first = i == 0, last = i + 1 == count;
+        if ((first || last) && !users_[line].empty()) {
+            const Use &use = uses_[users_[line].front()];
+            const model::SharedCoedge &coedge = borders_.coedge(borders_.number(use.face, use.loop, use.index));
+            out.points.push_back(corner(first != coedge.against ? coedge.start : coedge.end, point(i)));
+        } else {
+            out.points.push_back(static_cast<int32_t>(points_.size()));
+            points_.push_back(point(i));
+        }
+    }
+}
+
+// Where curve and edge run in the same direction the vertices rise.
+void ModelEdges::set_vertices(Use &use) {
+    const EdgeLine &line = lines_[use.line];
+    for (size_t i = 0; i < line.params.size(); ++i) {
+        CurveVertex vertex{use.pairing->on_curve(line.params[i]), line.points[i]};
+        for (const Fixed &fixed : use.fixed) {
+            if (fixed.edge == line.params[i]) {
+                vertex.param = fixed.curve;
+                vertex.place = fixed.place;
+            }
+        }
+        use.vertices.push_back(vertex);
+    }
+    if (use.vertices.front().param > use.vertices.back().param) {
+        std::ranges::reverse(use.vertices);
+    }
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The edges of a model as polylines, each once for all faces that share it.
+#pragma once
+
+#include "face/border_pieces.h"
+#include "mesh/border/curve_pairing.h"
+#include "mesh/polyline/polyline.h"
+#include "model/model.h"
+#include "model/sections/shared_borders.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nrb::mesh {
+
+struct EdgeLine {
+    int64_t edge = -1;               // of the model; -1: one of a face alone
+    std::vector<int32_t> points{};   // from its start to its end
+    std::vector<double> params{};
+    double bound = 0;                // of its distance from the curve, both ways
+    bool reached = true;
+};
+
+// A vertex of the polyline of an edge, on the curve of a face in its domain.
+struct CurveVertex {
+    double param;
+    int32_t point;
+    std::optional<face::Point2> place{}; // if it has to be there exactly, in the domain
+};
+
+class ModelEdges {
+public:
+    // Segments are within the distance of the rule of their edges, and so are, about, what the faces make of the segments between
+    // the same places of their domains. Vertices are also where curves pass from one copy of a domain to the next, and
+    // where a surface may have a kink.
+    ModelEdges(const model::Model &model, const PolylineRule &rule);
+
+    [[nodiscard]] const std::vector<Vector3> &points() const noexcept { return points_; }
+    [[nodiscard]] const std::vector<EdgeLine> &lines() const noexcept { return lines_; }
+    // Of a curve of a face: rising.
+    [[nodiscard]] const std::vector<CurveVertex> &vertices(int64_t face, int32_t loop, int32_t index) const noexcept {
+        return uses_[static_cast<size_t>(borders_.number(face, loop, index))].vertices;
+    }
+
+private:
+    struct Fixed {
+        double curve, edge; // parameters
+        face::Point2 place;
+    };
+    struct Use {
+        int64_t face = 0;
+        int32_t loop = 0, index = 0;
+        size_t line = 0;
+        std::unique_ptr<CurvePairing> pairing{};
+        std::vector<Fixed> fixed{};
+        std::vector<CurveVertex> vertices{};
+    };
+
+    void set_uses();
+    void set_curves();
+    void add_fixed(int64_t face);
+    void fix(const face::BorderPlace &place, const face::Point2 &x);
+    void make_line(size_t line, const PolylineRule &rule);
+    [[nodiscard]] std::vector<double> fixed_params(size_t line) const;
+    [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params, double chord) const;
+    void set_points(size_t line, const Polyline &polyline);
+    void set_vertices(Use &use);
+    [[nodiscard]] bool is_far(const Use &use, const std::array<double, 2> &params, double chord) const;
+    int32_t corner(int64_t number, const Vector3 &x);
+
+    [[nodiscard]] size_t use_at(int64_t face, int32_t loop, int32_t index) const noexcept {
+        return static_cast<size_t>(borders_.number(face, loop, index));
+    }
+
+    const model::Model &model_;
+    int64_t face_ = 0; // at which we are
+    model::SharedBorders borders_;
+    std::vector<Use> uses_;
+    std::vector<EdgeLine> lines_;
+    std::vector<SplinePtr> curves_;          // of the lines
+    std::vector<std::vector<size_t>> users_; // of the lines
+    std::vector<Vector3> points_;
+    std::map<int64_t, int32_t> corners_;
+};
+
+} // namespace nrb::mesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The segments of polygons by where they are.
+#pragma once
+
+#include "mesh/border/face_border.h"
+#include "mesh/proof/triangle_bound.h"
+
+#include <vector>
+
+namespace nrb::mesh {
+
+// In a grid of buckets over their box.
+class SegmentIndex {
+public:
+    explicit SegmentIndex(const FaceBorder &border);
+
+    // Whether a segment comes into a rectangle.
+    [[nodiscard]] bool any_in(const Rectangle &part) const noexcept;
+
+private:
+    [[nodiscard]] size_t column(size_t k, double x) const noexcept;
+    [[nodiscard]] bool meets(int32_t segment, const Rectangle &part) const noexcept;
+
+    const FaceBorder &border_;
+    Rectangle box_;
+    size_t columns_ = 1;
+    std::vector<std::vector<int32_t>> buckets_;
+};
+
+} // namespace nrb::mesh

@@ -1,0 +1,691 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain_mesh.h"
+
+#include "base/watch.h"
+#include "eval/evaluate.h"
+#include "eval/frames/surface_frames.h"
+#include "mesh/border/segment_index.h"
+#include "mesh/cells/cell_triangles.h"
+#include "mesh/proof/mesh_bound.h"
+#include "mesh/strip/strip.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace nrb::mesh {
+
+namespace {
+
+// What is left for the differences of an estimate and a proof.
+constexpr double share_of_estimate = 0.97;
+constexpr int most_rounds = 8;
+// Places nearer to the border than this share of a cell are left out, and cells that it comes nearer to are no cells inside.
+constexpr double near_border = 0.2;
+
+// A place in a block: what a vertex is made for.
+struct Site {
+    std::array<double, 2> param;
+    std::array<bool, 2> from_left{};
+    int32_t point = -1;
+};
+
+struct Triangle {
+    std::array<int32_t, 3> sites;
+    int32_t cell = -1; // -1: of the strip
+    std::array<int32_t, 3> border{-1, -1, -1};
+    std::array<bool, 3> fixed{};
+};
+
+class DomainMesher {
+public:
+    DomainMesher(const MeshDomain &domain, const MeshRule &rule, Mesh &mesh)
+        : domain_(domain), rule_(rule), mesh_(mesh), surface_(*domain.surface),
+          grid_(pieces::piece_grid_of(surface_)), index_(domain.border), tree_(grid_, cell_rule()) {}
+
+    MeshFace run();
+
+private:
+    [[nodiscard]] CellRule cell_rule() const;
+    [[nodiscard]] Side side_of(const Rectangle &part) const;
+    [[nodiscard]] Rectangle around(const Rectangle &part) const noexcept;
+    void make_tables();
+    void make_cells();
+    void make_strip();
+    void add_strip_points();
+    void add_walls();
+    void add_line_walls(size_t k, double t, bool passable);
+    [[nodiscard]] bool is_kept(const Strip::Component &component) const;
+    [[nodiscard]] int32_t site_of_place(int32_t place);
+    [[nodiscard]] int32_t site_of(int32_t strip_point, int32_t block);
+    [[nodiscard]] int32_t place_in_block(int32_t place, const Rectangle &block) const;
+    void place_points();
+    void evaluate();
+    void prove();
+    [[nodiscard]] Vector3 in_grid(const Vector3 &x) const noexcept;
+    [[nodiscard]] TriangleBound bound_of(const Triangle &triangle, double &over);
+    [[nodiscard]] bool improve();
+    [[nodiscard]] MeshFace output();
+    [[nodiscard]] double t_of(size_t k, int32_t line) const noexcept { return tree_.lines(k)[static_cast<size_t>(line)].t; }
+
+    const MeshDomain &domain_;
+    const MeshRule &rule_;
+    Mesh &mesh_;
+    const Spline &surface_;
+    const pieces::PieceGrid &grid_;
+    SegmentIndex index_;
+    CellTree tree_;
+    std::optional<LineTwins> twins_;
+    std::optional<PlaceTable> table_;
+    std::vector<std::array<double, 2>> extra_; // places that the strip needs besides
+
+    std::vector<Site> sites_;
+    std::vector<int32_t> place_sites_;           // -1: none yet
+    std::vector<int32_t> place_points_;          // of the first of those that are one in space; -1: none yet
+    std::vector<std::array<double, 2>> strip_points_;
+    std::vector<int32_t> strip_places_;          // of strip points, -1: of the border, or an extra one
+    std::map<std::array<double, 2>, int32_t> strip_of_param_;
+    std::vector<Wall> walls_;
+    std::map<std::pair<int32_t, int32_t>, int32_t> strip_sites_;
+    std::vector<int32_t> extra_points_; // of the mesh
+    std::vector<Triangle> triangles_;
+    std::vector<Vector3> positions_, normals_; // of the sites
+    std::vector<TriangleBound> bounds_;
+    std::vector<Distances> distances_;
+    int32_t first_point_ = 0, next_point_ = 0; // points of the mesh that are new
+    std::vector<Vector3> new_points_;
+    std::vector<bool> touched_; // places on the border of cells that the border cuts
+    bool crossed_ = false;
+    double slack_ = 0; // of rounding
+};
+
+CellRule DomainMesher::cell_rule() const {
+    CellRule rule;
+    rule.chord = grid_.scaled(rule_.chord) * share_of_estimate;
+    if (domain_.inside) {
+        rule.side = [this](const Rectangle &part) { return side_of(part); };
+    }
+    return rule;
+}
+
+Rectangle DomainMesher::around(const Rectangle &part) const noexcept {
+    Rectangle result = part;
+    for (size_t k = 0; k < 2; ++k) {
+        result.lower[k] -= near_border * part.side(k);
+        result.upper[k] += near_border * part.side(k);
+    }
+    return result;
+}
+
+Side DomainMesher::side_of(const Rectangle &part) const {
+    if (index_.any_in(around(part)) || domain_.cut(part)) {
+        return Side::border;
+    }
+    return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2}) ? Side::inside
+                                                                                                         : Side::outside;
+}
+
+void DomainMesher::make_tables() {
+    twins_.emplace(tree_, grid_);
+    for (size_t k = 0; k < 2; ++k) {
+        if (domain_.closed[k]) {
+            twins_->close(k);
+        }
+        twins_->collapsed[k].front() = domain_.collapsed[k][0] ? 1 : 0;
+        twins_->collapsed[k].back() = domain_.collapsed[k][1] ? 1 : 0;
+    }
+    table_.emplace(tree_, *twins_);
+    place_sites_.assign(static_cast<size_t>(table_->count()), -1);
+    place_points_.assign(static_cast<size_t>(table_->count()), -1);
+    sites_.clear();
+    triangles_.clear();
+    strip_points_.clear();
+    strip_places_.clear();
+    strip_of_param_.clear();
+    strip_sites_.clear();
+    walls_.clear();
+    first_point_ = next_point_ = static_cast<int32_t>(mesh_.points.size());
+}
+
+int32_t DomainMesher::site_of_place(int32_t place) {
+    int32_t &site = place_sites_[static_cast<size_t>(place)];
+    if (site < 0) {
+        const auto lines = table_->place(place).lines;
+        int32_t &point = place_points_[static_cast<size_t>(table_->point_of(place))];
+        if (point < 0) {
+            point = next_point_++;
+        }
+        site = static_cast<int32_t>(sites_.size());
+        Site made;
+        for (size_t k = 0; k < 2; ++k) {
+            const CellLine &line = tree_.lines(k)[static_cast<size_t>(lines[k])];
+            made.param[k] = line.t;
+            made.from_left[k] = line.from_left;
+        }
+        made.point = point;
+        sites_.push_back(made);
+    }
+    return site;
+}
+
+// Points of the border stand for the places at which they are, and for poles.
+void DomainMesher::place_points() {
+    std::map<std::array<double, 2>, int32_t> at;
+    for (const BorderPoint &point : domain_.border.points) {
+        at.try_emplace(point.param, point.point);
+        for (size_t k = 0; k < 2; ++k) {
+            for (const size_t end : {size_t{0}, size_t{1}}) {
+                const double t = end == 0 ? tree_.lines(k).front().t : tree_.lines(k).back().t;
+                if (domain_.collapsed[k][end] && point.param[k] == t) {
+                    const std::vector<int32_t> places =
+                        table_->on_line(k, end == 0 ? 0 : static_cast<int32_t>(tree_.lines(k).size()) - 1);
+                    if (!places.empty()) {
+                        int32_t &own = place_points_[static_cast<size_t>(table_->point_of(places.front()))];
+                        own = own < 0 ? point.point : own;
+                    }
+                }
+            }
+        }
+    }
+    for (int32_t i = 0; i < table_->count() && !at.empty(); ++i) {
+        const auto lines = table_->place(i).lines;
+        const auto found = at.find({t_of(0, lines[0]), t_of(1, lines[1])});
+        if (found != at.end()) {
+            int32_t &own = place_points_[static_cast<size_t>(table_->point_of(i))];
+            own = own < 0 ? found->second : own;
+        }
+    }
+}
+
+void DomainMesher::make_cells() {
+    CellTriangles maker(tree_);
+    std::vector<int32_t> border;
+    std::vector<std::array<int32_t, 3>> made;
+    for (size_t i = 0; i < tree_.cells().size(); ++i) {
+        const Cell &cell = tree_.cells()[i];
+        if (cell.side != Side::inside) {
+            continue;
+        }
+        table_->border(cell, border);
+        made.clear();
+        maker.make(*table_, cell, border, made);
+        for (const auto &places : made) {
+            Triangle triangle;
+            for (size_t k = 0; k < 3; ++k) {
+                triangle.sites[k] = site_of_place(places[k]);
+            }
+            triangle.cell = static_cast<int32_t>(i);
+            triangles_.push_back(triangle);
+        }
+    }
+}
+
+// The border, the corners of cells that it cuts and that are inside, and what cells inside share with these.
+void DomainMesher::add_strip_points() {
+    const auto add = [&](const std::array<double, 2> &param, int32_t place) {
+        const auto [at, fresh] = strip_of_param_.try_emplace(param, static_cast<int32_t>(strip_points_.size()));
+        if (fresh) {
+            strip_points_.push_back(param);
+            strip_places_.push_back(place);
+        }
+    };
+    for (const BorderPoint &point : domain_.border.points) { // all of them, in their order
+        strip_of_param_.try_emplace(point.param, static_cast<int32_t>(strip_points_.size()));
+        strip_points_.push_back(point.param);
+        strip_places_.push_back(-1);
+    }
+    std::vector<bool> needed(static_cast<size_t>(table_->count()), false);
+    std::vector<int32_t> border;
+    for (const Cell &cell : tree_.cells()) {
+        if (cell.side == Side::inside) {
+            table_->border(cell, border);
+            for (const int32_t place : border) {
+                needed[static_cast<size_t>(place)] = true;
+            }
+        }
+    }
+    touched_.assign(needed.size(), false);
+    std::vector<double> least(needed.size(), infinity); // what is near: shares of the least cell around
+    std::vector<std::array<double, 2>> sides(needed.size(), {infinity, infinity});
+    for (const Cell &cell : tree_.cells()) {
+        if (cell.side == Side::border) {
+            table_->border(cell, border);
+            const Rectangle part = tree_.rectangle(cell);
+            for (const int32_t place : border) {
+                touched_[static_cast<size_t>(place)] = true;
+                for (size_t k = 0; k < 2; ++k) {
+                    sides[static_cast<size_t>(place)][k] = std::min(sides[static_cast<size_t>(place)][k], part.side(k));
+                }
+            }
+        }
+    }
+    const auto at_end = [&](int32_t place) {
+        const auto lines = table_->place(place).lines;
+        return lines[0] == 0 || lines[1] == 0 || lines[0] + 1 == std::ssize(tree_.lines(0)) ||
+               lines[1] + 1 == std::ssize(tree_.lines(1));
+    };
+    for (int32_t place = 0; place < table_->count(); ++place) {
+        const auto at = static_cast<size_t>(place);
+        if (!touched_[at]) {
+            continue;
+        }
+        const auto lines = table_->place(place).lines;
+        const std::array<double, 2> param{t_of(0, lines[0]), t_of(1, lines[1])};
+        if (!needed[at]) {
+            Rectangle near{param, param};
+            for (size_t k = 0; k < 2; ++k) {
+                near.lower[k] -= near_border * sides[at][k];
+                near.upper[k] += near_border * sides[at][k];
+            }
+            const bool wanted = at_end(place) ? domain_.inside({param[0], param[1]}) || true
+                                              : !index_.any_in(near) && domain_.inside({param[0], param[1]});
+            if (!wanted) {
+                continue;
+            }
+        }
+        add(param, place);
+    }
+    for (const auto &param : extra_) {
+        add(param, -1);
+    }
+}
+
+// The border; seams; what cells inside end at; lines at which the surface may have a kink.
+void DomainMesher::add_walls() {
+    for (size_t i = 0; i < domain_.border.segments.size(); ++i) {
+        const BorderSegment &segment = domain_.border.segments[i];
+        walls_.push_back({segment.from, segment.to, static_cast<int32_t>(i)});
+    }
+    std::vector<std::pair<int32_t, int32_t>> of_border, of_inside;
+    std::vector<int32_t> border;
+    for (const Cell &cell : tree_.cells()) {
+        if (cell.side == Side::outside) {
+            continue;
+        }
+        table_->border(cell, border);
+        for (size_t i = 0; i < border.size(); ++i) {
+            const int32_t a = border[i], b = border[(i + 1) % border.size()];
+            if (touched_[static_cast<size_t>(a)] && touched_[static_cast<size_t>(b)]) {
+                if (cell.side == Side::border) {
+                    of_border.emplace_back(b, a);
+                } else {
+                    of_inside.emplace_back(a, b);
+                }
+            }
+        }
+    }
+    // Sides of kinks are one line of the plane.
+    const auto strip_at = [&](int32_t place) {
+        const auto lines = table_->place(place).lines;
+        const auto found = strip_of_param_.find({t_of(0, lines[0]), t_of(1, lines[1])});
+        return found == strip_of_param_.end() ? -1 : found->second;
+    };
+    std::map<std::pair<int32_t, int32_t>, bool> sides;
+    for (const auto &[a, b] : of_border) {
+        sides[{strip_at(a), strip_at(b)}] = true;
+    }
+    for (const auto &[a, b] : of_inside) {
+        const int32_t from = strip_at(a), to = strip_at(b);
+        if (from >= 0 && to >= 0 && sides.contains({from, to})) {
+            walls_.push_back({from, to});
+        }
+    }
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = tree_.block_ends(k);
+        for (size_t i = 0; i < ends.size(); ++i) {
+            const bool inner = i > 0 && i + 1 < ends.size();
+            if (inner || domain_.closed[k]) {
+                add_line_walls(k, ends[i], inner);
+            }
+        }
+    }
+}
+
+void DomainMesher::add_line_walls(size_t k, double t, bool passable) {
+    std::vector<std::pair<double, int32_t>> on;
+    for (size_t i = 0; i < strip_points_.size(); ++i) {
+        if (strip_points_[i][k] == t) {
+            on.emplace_back(strip_points_[i][1 - k], static_cast<int32_t>(i));
+        }
+    }
+    std::ranges::sort(on);
+    for (size_t i = 0; i + 1 < on.size(); ++i) {
+        walls_.push_back({on[i].second, on[i + 1].second, -1, passable});
+    }
+}
+
+// By its fattest triangle: those along the border are as thin as what is between curves and segments.
+bool DomainMesher::is_kept(const Strip::Component &component) const {
+    double best = -1;
+    std::array<double, 2> middle{};
+    for (const StripTriangle &triangle : component) {
+        const auto &a = strip_points_[static_cast<size_t>(triangle.corners[0])],
+                   &b = strip_points_[static_cast<size_t>(triangle.corners[1])],
+                   &c = strip_points_[static_cast<size_t>(triangle.corners[2])];
+        const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        if (area > best) {
+            best = area;
+            middle = {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
+        }
+    }
+    bool in_cell = false;
+    tree_.for_each_in({middle, middle}, [&](const Cell &cell) { in_cell = in_cell || cell.side == Side::inside; });
+    return !in_cell && domain_.inside({middle[0], middle[1]});
+}
+
+int32_t DomainMesher::place_in_block(int32_t place, const Rectangle &block) const {
+    auto lines = table_->place(place).lines;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &all = tree_.lines(k);
+        const auto at = static_cast<size_t>(lines[k]);
+        if (all[at].t == block.upper[k] && !all[at].from_left && at > 0 && all[at - 1].t == all[at].t) {
+            --lines[k];
+        } else if (all[at].t == block.lower[k] && all[at].from_left && at + 1 < all.size() && all[at + 1].t == all[at].t) {
+            ++lines[k];
+        }
+    }
+    return table_->find(lines[0], lines[1]);
+}
+
+int32_t DomainMesher::site_of(int32_t strip_point, int32_t number) {
+    const auto at = static_cast<size_t>(strip_point);
+    const Rectangle block = tree_.block(number);
+    if (strip_places_[at] >= 0) {
+        return site_of_place(place_in_block(strip_places_[at], block));
+    }
+    const auto [known, fresh] = strip_sites_.try_emplace({strip_point, number}, static_cast<int32_t>(sites_.size()));
+    if (fresh) {
+        Site site;
+        site.param = strip_points_[at];
+        for (size_t k = 0; k < 2; ++k) {
+            site.from_left[k] = site.param[k] == block.upper[k];
+        }
+        if (at < domain_.border.points.size()) {
+            site.point = domain_.border.points[at].point;
+        } else {
+            const auto [own, none] = strip_sites_.try_emplace({strip_point, -1}, next_point_);
+            next_point_ += none ? 1 : 0;
+            site.point = own->second;
+        }
+        sites_.push_back(site);
+    }
+    return known->second;
+}
+
+void DomainMesher::make_strip() {
+    add_strip_points();
+    add_walls();
+    Rectangle part = tree_.rectangle(tree_.cells().front());
+    for (const Cell &cell : tree_.cells()) {
+        const Rectangle own = tree_.rectangle(cell);
+        for (size_t k = 0; k < 2; ++k) {
+            part.lower[k] = std::min(part.lower[k], own.lower[k]);
+            part.upper[k] = std::max(part.upper[k], own.upper[k]);
+        }
+    }
+    std::array<double, 2> lengths{};
+    for (const Cell &cell : tree_.cells()) {
+        for (size_t k = 0; k < 2; ++k) {
+            const double speed = cell.box.speed(k) / tree_.rectangle(cell).side(k) * part.side(k);
+            lengths[k] = std::max(lengths[k], std::isfinite(speed) ? speed : 0);
+        }
+    }
+    const Strip strip(part, lengths, strip_points_, walls_);
+    crossed_ = !strip.crossed().empty();
+    for (const Strip::Component &component : strip.components()) {
+        if (!is_kept(component)) {
+            continue;
+        }
+        for (const StripTriangle &triangle : component) {
+            std::array<double, 2> middle{};
+            for (const int32_t corner : triangle.corners) {
+                for (size_t k = 0; k < 2; ++k) {
+                    middle[k] += strip_points_[static_cast<size_t>(corner)][k] / 3;
+                }
+            }
+            const int32_t block = tree_.block_at(middle);
+            Triangle made;
+            for (size_t k = 0; k < 3; ++k) {
+                made.sites[k] = site_of(triangle.corners[k], block);
+            }
+            made.border = triangle.border;
+            made.fixed = triangle.fixed;
+            triangles_.push_back(made);
+        }
+    }
+}
+
+// In groups of equal sides.
+void DomainMesher::evaluate() {
+    positions_.resize(sites_.size());
+    normals_.resize(sites_.size());
+    for (unsigned group = 0; group < 4; ++group) {
+        const std::array<bool, 2> from_left{(group & 1U) != 0, (group & 2U) != 0};
+        std::vector<size_t> members;
+        std::vector<double> params;
+        for (size_t i = 0; i < sites_.size(); ++i) {
+            if (sites_[i].from_left == from_left) {
+                members.push_back(i);
+                params.insert(params.end(), sites_[i].param.begin(), sites_[i].param.end());
+            }
+        }
+        eval::AxisRules rules{};
+        rules[0].left = from_left[0];
+        rules[1].left = from_left[1];
+        const auto n = static_cast<int64_t>(members.size());
+        const ConstRecords at{params.data(), n, 2, 2, 1};
+        std::vector<double> points(3 * members.size()), normals(points.size());
+        if (surface_.dim() == 3) {
+            eval::surface_frames(surface_, rules, at, {{points.data(), n, 3, 3, 1}, {}, {}, {normals.data(), n, 3, 3, 1}, nullptr});
+        } else {
+            std::vector<double> jets(6 * members.size());
+            eval::evaluate_points(surface_, rules, 1, at, {jets.data(), n, 6, 6, 1});
+            for (size_t i = 0; i < members.size(); ++i) {
+                const double *jet = jets.data() + 6 * i;
+                const double area = jet[2] * jet[5] - jet[3] * jet[4];
+                points[3 * i] = jet[0];
+                points[3 * i + 1] = jet[1];
+                normals[3 * i + 2] = area > 0 ? 1 : area < 0 ? -1 : nan_value;
+            }
+        }
+        for (size_t i = 0; i < members.size(); ++i) {
+            positions_[members[i]] = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
+            normals_[members[i]] = {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]};
+        }
+    }
+    new_points_.assign(static_cast<size_t>(next_point_ - first_point_), {nan_value, 0, 0});
+    for (size_t i = 0; i < sites_.size(); ++i) {
+        if (sites_[i].point >= first_point_) {
+            Vector3 &x = new_points_[static_cast<size_t>(sites_[i].point - first_point_)];
+            x = std::isnan(x.x) ? positions_[i] : x;
+        }
+    }
+}
+
+Vector3 DomainMesher::in_grid(const Vector3 &x) const noexcept {
+    const std::array<double, 3> given{x.x, x.y, x.z};
+    std::array<double, 8> placed{};
+    grid_.place(given.data(), placed.data());
+    return {placed[0], placed[1], surface_.dim() == 3 ? placed[2] : 0};
+}
+
+// over: how far the corners, and what is between sides and curves of the border, are from the surface over the triangle.
+TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
+    std::array<TriangleCorner, 3> corners;
+    Rectangle part;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto site = static_cast<size_t>(triangle.sites[k]);
+        const int32_t point = sites_[site].point;
+        const Vector3 &x = point < first_point_ ? mesh_.points[static_cast<size_t>(point)]
+                                                : new_points_[static_cast<size_t>(point - first_point_)];
+        corners[k] = {sites_[site].param, in_grid(x)};
+        over = std::max(over, grid_.scaled(length(x - positions_[site])));
+        for (size_t axis = 0; axis < 2; ++axis) {
+            part.lower[axis] = k == 0 ? corners[k].param[axis] : std::min(part.lower[axis], corners[k].param[axis]);
+            part.upper[axis] = k == 0 ? corners[k].param[axis] : std::max(part.upper[axis], corners[k].param[axis]);
+        }
+    }
+    if (triangle.cell >= 0) {
+        const Cell &cell = tree_.cells()[static_cast<size_t>(triangle.cell)];
+        const CellPart here{&cell.box, tree_.rectangle(cell)};
+        return triangle_bound(corners, {&here, 1});
+    }
+    std::array<double, 2> beside{};
+    for (const int32_t border : triangle.border) {
+        for (size_t k = 0; k < 2 && border >= 0; ++k) {
+            beside[k] = std::max(beside[k], domain_.border.segments[static_cast<size_t>(border)].over[k]);
+        }
+    }
+    const std::array<double, 2> middle{(corners[0].param[0] + corners[1].param[0] + corners[2].param[0]) / 3,
+                                       (corners[0].param[1] + corners[1].param[1] + corners[2].param[1]) / 3};
+    const int32_t block = tree_.block_at(middle);
+    for (size_t k = 0; k < 2; ++k) {
+        part.lower[k] -= beside[k];
+        part.upper[k] += beside[k];
+    }
+    std::vector<CellPart> cells;
+    double moves = 0;
+    tree_.for_each_in(part, [&](const Cell &cell) {
+        if (cell.block == block) {
+            const Rectangle own = tree_.rectangle(cell);
+            cells.push_back({&cell.box, own});
+            double move = 0;
+            for (size_t k = 0; k < 2; ++k) {
+                move += beside[k] > 0 ? cell.box.speed(k) / own.side(k) * beside[k] : 0;
+            }
+            moves = std::max(moves, move);
+        }
+    });
+    over += moves;
+    return triangle_bound(corners, cells);
+}
+
+void DomainMesher::prove() {
+    MeshBound all(static_cast<size_t>(next_point_));
+    for (const BorderPoint &point : domain_.border.points) {
+        all.set_border(point.point);
+    }
+    for (const Site &site : sites_) {
+        for (size_t k = 0; k < 2; ++k) {
+            const bool low = site.param[k] == tree_.lines(k).front().t, high = site.param[k] == tree_.lines(k).back().t;
+            if ((low && !domain_.closed[k] && !domain_.collapsed[k][0]) || (high && !domain_.closed[k] && !domain_.collapsed[k][1])) {
+                all.set_border(site.point);
+            }
+        }
+    }
+    bounds_.clear();
+    std::vector<double> overs;
+    const auto points_of = [&](const Triangle &triangle) {
+        return std::array<int32_t, 3>{sites_[static_cast<size_t>(triangle.sites[0])].point,
+                                      sites_[static_cast<size_t>(triangle.sites[1])].point,
+                                      sites_[static_cast<size_t>(triangle.sites[2])].point};
+    };
+    for (const Triangle &triangle : triangles_) {
+        double over = 0;
+        bounds_.push_back(bound_of(triangle, over));
+        overs.push_back(over);
+        all.add_normal(points_of(triangle), bounds_.back().normal);
+        count_work(500);
+    }
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        all.add(points_of(triangles_[i]), bounds_[i]);
+    }
+    slack_ = grid_.moved() + 8 * grid_.value_error() * grid_.radius() + 4 * eps * grid_.size();
+    distances_.clear();
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        Distances d = all.distances(points_of(triangles_[i]), bounds_[i]);
+        const double more = overs[i] + slack_;
+        d.from_shape = grid_.unscaled(d.from_shape + more) * (1 + 4 * eps);
+        d.from_mesh = grid_.unscaled(d.from_mesh + more) * (1 + 4 * eps);
+        distances_.push_back(d);
+    }
+}
+
+// Cells over the tolerance are cut, triangles of the strip get a new point.
+bool DomainMesher::improve() {
+    std::vector<int32_t> cells;
+    std::vector<std::array<double, 2>> more;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        const Triangle &triangle = triangles_[i];
+        if (distances_[i].most() <= rule_.chord) {
+            continue;
+        }
+        if (triangle.cell >= 0) {
+            if (cells.empty() || cells.back() != triangle.cell) {
+                cells.push_back(triangle.cell);
+            }
+            continue;
+        }
+        double longest = 0;
+        std::array<double, 2> place{};
+        for (size_t k = 0; k < 3; ++k) {
+            const Site &a = sites_[static_cast<size_t>(triangle.sites[(k + 1) % 3])], &b = sites_[static_cast<size_t>(triangle.sites[(k + 2) % 3])];
+            const double size = length(positions_[static_cast<size_t>(triangle.sites[(k + 1) % 3])] - positions_[static_cast<size_t>(triangle.sites[(k + 2) % 3])]);
+            if (!triangle.fixed[k] && size > longest) {
+                longest = size;
+                place = {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2};
+            }
+        }
+        if (longest > rule_.chord / 4) {
+            more.push_back(place);
+        }
+    }
+    std::ranges::sort(more);
+    more.erase(std::ranges::unique(more).begin(), more.end());
+    extra_.insert(extra_.end(), more.begin(), more.end());
+    if (!cells.empty()) {
+        tree_.cut(cells);
+    }
+    return !cells.empty() || !more.empty();
+}
+
+MeshFace DomainMesher::output() {
+    MeshFace face;
+    face.first_vertex = mesh_.vertices.size();
+    face.vertices = sites_.size();
+    face.first_triangle = mesh_.triangles.size();
+    mesh_.points.insert(mesh_.points.end(), new_points_.begin(), new_points_.end());
+    for (size_t i = 0; i < sites_.size(); ++i) {
+        mesh_.vertices.push_back({sites_[i].point, sites_[i].param, normals_[i]});
+    }
+    const auto base = static_cast<int32_t>(face.first_vertex);
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        face.from_shape = std::max(face.from_shape, distances_[i].from_shape);
+        face.from_mesh = std::max(face.from_mesh, distances_[i].from_mesh);
+        const auto &sites = triangles_[i].sites;
+        std::array<int32_t, 3> points{};
+        for (size_t k = 0; k < 3; ++k) {
+            points[k] = sites_[static_cast<size_t>(sites[k])].point;
+        }
+        if (points[0] != points[1] && points[1] != points[2] && points[2] != points[0]) {
+            mesh_.triangles.push_back({base + sites[0], base + sites[1], base + sites[2]});
+        }
+    }
+    face.triangles = mesh_.triangles.size() - face.first_triangle;
+    face.reached = !crossed_ && face.triangles > 0 && std::max(face.from_shape, face.from_mesh) <= rule_.chord;
+    return face;
+}
+
+MeshFace DomainMesher::run() {
+    for (int round = 0;; ++round) {
+        make_tables();
+        place_points();
+        make_cells();
+        if (domain_.inside) {
+            make_strip();
+        }
+        evaluate();
+        prove();
+        if (round == most_rounds || work_ended() || !improve()) {
+            return output();
+        }
+    }
+}
+
+} // namespace
+
+MeshFace add_mesh(const MeshDomain &domain, const MeshRule &rule, Mesh &mesh) {
+    return DomainMesher(domain, rule, mesh).run();
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Triangles between the polygons that bound a face and the cells inside.
+#pragma once
+
+#include "mesh/delaunay/triangulation.h"
+#include "mesh/proof/triangle_bound.h"
+
+#include <vector>
+
+namespace nrb::mesh {
+
+// A segment that is to be a side of triangles.
+struct Wall {
+    int32_t from, to;    // points
+    int32_t border = -1; // segment of a border that it is
+    bool passable = false; // what is on both sides belongs together
+};
+
+struct StripTriangle {
+    std::array<int32_t, 3> corners; // points, counterclockwise
+    std::array<int32_t, 3> border;  // on the sides opposite of these, -1: none
+    std::array<bool, 3> fixed;      // sides that are walls
+};
+
+// The constrained Delaunay triangulation of places of the domain, on a grid of integers in which lengths are about as in space. Points that
+// fall on one place of the grid are one, the first of them.
+class Strip {
+public:
+    // `lengths`: of the sides of the part of the domain, in space.
+    Strip(const Rectangle &part, const std::array<double, 2> &lengths,
+          const std::vector<std::array<double, 2>> &points, const std::vector<Wall> &walls);
+
+    // Triangles that hang together without a wall between them.
+    using Component = std::vector<StripTriangle>;
+    [[nodiscard]] const std::vector<Component> &components() const noexcept { return components_; }
+    // The one that stands for a point.
+    [[nodiscard]] int32_t first(int32_t point) const noexcept {
+        return first_[static_cast<size_t>(triangulation_.vertex_of(static_cast<size_t>(point)))];
+    }
+    // Walls that cross others, and are missing.
+    [[nodiscard]] const std::vector<int32_t> &crossed() const noexcept { return crossed_; }
+
+private:
+    void add_walls(const std::vector<Wall> &walls);
+    void set_components(const std::vector<Wall> &walls);
+
+    Triangulation triangulation_;
+    std::vector<int32_t> first_; // points of the vertices
+    std::vector<int32_t> crossed_;
+    std::vector<Component> components_;
+};
+
+} // namespace nrb::mesh
