@@ -53,6 +53,7 @@ private:
     void make_cells();
     void make_strip();
     void add_strip_points();
+    [[nodiscard]] bool is_wanted(int32_t place, const std::array<double, 2> &sides) const;
     void add_walls();
     void add_line_walls(size_t k, double t, bool passable);
     [[nodiscard]] bool is_kept(const Strip::Component &component) const;
@@ -220,6 +221,20 @@ void DomainMesher::make_cells() {
     }
 }
 
+// Whether a corner of cells of such sides is inside, or at an end of the domain, and not near the border.
+bool DomainMesher::is_wanted(int32_t place, const std::array<double, 2> &sides) const {
+    const auto lines = table_->place(place).lines;
+    const std::array<double, 2> param{t_of(0, lines[0]), t_of(1, lines[1])};
+    Rectangle near{param, param};
+    bool at_end = false;
+    for (size_t k = 0; k < 2; ++k) {
+        near.lower[k] -= near_border * sides[k];
+        near.upper[k] += near_border * sides[k];
+        at_end = at_end || lines[k] == 0 || lines[k] + 1 == std::ssize(tree_.lines(k));
+    }
+    return !index_.any_in(near) && (at_end || domain_.inside({param[0], param[1]}));
+}
+
 // The border, the corners of cells that it cuts and that are inside, and what cells inside share with these.
 void DomainMesher::add_strip_points() {
     const auto add = [&](const std::array<double, 2> &param, int32_t place) {
@@ -245,7 +260,6 @@ void DomainMesher::add_strip_points() {
         }
     }
     touched_.assign(needed.size(), false);
-    std::vector<double> least(needed.size(), infinity); // what is near: shares of the least cell around
     std::vector<std::array<double, 2>> sides(needed.size(), {infinity, infinity});
     for (const Cell &cell : tree_.cells()) {
         if (cell.side == Side::border) {
@@ -259,31 +273,21 @@ void DomainMesher::add_strip_points() {
             }
         }
     }
-    const auto at_end = [&](int32_t place) {
-        const auto lines = table_->place(place).lines;
-        return lines[0] == 0 || lines[1] == 0 || lines[0] + 1 == std::ssize(tree_.lines(0)) ||
-               lines[1] + 1 == std::ssize(tree_.lines(1));
-    };
+    // Both sides of a seam have the same places.
+    std::vector<bool> kept(needed.size(), false), dropped(needed.size(), false);
     for (int32_t place = 0; place < table_->count(); ++place) {
-        const auto at = static_cast<size_t>(place);
-        if (!touched_[at]) {
-            continue;
+        const auto at = static_cast<size_t>(place), point = static_cast<size_t>(table_->point_of(place));
+        if (touched_[at]) {
+            kept[point] = kept[point] || needed[at];
+            dropped[point] = dropped[point] || (!needed[at] && !is_wanted(place, sides[at]));
         }
-        const auto lines = table_->place(place).lines;
-        const std::array<double, 2> param{t_of(0, lines[0]), t_of(1, lines[1])};
-        if (!needed[at]) {
-            Rectangle near{param, param};
-            for (size_t k = 0; k < 2; ++k) {
-                near.lower[k] -= near_border * sides[at][k];
-                near.upper[k] += near_border * sides[at][k];
-            }
-            const bool wanted = at_end(place) ? domain_.inside({param[0], param[1]}) || true
-                                              : !index_.any_in(near) && domain_.inside({param[0], param[1]});
-            if (!wanted) {
-                continue;
-            }
+    }
+    for (int32_t place = 0; place < table_->count(); ++place) {
+        const auto point = static_cast<size_t>(table_->point_of(place));
+        if (touched_[static_cast<size_t>(place)] && (kept[point] || !dropped[point])) {
+            const auto lines = table_->place(place).lines;
+            add({t_of(0, lines[0]), t_of(1, lines[1])}, place);
         }
-        add(param, place);
     }
     for (const auto &param : extra_) {
         add(param, -1);

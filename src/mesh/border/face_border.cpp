@@ -2,6 +2,7 @@
 #include "mesh/border/face_border.h"
 
 #include "bernstein/de_casteljau.h"
+#include "mesh/border/snap_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::T
 class BorderWalk {
 public:
     BorderWalk(const model::Model &model, int64_t number, const ModelEdges &edges)
-        : number_(number), face_(*model.faces[static_cast<size_t>(number)].face), edges_(edges), border_(face_) {}
+        : number_(number), face_(*model.faces[static_cast<size_t>(number)].face), edges_(edges), border_(face_), lines_(face_) {}
 
     FaceBorder walk() {
         const auto &all = face_.trims().pieces().all();
@@ -50,7 +51,10 @@ public:
 
 private:
     void add(const face::TrimPiece &piece);
-    void arrive(const Point2 &x, int32_t point);
+    void arrive(const Point2 &place, int32_t point);
+    [[nodiscard]] int32_t other_side(size_t k, int32_t point);
+    void add_segment(int32_t from, int32_t to);
+    void mirror(const BorderSegment &segment);
     void close();
     void connect(int32_t from, int32_t to);
     void collect(const face::TrimPiece &piece, double from, double to);
@@ -60,6 +64,7 @@ private:
     const face::Face &face_;
     const ModelEdges &edges_;
     face::BorderPieces border_;
+    SnapLines lines_;
     FaceBorder result_;
     int32_t first_ = -1, last_ = -1; // points of the loop
     std::vector<Point2> hull_;       // of the curve since the last point
@@ -118,7 +123,8 @@ void BorderWalk::add(const face::TrimPiece &piece) {
     collect(piece, before, 1);
 }
 
-void BorderWalk::arrive(const Point2 &x, int32_t point) {
+void BorderWalk::arrive(const Point2 &place, int32_t point) {
+    const Point2 x = lines_.snapped(place);
     if (last_ >= 0 && result_.points[static_cast<size_t>(last_)].point == point &&
         result_.points[static_cast<size_t>(last_)].param == x) {
         hull_.clear();
@@ -135,14 +141,55 @@ void BorderWalk::arrive(const Point2 &x, int32_t point) {
     hull_.clear();
 }
 
+// The same point on the other side of a seam on which it is.
+int32_t BorderWalk::other_side(size_t k, int32_t point) {
+    const BorderPoint &own = result_.points[static_cast<size_t>(point)];
+    result_.points.push_back({lines_.other_side(k, own.param), own.point});
+    return static_cast<int32_t>(result_.points.size() - 1);
+}
+
+// Ends on a seam are taken on the side from which the other end comes.
 void BorderWalk::connect(int32_t from, int32_t to) {
-    const Point2 &a = result_.points[static_cast<size_t>(from)].param, &b = result_.points[static_cast<size_t>(to)].param;
-    if (a == b || jumps(a, b)) {
-        return;
+    const auto param = [&](int32_t i) { return result_.points[static_cast<size_t>(i)].param; };
+    for (size_t k = 0; k < 2; ++k) {
+        const int axis = static_cast<int>(k);
+        if (face_.covering().closed(axis) &&
+            std::abs(param(from)[k] - param(to)[k]) > face_.covering().period(axis) / 2) {
+            if (lines_.on_seam(k, param(to))) {
+                to = other_side(k, to);
+            } else if (lines_.on_seam(k, param(from))) {
+                from = other_side(k, from);
+            }
+        }
     }
+    if (param(from) != param(to) && !jumps(param(from), param(to))) {
+        add_segment(from, to);
+    }
+}
+
+// What lies on a seam is on both of its sides.
+void BorderWalk::mirror(const BorderSegment &segment) {
+    for (size_t k = 0; k < 2; ++k) {
+        if (lines_.on_seam(k, result_.points[static_cast<size_t>(segment.from)].param) &&
+            lines_.on_seam(k, result_.points[static_cast<size_t>(segment.to)].param)) {
+            BorderSegment other = segment;
+            other.from = other_side(k, segment.from);
+            other.to = other_side(k, segment.to);
+            result_.segments.push_back(other);
+        }
+    }
+}
+
+void BorderWalk::add_segment(int32_t from, int32_t to) {
+    const Point2 &a = result_.points[static_cast<size_t>(from)].param, &b = result_.points[static_cast<size_t>(to)].param;
     BorderSegment segment{from, to};
     const double du = (b[0] - a[0]) / face_.covering().period(0), dv = (b[1] - a[1]) / face_.covering().period(1);
-    for (const Point2 &x : hull_) {
+    for (Point2 x : hull_) {
+        for (size_t k = 0; k < 2; ++k) { // in the copy of the segment
+            const double period = face_.covering().period(static_cast<int>(k));
+            const double off = x[k] - (a[k] / 2 + b[k] / 2);
+            x[k] -= face_.covering().closed(static_cast<int>(k)) ? std::round(off / period) * period : 0;
+        }
         const double t = std::clamp(((x[0] - a[0]) / face_.covering().period(0) * du + (x[1] - a[1]) / face_.covering().period(1) * dv) /
                                         (du * du + dv * dv),
                                     0.0, 1.0);
@@ -151,6 +198,7 @@ void BorderWalk::connect(int32_t from, int32_t to) {
         }
     }
     result_.segments.push_back(segment);
+    mirror(segment);
 }
 
 void BorderWalk::close() {

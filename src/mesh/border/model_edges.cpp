@@ -4,7 +4,7 @@
 #include "base/watch.h"
 #include "eval/curve_point.h"
 #include "face/deviation.h"
-#include "refine/knots/bezier_rows.h"
+#include "mesh/border/snap_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +15,6 @@ namespace {
 
 // Rounds of adding vertices for the sake of faces, each between two others.
 constexpr int most_rounds = 12;
-
-// The places inside the domain where homogeneous coordinates may have a kink along an axis.
-std::vector<double> kinks_of(const KnotVector &axis) {
-    std::vector<double> result;
-    const std::vector<double> breaks = refine::breaks_of(axis);
-    for (size_t i = 1; i + 1 < breaks.size(); ++i) {
-        const auto [first, last] = std::ranges::equal_range(axis.knots(), breaks[i]);
-        if (last - first >= axis.degree()) {
-            result.push_back(breaks[i]);
-        }
-    }
-    return result;
-}
 
 double distance_from_segment(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
     const Vector3 along = b - a;
@@ -95,31 +82,28 @@ void ModelEdges::set_curves() {
     }
 }
 
-// Where pieces of the border end at a seam, and where they pass a kink of the surface.
+// Where pieces of the border pass a seam, or a kink of the surface. Curves that are near such a line are on it.
 void ModelEdges::add_fixed(int64_t number) {
     const face::Face &face = *model_.faces[static_cast<size_t>(number)].face;
     const face::BorderPieces border(face);
+    const SnapLines lines(face);
     const auto &pieces = face.trims().pieces();
-    std::array<std::vector<double>, 2> kinks;
-    for (const int k : {0, 1}) {
-        kinks[static_cast<size_t>(k)] = kinks_of(face.surface()->axis(k));
-    }
-    for (const face::TrimPiece &piece : pieces.all()) {
+    const auto &all = pieces.all();
+    for (size_t i = 0; i < all.size(); ++i) {
+        const face::TrimPiece &piece = all[i];
         for (size_t k = 0; k < 2; ++k) {
-            const Interval domain = face.covering().domain(static_cast<int>(k));
-            for (const double at : {0.0, 1.0}) {
-                const face::Point2 &x = at == 0 ? piece.start : piece.end;
-                const bool seam = face.covering().closed(static_cast<int>(k)) && (x[k] == domain.lower || x[k] == domain.upper);
-                if (seam || std::ranges::binary_search(kinks[k], x[k])) {
+            if (i + 1 < all.size() && all[i + 1].loop == piece.loop && lines.passes(k, piece, all[i + 1])) {
+                fix(border.place_of(piece, 1), piece.end);
+            }
+            for (const double line : lines.inner(k)) {
+                const bool over = std::min(piece.start[k], piece.end[k]) < line - lines.near(k) &&
+                                  std::max(piece.start[k], piece.end[k]) > line + lines.near(k);
+                if (over) {
+                    const double at = pieces.place_of(piece, static_cast<int>(k), line);
+                    face::Point2 x = pieces.point(piece, at);
+                    x[k] = line;
                     fix(border.place_of(piece, at), x);
                 }
-            }
-            const auto first = std::ranges::upper_bound(kinks[k], piece.lower[k]);
-            for (auto kink = first; kink != kinks[k].end() && *kink < piece.upper[k]; ++kink) {
-                const double at = pieces.place_of(piece, static_cast<int>(k), *kink);
-                face::Point2 x = pieces.point(piece, at);
-                x[k] = *kink;
-                fix(border.place_of(piece, at), x);
             }
         }
     }
