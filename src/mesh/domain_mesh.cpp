@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <map>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 namespace nrb::mesh {
@@ -20,6 +22,8 @@ namespace {
 // What is left for the differences of an estimate and a proof.
 constexpr double share_of_estimate = 0.97;
 constexpr int most_rounds = 8;
+// Triangles of the strip over more pieces are bounded by the cells that they meet.
+constexpr int64_t most_pieces = 64;
 // Places nearer to the border than this share of a cell are left out, and cells that it comes nearer to are no cells inside.
 constexpr double near_border = 0.2;
 
@@ -41,7 +45,7 @@ class DomainMesher {
 public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule, Mesh &mesh)
         : domain_(domain), rule_(rule), mesh_(mesh), surface_(*domain.surface),
-          grid_(pieces::piece_grid_of(surface_)), index_(domain.border), tree_(grid_, cell_rule()) {}
+          grid_(pieces::piece_grid_of(surface_)), index_(domain.border), nets_(grid_), tree_(grid_, cell_rule()) {}
 
     MeshFace run();
 
@@ -60,8 +64,12 @@ private:
     [[nodiscard]] int32_t site_of_place(int32_t place);
     [[nodiscard]] int32_t site_of(int32_t strip_point, int32_t block);
     [[nodiscard]] int32_t place_in_block(int32_t place, const Rectangle &block) const;
+    [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param);
     void place_points();
     void evaluate();
+    [[nodiscard]] TriangleBound bound_over_cells(const std::array<TriangleCorner, 3> &corners, const Rectangle &part, int32_t block,
+                                                 const Triangle &triangle, double &over) const;
+    [[nodiscard]] double moves_over(const Triangle &triangle, const HessianBox &box, const Rectangle &cell) const;
     void prove();
     [[nodiscard]] Vector3 in_grid(const Vector3 &x) const noexcept;
     [[nodiscard]] TriangleBound bound_of(const Triangle &triangle, double &over);
@@ -75,6 +83,7 @@ private:
     const Spline &surface_;
     const pieces::PieceGrid &grid_;
     SegmentIndex index_;
+    CellNets nets_;
     CellTree tree_;
     std::optional<LineTwins> twins_;
     std::optional<PlaceTable> table_;
@@ -391,6 +400,25 @@ int32_t DomainMesher::place_in_block(int32_t place, const Rectangle &block) cons
     return table_->find(lines[0], lines[1]);
 }
 
+// The point of the pole at which a place is, -1: none.
+int32_t DomainMesher::pole_at(const std::array<double, 2> &param) {
+    for (size_t k = 0; k < 2; ++k) {
+        for (const size_t end : {size_t{0}, size_t{1}}) {
+            const int32_t line = end == 0 ? 0 : static_cast<int32_t>(tree_.lines(k).size()) - 1;
+            if (domain_.collapsed[k][end] && param[k] == t_of(k, line)) {
+                const std::vector<int32_t> places = table_->on_line(k, line);
+                if (places.empty()) {
+                    return -1;
+                }
+                int32_t &point = place_points_[static_cast<size_t>(table_->point_of(places.front()))];
+                point = point < 0 ? next_point_++ : point;
+                return point;
+            }
+        }
+    }
+    return -1;
+}
+
 int32_t DomainMesher::site_of(int32_t strip_point, int32_t number) {
     const auto at = static_cast<size_t>(strip_point);
     const Rectangle block = tree_.block(number);
@@ -406,6 +434,8 @@ int32_t DomainMesher::site_of(int32_t strip_point, int32_t number) {
         }
         if (at < domain_.border.points.size()) {
             site.point = domain_.border.points[at].point;
+        } else if (const int32_t pole = pole_at(site.param); pole >= 0) {
+            site.point = pole;
         } else {
             const auto [own, none] = strip_sites_.try_emplace({strip_point, -1}, next_point_);
             next_point_ += none ? 1 : 0;
@@ -430,12 +460,14 @@ void DomainMesher::make_strip() {
     std::array<double, 2> lengths{};
     for (const Cell &cell : tree_.cells()) {
         for (size_t k = 0; k < 2; ++k) {
-            const double speed = cell.box.speed(k) / tree_.rectangle(cell).side(k) * part.side(k);
+            const double speed = cell.box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / tree_.rectangle(cell).side(k) * part.side(k);
             lengths[k] = std::max(lengths[k], std::isfinite(speed) ? speed : 0);
         }
     }
     const Strip strip(part, lengths, strip_points_, walls_);
-    crossed_ = !strip.crossed().empty();
+    // Lines may cross the border outside of the face.
+    crossed_ = std::ranges::any_of(strip.crossed(), [&](int32_t wall) { return walls_[static_cast<size_t>(wall)].border >= 0; });
+    if (getenv("CR")) { int n=0; for (int c : strip.crossed()) if (walls_[c].border>=0 && n++<3) { auto&w=walls_[c]; fprintf(stderr,"crossed wall %d of %zu border %d passable %d: %.9g %.9g - %.9g %.9g\n",c,walls_.size(),w.border,w.passable,strip_points_[w.from][0],strip_points_[w.from][1],strip_points_[w.to][0],strip_points_[w.to][1]); } }
     for (const Strip::Component &component : strip.components()) {
         if (!is_kept(component)) {
             continue;
@@ -513,6 +545,12 @@ Vector3 DomainMesher::in_grid(const Vector3 &x) const noexcept {
     return {placed[0], placed[1], surface_.dim() == 3 ? placed[2] : 0};
 }
 
+// How far places between a segment of the border and its curve are from it, in space.
+double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell) noexcept {
+    const double u = segment.over[0] / cell.side(0), v = segment.over[1] / cell.side(1);
+    return segment.across ? box.move(u, v) : box.move(u, 0) + box.move(0, v);
+}
+
 // over: how far the corners, and what is between sides and curves of the border, are from the surface over the triangle.
 TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
     std::array<TriangleCorner, 3> corners;
@@ -537,7 +575,7 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
     std::array<double, 2> beside{};
     for (const int32_t border : triangle.border) {
         for (size_t k = 0; k < 2 && border >= 0; ++k) {
-            beside[k] = std::max(beside[k], domain_.border.segments[static_cast<size_t>(border)].over[k]);
+            beside[k] = std::max(beside[k], std::abs(domain_.border.segments[static_cast<size_t>(border)].over[k]));
         }
     }
     const std::array<double, 2> middle{(corners[0].param[0] + corners[1].param[0] + corners[2].param[0]) / 3,
@@ -547,17 +585,50 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
         part.lower[k] -= beside[k];
         part.upper[k] += beside[k];
     }
+    const Rectangle bounds = tree_.block(block);
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = 1e-6 * bounds.side(k);
+        if (part.lower[k] + beside[k] < bounds.lower[k] - room || part.upper[k] - beside[k] > bounds.upper[k] + room) {
+            over = infinity; // over a line at which the surface may have a kink
+        }
+        part.lower[k] = std::max(part.lower[k], bounds.lower[k]);
+        part.upper[k] = std::min(part.upper[k], bounds.upper[k]);
+        if (!(part.lower[k] < part.upper[k])) { // along a line
+            const double step = 1e-9 * bounds.side(k);
+            part.lower[k] = std::max(bounds.lower[k], part.lower[k] - step);
+            part.upper[k] = std::min(bounds.upper[k], part.upper[k] + step);
+        }
+    }
+    const PieceRange pieces = nets_.pieces_in(part);
+    if (pieces.count() > most_pieces) {
+        return bound_over_cells(corners, part, block, triangle, over);
+    }
+    const HessianBox box = nets_.box(part, pieces);
+    over += moves_over(triangle, box, part);
+    const CellPart here{&box, part};
+    return triangle_bound(corners, {&here, 1});
+}
+
+// How far places between curves of the border and the sides of a triangle are from it, in space.
+double DomainMesher::moves_over(const Triangle &triangle, const HessianBox &box, const Rectangle &cell) const {
+    double moves = 0;
+    for (const int32_t border : triangle.border) {
+        if (border >= 0) {
+            moves = std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)], box, cell));
+        }
+    }
+    return moves;
+}
+
+TriangleBound DomainMesher::bound_over_cells(const std::array<TriangleCorner, 3> &corners, const Rectangle &part, int32_t block,
+                                             const Triangle &triangle, double &over) const {
     std::vector<CellPart> cells;
     double moves = 0;
     tree_.for_each_in(part, [&](const Cell &cell) {
         if (cell.block == block) {
             const Rectangle own = tree_.rectangle(cell);
             cells.push_back({&cell.box, own});
-            double move = 0;
-            for (size_t k = 0; k < 2; ++k) {
-                move += beside[k] > 0 ? cell.box.speed(k) / own.side(k) * beside[k] : 0;
-            }
-            moves = std::max(moves, move);
+            moves = std::max(moves, moves_over(triangle, cell.box, own));
         }
     });
     over += moves;
@@ -622,6 +693,13 @@ bool DomainMesher::improve() {
         }
         double longest = 0;
         std::array<double, 2> place{};
+        for (size_t k = 0; k < 3; ++k) { // at a pole, that side
+            const Site &a = sites_[static_cast<size_t>(triangle.sites[(k + 1) % 3])], &b = sites_[static_cast<size_t>(triangle.sites[(k + 2) % 3])];
+            if (a.point == b.point) {
+                longest = infinity;
+                place = {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2};
+            }
+        }
         for (size_t k = 0; k < 3; ++k) {
             const Site &a = sites_[static_cast<size_t>(triangle.sites[(k + 1) % 3])], &b = sites_[static_cast<size_t>(triangle.sites[(k + 2) % 3])];
             const double size = length(positions_[static_cast<size_t>(triangle.sites[(k + 1) % 3])] - positions_[static_cast<size_t>(triangle.sites[(k + 2) % 3])]);
@@ -644,6 +722,7 @@ bool DomainMesher::improve() {
 }
 
 MeshFace DomainMesher::output() {
+    if (getenv("DM")) { size_t w=0; int n=0; for (size_t i=0;i<triangles_.size();++i){ if(distances_[i].most()>distances_[w].most()) w=i; n+=distances_[i].most()>rule_.chord;} if(n){ double over=0; auto b=bound_of(triangles_[w],over); fprintf(stderr,"bad %d of %zu worst %s: d %.3g %.3g over %.3g h %.3g out %.3g beside %.3g alt %.3g chord %.3g border %d %d %d\n",n,triangles_.size(),triangles_[w].cell>=0?"cell":"strip",distances_[w].from_shape,distances_[w].from_mesh,grid_.unscaled(over),grid_.unscaled(b.height),grid_.unscaled(b.out),grid_.unscaled(b.beside),grid_.unscaled(b.altitude),rule_.chord,triangles_[w].border[0],triangles_[w].border[1],triangles_[w].border[2]); for(int k=0;k<3;++k){auto&S=sites_[triangles_[w].sites[k]]; fprintf(stderr,"   uv %.8g %.8g p %d moved %.3g\n",S.param[0],S.param[1],S.point,length(positions_[triangles_[w].sites[k]]-(S.point<first_point_?mesh_.points[S.point]:new_points_[S.point-first_point_])));} } }
     MeshFace face;
     face.first_vertex = mesh_.vertices.size();
     face.vertices = sites_.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/border/face_border.h"
 
+#include "base/numbers.h"
 #include "bernstein/de_casteljau.h"
 #include "mesh/border/snap_lines.h"
 
@@ -30,6 +31,29 @@ std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::T
         points[i] = {columns[0][i] / w, columns[1][i] / w};
     }
     return points;
+}
+
+// Control points of a part of a curve, and the most that all but the first and the last have of a place on it together.
+struct PolygonPart {
+    std::vector<Point2> points;
+    double share;
+};
+
+double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from, double to) {
+    double ends = infinity, inner = 0;
+    if (piece.weighted) {
+        std::vector<double> weights;
+        const std::span<const double> given = pieces.coefficients(piece);
+        for (size_t i = 2; i < given.size(); i += 3) {
+            weights.push_back(given[i]);
+        }
+        restrict_to(piece.degree, from, to, weights.data());
+        ends = std::min(weights.front(), weights.back());
+        inner = *std::max_element(weights.begin() + 1, weights.end() - 1);
+    }
+    const double ratio = piece.weighted ? inner / ends : 1;
+    const double outer = std::ldexp(2.0, -piece.degree), rest = (1 - outer) * ratio; // at 1/2
+    return std::min(1.0, rest / (outer + rest) * (1 + 64 * eps));
 }
 
 class BorderWalk {
@@ -67,7 +91,7 @@ private:
     SnapLines lines_;
     FaceBorder result_;
     int32_t first_ = -1, last_ = -1; // points of the loop
-    std::vector<Point2> hull_;       // of the curve since the last point
+    std::vector<PolygonPart> hull_;  // of the curve since the last point
 };
 
 // Whether the way from one place to another leads over a seam, or along a pole.
@@ -91,10 +115,9 @@ bool BorderWalk::jumps(const Point2 &a, const Point2 &b) const noexcept {
 void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
     if (from < to && piece.degree > 1) {
         const std::vector<Point2> points = control_points(face_.trims().pieces(), piece, from, to);
-        hull_.insert(hull_.end(), points.begin(), points.end());
+        hull_.push_back({points, share_of_polygon(face_.trims().pieces(), piece, from, to)});
     } else if (from < to) {
-        hull_.push_back(face_.trims().pieces().point(piece, from));
-        hull_.push_back(face_.trims().pieces().point(piece, to));
+        hull_.push_back({{face_.trims().pieces().point(piece, from), face_.trims().pieces().point(piece, to)}, 0});
     }
 }
 
@@ -183,19 +206,31 @@ void BorderWalk::mirror(const BorderSegment &segment) {
 void BorderWalk::add_segment(int32_t from, int32_t to) {
     const Point2 &a = result_.points[static_cast<size_t>(from)].param, &b = result_.points[static_cast<size_t>(to)].param;
     BorderSegment segment{from, to};
-    const double du = (b[0] - a[0]) / face_.covering().period(0), dv = (b[1] - a[1]) / face_.covering().period(1);
-    for (Point2 x : hull_) {
-        for (size_t k = 0; k < 2; ++k) { // in the copy of the segment
-            const double period = face_.covering().period(static_cast<int>(k));
-            const double off = x[k] - (a[k] / 2 + b[k] / 2);
-            x[k] -= face_.covering().closed(static_cast<int>(k)) ? std::round(off / period) * period : 0;
+    const Point2 period{face_.covering().period(0), face_.covering().period(1)};
+    const double du = (b[0] - a[0]) / period[0], dv = (b[1] - a[1]) / period[1], squared = du * du + dv * dv;
+    double most = 0;
+    for (const PolygonPart &part : hull_) {
+        double ends = 0, inner = 0;
+        for (size_t i = 0; i < part.points.size(); ++i) {
+            Point2 x = part.points[i];
+            for (size_t k = 0; k < 2; ++k) { // in the copy of the segment
+                const double off = x[k] - (a[k] / 2 + b[k] / 2);
+                x[k] -= face_.covering().closed(static_cast<int>(k)) ? std::round(off / period[k]) * period[k] : 0;
+            }
+            const double along = ((x[0] - a[0]) / period[0] * du + (x[1] - a[1]) / period[1] * dv) / squared;
+            const double t = std::clamp(along, 0.0, 1.0);
+            segment.across = segment.across && std::abs(along - t) <= 1e-12;
+            for (size_t k = 0; k < 2; ++k) {
+                segment.over[k] = std::max(segment.over[k], std::abs(x[k] - (a[k] * (1 - t) + b[k] * t)));
+            }
+            const double off = std::abs((x[0] - a[0]) / period[0] * dv - (x[1] - a[1]) / period[1] * du);
+            double &own = i == 0 || i + 1 == part.points.size() ? ends : inner;
+            own = std::max(own, off);
         }
-        const double t = std::clamp(((x[0] - a[0]) / face_.covering().period(0) * du + (x[1] - a[1]) / face_.covering().period(1) * dv) /
-                                        (du * du + dv * dv),
-                                    0.0, 1.0);
-        for (size_t k = 0; k < 2; ++k) {
-            segment.over[k] = std::max(segment.over[k], std::abs(x[k] - (a[k] * (1 - t) + b[k] * t)));
-        }
+        most = std::max({most, ends, (1 - part.share) * ends + part.share * inner});
+    }
+    if (segment.across) {
+        segment.over = {-dv * most / squared * period[0], du * most / squared * period[1]};
     }
     result_.segments.push_back(segment);
     mirror(segment);

@@ -13,7 +13,9 @@ struct BorderPoint {
 
 struct BorderSegment {
     int32_t from, to;    // of the points
-    face::Point2 over{}; // how far, along each axis, places between it and its curve are from the nearest of it
+    // No place between it and its curve is farther from it than by such a step, to one side or the other; if not `across`, along each axis.
+    face::Point2 over{};
+    bool across = true;
 };
 
 struct FaceBorder {

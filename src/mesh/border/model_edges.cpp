@@ -133,18 +133,25 @@ std::vector<double> ModelEdges::fixed_params(size_t line) const {
 bool ModelEdges::is_far(const Use &use, const std::array<double, 2> &params, double chord) const {
     const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
     const face::Coedge &coedge = face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
-    const double middle = params[0] / 2 + params[1] / 2;
-    std::array<face::Point2, 3> places;
-    for (size_t i = 0; i < 3; ++i) {
-        eval::curve_point(*coedge.curve, i == 0 ? params[0] : i == 1 ? params[1] : middle, false, places[i].data());
-    }
-    const face::Point2 between{places[0][0] / 2 + places[1][0] / 2, places[0][1] / 2 + places[1][1] / 2};
+    const auto place = [&](double share) {
+        face::Point2 x;
+        eval::curve_point(*coedge.curve, params[0] * (1 - share) + params[1] * share, false, x.data());
+        return x;
+    };
     const auto in_space = [&](const face::Point2 &x) {
         const std::vector<double> point = face::point_at(*face.surface(), face.covering().in_domain(x));
         return Vector3{point[0], point.size() > 1 ? point[1] : 0, point.size() > 2 ? point[2] : 0};
     };
-    const Vector3 a = in_space(places[0]), b = in_space(places[1]), on_chord = in_space(between);
-    return distance_from_segment(on_chord, a, b) + length(in_space(places[2]) - on_chord) > chord;
+    const face::Point2 from = place(0), to = place(1);
+    const Vector3 a = in_space(from), b = in_space(to);
+    double off_chord = 0, off_curve = 0;
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const face::Point2 between{from[0] * (1 - share) + to[0] * share, from[1] * (1 - share) + to[1] * share};
+        const Vector3 on_chord = in_space(between);
+        off_chord = std::max(off_chord, distance_from_segment(on_chord, a, b));
+        off_curve = std::max(off_curve, length(in_space(place(share)) - on_chord));
+    }
+    return off_chord + off_curve > chord;
 }
 
 std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<double> &params, double chord) const {

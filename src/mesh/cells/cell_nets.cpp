@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/cells/cell_nets.h"
 
+#include "bernstein/de_casteljau.h"
+#include "mesh/cells/cell_shape.h"
+
 #include <algorithm>
 
 namespace nrb::mesh {
@@ -10,6 +13,7 @@ CellNets::CellNets(const pieces::PieceGrid &grid)
     for (int k = 0; k < grid.shape().axes; ++k) {
         degrees_[static_cast<size_t>(grid.spline_axis(k))] = grid.shape().degree(k);
     }
+    line_.resize(static_cast<size_t>(std::max(degrees_[0], degrees_[1]) + 1));
     values_ = static_cast<size_t>((degrees_[0] + 1) * (degrees_[1] + 1)) * HessianBox::coordinates;
 }
 
@@ -31,6 +35,83 @@ void CellNets::extract(int64_t u, int64_t v, double *net) {
             net[3] = record[dim];
         }
     }
+}
+
+Interval CellNets::part_of(const Rectangle &part, size_t k, int64_t piece) const noexcept {
+    const auto axis = static_cast<int>(k);
+    return {std::max(part.lower[k], grid_.break_at(axis, piece)), std::min(part.upper[k], grid_.break_at(axis, piece + 1))};
+}
+
+void CellNets::extract(int64_t u, int64_t v, const Rectangle &part, double *net) {
+    extract(u, v, net);
+    const int64_t row = int64_t{degrees_[1] + 1} * 4;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<int>(k);
+        const int64_t piece = k == 0 ? u : v, step = k == 0 ? row : 4, other = k == 0 ? 4 : row;
+        const double from = grid_.break_at(axis, piece), size = grid_.break_at(axis, piece + 1) - from;
+        const Interval own = part_of(part, k, piece);
+        const double low = (own.lower - from) / size, high = (own.upper - from) / size;
+        for (int64_t o = 0; (low > 0 || high < 1) && o <= degrees_[1 - k]; ++o) {
+            for (int64_t c = 0; c < 4; ++c) {
+                double *first = net + o * other + c;
+                for (int64_t d = 0; d <= degrees_[k]; ++d) {
+                    line_[static_cast<size_t>(d)] = first[d * step];
+                }
+                restrict_to(degrees_[k], low, high, line_.data());
+                for (int64_t d = 0; d <= degrees_[k]; ++d) {
+                    first[d * step] = line_[static_cast<size_t>(d)];
+                }
+            }
+        }
+    }
+}
+
+PieceRange CellNets::pieces_in(const Rectangle &part) const noexcept {
+    PieceRange result;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<int>(k);
+        result.lower[k] = grid_.find(axis, part.lower[k]);
+        result.upper[k] = grid_.find(axis, part.upper[k]) + 1;
+        if (result.upper[k] > result.lower[k] + 1 && grid_.break_at(axis, result.upper[k] - 1) == part.upper[k]) {
+            --result.upper[k];
+        }
+    }
+    return result;
+}
+
+// What a piece has of a part, and more where that is so little that rounding would count.
+Rectangle CellNets::wide_part(const Rectangle &part, const std::array<int64_t, 2> &piece) const noexcept {
+    Rectangle result;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<int>(k);
+        const Interval own = part_of(part, k, piece[k]);
+        const double low = grid_.break_at(axis, piece[k]), high = grid_.break_at(axis, piece[k] + 1);
+        const double wanted = std::min(high - low, part.side(k)) / 8, lacking = std::max(0.0, wanted - (own.upper - own.lower));
+        result.lower[k] = std::max(low, own.lower - lacking);
+        result.upper[k] = std::min(high, own.upper + lacking);
+    }
+    return result;
+}
+
+HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces) {
+    net_.resize(4 * values_);
+    CellCorners corners;
+    for (size_t c = 0; c < 4; ++c) {
+        const bool right = c == 1 || c == 2, top = c >= 2;
+        double *net = net_.data() + c * values_;
+        extract(right ? pieces.upper[0] - 1 : pieces.lower[0], top ? pieces.upper[1] - 1 : pieces.lower[1], part, net);
+        corners[c] = corners_of(*this, net)[c];
+    }
+    HessianBox result = box_about(corners);
+    std::vector<double> net(values_);
+    for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
+        for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
+            const Rectangle own = wide_part(part, {u, v});
+            extract(u, v, own, net.data());
+            result.add(degrees_[0], degrees_[1], net.data(), {part.side(0) / own.side(0), part.side(1) / own.side(1)}, noise(4));
+        }
+    }
+    return result;
 }
 
 // Each division takes a few roundings for each degree, each of the radius.

@@ -27,16 +27,25 @@ public:
     [[nodiscard]] size_t values() const noexcept { return values_; } // of a net
     // Of a whole piece: [values()].
     void extract(int64_t u, int64_t v, double *net);
+    // Of what a piece has of a part of the domain.
+    void extract(int64_t u, int64_t v, const Rectangle &part, double *net);
+    [[nodiscard]] Interval part_of(const Rectangle &part, size_t k, int64_t piece) const noexcept;
+    // The pieces that a part has inside.
+    [[nodiscard]] PieceRange pieces_in(const Rectangle &part) const noexcept;
+    // Over a part of the domain, with an axis across a plane of it.
+    [[nodiscard]] HessianBox box(const Rectangle &part, const PieceRange &pieces);
     // How far coefficients may be from exact ones after so many divisions, relative to the largest weight, and what rounding moves
     // the surface.
     [[nodiscard]] double noise(int divisions) const noexcept;
     [[nodiscard]] double moved() const noexcept;
 
 private:
+    [[nodiscard]] Rectangle wide_part(const Rectangle &part, const std::array<int64_t, 2> &piece) const noexcept;
+
     const pieces::PieceGrid &grid_;
     std::array<int, 2> degrees_{1, 1};
     size_t values_ = 0;
-    std::vector<double> patch_, work_;
+    std::vector<double> patch_, work_, line_, net_;
 };
 
 // The four corners (x, y, z, w) of a net: at (0, 0), (1, 0), (1, 1) and (0, 1).

@@ -53,13 +53,11 @@ private:
     [[nodiscard]] Found box_of(const Item &item, bool all);
     [[nodiscard]] const double *net_of(const Item &item, int64_t u, int64_t v);
     [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
-    [[nodiscard]] Interval part_of(const Item &item, size_t k, int64_t piece) const noexcept;
     void add_cell(const Item &item, const HessianBox &box, Side side);
     bool divide(Item &item, Cut cut);
     [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const noexcept;
     void divide_nets(const Item &item, size_t k, double at, Item &low, Item &high);
     [[nodiscard]] Item item_of(const Cell &cell);
-    void restrict_nets(const Item &item);
 
     const pieces::PieceGrid &grid_;
     const CellRule &rule_;
@@ -158,29 +156,22 @@ void CellTree::Builder::make_nets(Item &item) {
     double *out = pool_.data() + item.nets;
     for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
         for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, out += nets_.values()) {
-            nets_.extract(i, j, out);
+            nets_.extract(i, j, item.part, out);
         }
     }
 }
 
 const double *CellTree::Builder::net_of(const Item &item, int64_t u, int64_t v) {
     if (item.nets < 0) {
-        nets_.extract(u, v, one_.data());
+        nets_.extract(u, v, item.part, one_.data());
         return one_.data();
     }
     const int64_t at = (u - item.pieces.lower[0]) * item.pieces.count(1) + v - item.pieces.lower[1];
     return pool_.data() + item.nets + at * static_cast<int64_t>(nets_.values());
 }
 
-// What a piece has of a cell along an axis.
-Interval CellTree::Builder::part_of(const Item &item, size_t k, int64_t piece) const noexcept {
-    const auto axis = static_cast<int>(k);
-    return {std::max(item.part.lower[k], grid_.break_at(axis, piece)),
-            std::min(item.part.upper[k], grid_.break_at(axis, piece + 1))};
-}
-
 std::array<double, 2> CellTree::Builder::factors(const Item &item, int64_t u, int64_t v) const noexcept {
-    const Interval a = part_of(item, 0, u), b = part_of(item, 1, v);
+    const Interval a = nets_.part_of(item.part, 0, u), b = nets_.part_of(item.part, 1, v);
     return {item.part.side(0) / (a.upper - a.lower), item.part.side(1) / (b.upper - b.lower)};
 }
 
@@ -290,7 +281,7 @@ void CellTree::Builder::divide_nets(const Item &item, size_t k, double at, Item 
             const int64_t along = k == 0 ? i : j;
             const bool in_low = along < low.pieces.upper[k], in_high = along >= high.pieces.lower[k];
             if (in_low && in_high) {
-                const Interval part = part_of(item, k, along);
+                const Interval part = nets_.part_of(item.part, k, along);
                 std::copy_n(net, values, place(high, i, j));
                 subdivide(layers, (at - part.lower) / (part.upper - part.lower), place(high, i, j),
                           place(low, i, j));
@@ -335,48 +326,9 @@ CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
     item.upper = cell.upper;
     item.part = tree_.rectangle(cell);
     item.divisions = 4;
-    for (size_t k = 0; k < 2; ++k) {
-        const auto axis = static_cast<int>(k);
-        item.pieces.lower[k] = grid_.find(axis, item.part.lower[k]);
-        item.pieces.upper[k] = grid_.find(axis, item.part.upper[k]) + 1;
-        if (item.pieces.upper[k] > item.pieces.lower[k] + 1 &&
-            grid_.break_at(axis, item.pieces.upper[k] - 1) == item.part.upper[k]) {
-            --item.pieces.upper[k];
-        }
-    }
+    item.pieces = nets_.pieces_in(item.part);
     make_nets(item);
-    restrict_nets(item);
     return item;
-}
-
-void CellTree::Builder::restrict_nets(const Item &item) {
-    std::vector<double> line(static_cast<size_t>(std::max(nets_.degree(0), nets_.degree(1)) + 1));
-    const auto values = static_cast<int64_t>(nets_.values()), row = int64_t{nets_.degree(1) + 1} * 4;
-    double *net = pool_.data() + item.nets;
-    for (int64_t i = item.pieces.lower[0]; item.nets >= 0 && i < item.pieces.upper[0]; ++i) {
-        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, net += values) {
-            for (size_t k = 0; k < 2; ++k) {
-                const auto axis = static_cast<int>(k);
-                const int64_t piece = k == 0 ? i : j, step = k == 0 ? row : 4, other = k == 0 ? 4 : row;
-                const double from = grid_.break_at(axis, piece), size = grid_.break_at(axis, piece + 1) - from;
-                const Interval part = part_of(item, k, piece);
-                const double low = (part.lower - from) / size, high = (part.upper - from) / size;
-                const int64_t across = nets_.degree(1 - k) + 1;
-                for (int64_t o = 0; o < across; ++o) {
-                    for (int64_t c = 0; c < 4; ++c) {
-                        double *first = net + o * other + c;
-                        for (int64_t d = 0; d <= nets_.degree(k); ++d) {
-                            line[static_cast<size_t>(d)] = first[d * step];
-                        }
-                        restrict_to(nets_.degree(k), low, high, line.data());
-                        for (int64_t d = 0; d <= nets_.degree(k); ++d) {
-                            first[d * step] = line[static_cast<size_t>(d)];
-                        }
-                    }
-                }
-            }
-        }
-    }
 }
 
 void CellTree::Builder::cut(int32_t number) {

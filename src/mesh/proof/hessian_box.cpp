@@ -27,22 +27,26 @@ public:
     // Times a factor. The plane is that through the means of the corners; a plane has the coefficients of its values at the places
     // of control points, so that what coefficients differ from it bounds what the function does.
     [[nodiscard]] Ranges ranges(double factor, double noise, bool planes) const noexcept;
-    // The largest length of the first three, and of the last one.
-    [[nodiscard]] std::array<double, 2> largest() const noexcept;
+    // The least and the largest of each component.
+    struct Extremes {
+        Row low, high;
+    };
+    [[nodiscard]] Extremes extremes() const noexcept;
 
 private:
     int u_ = 0, v_ = 0;
     std::array<Row, size_t{max_degree + 1} * (max_degree + 1)> rows_;
 };
 
-std::array<double, 2> Net::largest() const noexcept {
-    std::array<double, 2> result{};
-    for (size_t i = 0; !empty() && i < static_cast<size_t>(u_ * v_); ++i) {
-        const Row &row = rows_[i];
-        result[0] = std::max(result[0], row[0] * row[0] + row[1] * row[1] + row[2] * row[2]);
-        result[1] = std::max(result[1], std::abs(row[3]));
+Net::Extremes Net::extremes() const noexcept {
+    Extremes result{at(0, 0), at(0, 0)};
+    for (size_t i = 0; i < static_cast<size_t>(u_ * v_); ++i) {
+        for (size_t c = 0; c < width; ++c) {
+            result.low[c] = std::min(result.low[c], rows_[i][c]);
+            result.high[c] = std::max(result.high[c], rows_[i][c]);
+        }
     }
-    return {std::sqrt(result[0]), result[1]};
+    return result;
 }
 
 Ranges Net::ranges(double factor, double noise, bool planes) const noexcept {
@@ -151,15 +155,21 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
         }
     }
     const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1], error = noise * largest_weight_;
-    reach_ = std::max(reach_, rows.largest()[0] + error);
+    const Net::Extremes all = rows.extremes();
+    double reach = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        const double most = std::max(std::abs(all.low[c]), std::abs(all.high[c])) + error;
+        reach += most * most;
+    }
+    reach_ = std::max(reach_, std::sqrt(reach));
     differentiate_u(rows, m, n, first);
-    set_speed(0, first.largest(), p * fu, error);
+    add_first(0, {first.extremes().low, first.extremes().high}, p * fu, error, fresh);
     differentiate_u(first, m - 1, n, second);
     const Ranges uu = second.ranges(p * (p - 1) * fu * fu, error, whole);
     differentiate_v(first, m - 1, n, second);
     const Ranges uv = second.ranges(p * q * fu * fv, error, whole);
     differentiate_v(rows, m, n, first);
-    set_speed(1, first.largest(), q * fv, error);
+    add_first(1, {first.extremes().low, first.extremes().high}, q * fv, error, fresh);
     differentiate_v(first, m, n - 1, second);
     const Ranges vv = second.ranges(q * (q - 1) * fv * fv, error, whole);
     for (size_t c = 0; c < coordinates; ++c) {
@@ -175,9 +185,24 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
     }
 }
 
-void HessianBox::set_speed(size_t k, const std::array<double, 2> &largest, double factor, double noise) noexcept {
-    speeds_[k] = std::max(speeds_[k], factor * (largest[0] + 2 * noise));
-    weight_speeds_[k] = std::max(weight_speeds_[k], factor * (largest[1] + 2 * noise));
+void HessianBox::add_first(size_t k, const FirstNet &net, double factor, double noise, bool fresh) noexcept {
+    First own;
+    double squares = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        own.middle[c] = factor * (net.low[c] + net.high[c]) / 2;
+        const double radius = factor * ((net.high[c] - net.low[c]) / 2 + 2 * noise);
+        squares += radius * radius;
+    }
+    own.radius = std::sqrt(squares);
+    own.weight = factor * (std::max(std::abs(net.low[3]), std::abs(net.high[3])) + 2 * noise);
+    First &all = first_[k];
+    if (fresh) {
+        all = own;
+        return;
+    }
+    const double apart = std::hypot(own.middle[0] - all.middle[0], own.middle[1] - all.middle[1], own.middle[2] - all.middle[2]);
+    all.radius = std::max(all.radius, own.radius + apart);
+    all.weight = std::max(all.weight, own.weight);
 }
 
 // d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps.
@@ -200,12 +225,34 @@ Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
 }
 
 Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
-    const double apart = length(origin_ - p) + distance;
+    const Vector3 off = origin_ - p;
+    const Row moved{dot(axes_[0], off), dot(axes_[1], off), dot(axes_[2], off), 0};
+    const double noise = 16 * eps * length(off);
     const auto radius = [&](const Ranges &ranges) {
-        const double x = ranges[0].most(), y = ranges[1].most(), z = ranges[2].most();
-        return Range{0, 0, 0, (std::sqrt(x * x + y * y + z * z) + apart * ranges[3].most()) * (1 + 32 * eps)};
+        const Range &w = ranges[3];
+        double sum = 0;
+        for (size_t c = 0; c < 3; ++c) {
+            const Range &a = ranges[c];
+            const double middle = std::abs(a.middle + moved[c] * w.middle), u = std::abs(a.u + moved[c] * w.u),
+                         v = std::abs(a.v + moved[c] * w.v), rest = a.radius + std::abs(moved[c]) * w.radius;
+            const double most = middle + (u + v) / 2 + rest;
+            sum += most * most;
+        }
+        return Range{0, 0, 0, (std::sqrt(sum) + (distance + noise) * w.most()) * (1 + 32 * eps)};
     };
     return {radius(uu_), radius(uv_), radius(vv_)};
+}
+
+// S' = (A' - S w') / w about the origin, with a middle of the one and the rest for what is left.
+double HessianBox::move(double u, double v) const noexcept {
+    const double w = least_weight_, ratio = largest_weight_ / least_weight_;
+    const Row middle{(u * first_[0].middle[0] + v * first_[1].middle[0]) / w, (u * first_[0].middle[1] + v * first_[1].middle[1]) / w,
+                     (u * first_[0].middle[2] + v * first_[1].middle[2]) / w, 0};
+    const double size = std::sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]);
+    const double rest = std::abs(u) * (first_[0].radius + reach_ * first_[0].weight / w) +
+                        std::abs(v) * (first_[1].radius + reach_ * first_[1].weight / w);
+    (void)ratio;
+    return (size + rest / w) * (1 + 64 * eps);
 }
 
 } // namespace nrb::mesh

@@ -55,10 +55,8 @@ public:
     // Whether weights are positive for certain.
     [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
 
-    // The most that the surface moves by along an axis, for a step of a side of the cell.
-    [[nodiscard]] double speed(size_t k) const noexcept {
-        return (speeds_[k] + reach_ * weight_speeds_[k] / least_weight_) / least_weight_ * (1 + 64 * eps);
-    }
+    // The most that the surface moves by on a step of (u, v) sides of the cell in it.
+    [[nodiscard]] double move(double u, double v) const noexcept;
 
     // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
     // 1. `noise`: of a coefficient, relative to the largest weight.
@@ -74,15 +72,22 @@ public:
 
 private:
     using Ranges = std::array<Range, coordinates>;
-    void set_speed(size_t k, const std::array<double, 2> &largest, double factor, double noise) noexcept;
+    // Of first derivatives: the middle of A' and what there is about it, and the most of w'.
+    struct First {
+        std::array<double, 3> middle{};
+        double radius = 0, weight = 0;
+    };
+    struct FirstNet {
+        std::array<double, coordinates> low, high;
+    };
+    void add_first(size_t k, const FirstNet &net, double factor, double noise, bool fresh) noexcept;
 
     Vector3 origin_;
     std::array<Vector3, 3> axes_{};
     Ranges uu_{}, uv_{}, vv_{};
     double least_weight_ = infinity, largest_weight_ = -infinity;
-    // Of A - w O and w, the most along the axes; the most of |A - w O|.
-    std::array<double, 2> speeds_{}, weight_speeds_{};
-    double reach_ = 0;
+    std::array<First, 2> first_{};
+    double reach_ = 0; // the most of |A - w O|
 };
 
 } // namespace nrb::mesh

@@ -41,6 +41,7 @@ public:
             in_ends += a + b;
             opposite += q[k][k];
             steepest = std::max(steepest, differences_[k]);
+            largest_[k] = std::max({std::abs(q[k][0]), std::abs(q[k][1]), std::abs(q[k][2])}) + rest[k];
         }
         all_ = 0.118 * steepest + std::abs(in_ends / 12 - opposite / 6) / 27 + all / 8;
     }
@@ -55,8 +56,11 @@ public:
         return (std::abs(means_[k]) + rest_[k]) / 8 + 0.0963 * differences_[k];
     }
 
+    // The most of the second derivative along side k, on the whole triangle.
+    [[nodiscard]] double largest(size_t k) const noexcept { return largest_[k]; }
+
 private:
-    Values means_{}, differences_{}, rest_;
+    Values means_{}, differences_{}, largest_{}, rest_;
     double all_;
 };
 

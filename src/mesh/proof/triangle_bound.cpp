@@ -48,8 +48,10 @@ private:
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
     [[nodiscard]] double second_derivative(size_t k) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
+    [[nodiscard]] double beside_segment() const noexcept;
     [[nodiscard]] bool runs_along(size_t k) const noexcept;
     [[nodiscard]] double sharpness() const noexcept;
+    [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
     [[nodiscard]] double off(const Vector3 &d) const noexcept;
 
     const std::array<TriangleCorner, 3> &corners_;
@@ -103,7 +105,12 @@ double Triangle::equal_parameters() const noexcept {
 // Whether the image of side k, projected on it, does not leave it over its ends. N along the side, from one end on, is at least
 // s w l - s (1 - s) / 2 |N''|, and likewise from the other end.
 bool Triangle::runs_along(size_t k) const noexcept {
-    return bends_[k] / 2 <= least_weight_ * lengths_[k];
+    const double room = 2 * least_weight_ * lengths_[k] / rounding;
+    if (bends_[k] <= room) {
+        return true;
+    }
+    const Vector3 along = (1 / lengths_[k]) * sides_[k];
+    return bend(along, corner(k + 1).point).largest(k) <= room && bend(along, corner(k + 2).point).largest(k) <= room;
 }
 
 // Points that come out of the triangle no farther than 1 over each side are no farther from it than this: where two sides meet at an
@@ -117,12 +124,23 @@ double Triangle::sharpness() const noexcept {
         const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
         const double half_cosine = std::sqrt(std::max(1 + cosine - 8 * eps, 0.0) / 2);
         const double half_sine = std::sqrt(std::max(1 - cosine - 8 * eps, 0.0) / 2);
-        const double opposite = bends_[k];
-        const bool cut = (bends_[i] + opposite) / 2 <= least_weight_ * lengths_[i] * half_cosine &&
-                         (bends_[j] + opposite) / 2 <= least_weight_ * lengths_[j] * half_cosine;
-        most = std::max(most, 1 / std::max(half_sine, cut ? half_cosine : 0.0));
+        most = std::max(most, 1 / std::max(half_sine, half_cosine > half_sine && is_cut(k, half_cosine) ? half_cosine : 0.0));
     }
     return most * rounding;
+}
+
+bool Triangle::is_cut(size_t k, double half_cosine) const noexcept {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const double room = 2 * least_weight_ * half_cosine / rounding;
+    const auto fits = [&](double at_i, double at_j, double opposite) {
+        return at_i + opposite <= room * lengths_[i] && at_j + opposite <= room * lengths_[j];
+    };
+    if (fits(bends_[i], bends_[j], bends_[k])) {
+        return true;
+    }
+    const Vector3 inwards = (1 / lengths_[j]) * sides_[j] - (1 / lengths_[i]) * sides_[i];
+    const Bend outwards = bend(-1 / length(inwards) * inwards, corner(k).point);
+    return fits(outwards.largest(i), outwards.largest(j), outwards.largest(k));
 }
 
 // How far corners are from a plane that is to contain them all.
@@ -130,11 +148,23 @@ double Triangle::off(const Vector3 &normal) const noexcept {
     return std::max(std::abs(dot(normal, sides_[1])), std::abs(dot(normal, sides_[2]))) + 8 * eps * longest_;
 }
 
+// Of a triangle that is a segment to rounding: how far the surface is from it, across it and beyond its ends.
+double Triangle::beside_segment() const noexcept {
+    const size_t k = lengths_[0] >= lengths_[1] ? (lengths_[0] >= lengths_[2] ? 0 : 2) : lengths_[1] >= lengths_[2] ? 1 : 2;
+    const Vector3 along = (1 / lengths_[k]) * sides_[k], least = std::abs(along.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
+    const Vector3 across = unit(cross(along, least)), up = cross(along, across);
+    const Vector3 &from = corner(k + 1).point, &to = corner(k + 2).point, &other = corner(k).point;
+    const double off = length(cross(other - from, along)) + 8 * eps * longest_;
+    const double beside = std::hypot(bend(across, from).both(), bend(up, from).both()) / least_weight_ + 2 * off;
+    const double beyond = std::max(bend(along, to).above(), bend(-1 * along, from).above()) / least_weight_;
+    return lengths_[k] > 0 ? std::hypot(beside, beyond + 8 * eps * longest_) * rounding : infinity;
+}
+
 TriangleBound Triangle::bound() const noexcept {
     const Vector3 product = cross(sides_[0], sides_[1]);
     const double area = length(product);
     if (!(area > 1e-12 * longest_ * longest_)) { // no plane to speak of
-        const double whole = equal_parameters();
+        const double whole = std::min(equal_parameters(), beside_segment());
         return {whole, 0, whole, 0, {}};
     }
     const Vector3 normal = (1 / area) * product;
