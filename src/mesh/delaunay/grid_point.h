@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Points of a grid, and on which side of lines and circles others lie: exactly, because all that is computed are integers.
+#pragma once
+
+#include "numeric/exact_sum.h"
+
+#include <cstdint>
+
+namespace nrb::mesh {
+
+// Both coordinates from 0 to grid_end.
+struct GridPoint {
+    int32_t u = 0, v = 0;
+    friend bool operator==(const GridPoint &, const GridPoint &) = default;
+};
+inline constexpr int32_t grid_end = int32_t{1} << 30;
+
+// Twice the area of the triangle, positive if it is counterclockwise: two products of at most 60 bits.
+inline int64_t orientation(const GridPoint &a, const GridPoint &b, const GridPoint &c) noexcept {
+    return int64_t{b.u - a.u} * (c.v - a.v) - int64_t{b.v - a.v} * (c.u - a.u);
+}
+
+// (b - a) (c - a): positive if both lie in one direction from a.
+inline int64_t scalar_product(const GridPoint &a, const GridPoint &b, const GridPoint &c) noexcept {
+    return int64_t{b.u - a.u} * (c.u - a.u) + int64_t{b.v - a.v} * (c.v - a.v);
+}
+
+// Whether p lies strictly inside of the circle through a counterclockwise triangle: a sum of three products of at most 122 bits.
+inline bool in_circle(const GridPoint &a, const GridPoint &b, const GridPoint &c,
+                      const GridPoint &p) noexcept {
+    const auto lifted = [](int64_t u, int64_t v) { return u * u + v * v; };
+    const int64_t au = a.u - p.u, av = a.v - p.v, bu = b.u - p.u, bv = b.v - p.v, cu = c.u - p.u,
+                  cv = c.v - p.v;
+    Int128 sum = Int128::product(lifted(au, av), bu * cv - bv * cu);
+    sum += Int128::product(lifted(bu, bv), cu * av - cv * au);
+    sum += Int128::product(lifted(cu, cv), au * bv - av * bu);
+    return sum.high() > 0 || (sum.high() == 0 && sum.low() > 0);
+}
+
+} // namespace nrb::mesh
