@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <map>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 
 namespace nrb::mesh {
@@ -43,11 +41,11 @@ struct Triangle {
 
 class DomainMesher {
 public:
-    DomainMesher(const MeshDomain &domain, const MeshRule &rule, Mesh &mesh)
-        : domain_(domain), rule_(rule), mesh_(mesh), surface_(*domain.surface),
+    DomainMesher(const MeshDomain &domain, const MeshRule &rule)
+        : domain_(domain), rule_(rule), surface_(*domain.surface),
           grid_(pieces::piece_grid_of(surface_)), index_(domain.border), nets_(grid_), tree_(grid_, cell_rule()) {}
 
-    MeshFace run();
+    DomainMesh run();
 
 private:
     [[nodiscard]] CellRule cell_rule() const;
@@ -73,13 +71,18 @@ private:
     void prove();
     [[nodiscard]] Vector3 in_grid(const Vector3 &x) const noexcept;
     [[nodiscard]] TriangleBound bound_of(const Triangle &triangle, double &over);
+    struct Split {
+        double size = 0;
+        std::array<double, 2> place{};
+        int32_t border = -1; // segment of the border
+    };
+    [[nodiscard]] Split split_of(const Triangle &triangle) const;
     [[nodiscard]] bool improve();
-    [[nodiscard]] MeshFace output();
+    [[nodiscard]] DomainMesh output();
     [[nodiscard]] double t_of(size_t k, int32_t line) const noexcept { return tree_.lines(k)[static_cast<size_t>(line)].t; }
 
     const MeshDomain &domain_;
     const MeshRule &rule_;
-    Mesh &mesh_;
     const Spline &surface_;
     const pieces::PieceGrid &grid_;
     SegmentIndex index_;
@@ -105,7 +108,7 @@ private:
     int32_t first_point_ = 0, next_point_ = 0; // points of the mesh that are new
     std::vector<Vector3> new_points_;
     std::vector<bool> touched_; // places on the border of cells that the border cuts
-    bool crossed_ = false;
+    std::vector<int32_t> crossed_, weak_; // segments of the border
     double slack_ = 0; // of rounding
 };
 
@@ -154,7 +157,7 @@ void DomainMesher::make_tables() {
     strip_of_param_.clear();
     strip_sites_.clear();
     walls_.clear();
-    first_point_ = next_point_ = static_cast<int32_t>(mesh_.points.size());
+    first_point_ = next_point_ = domain_.points != nullptr ? static_cast<int32_t>(domain_.points->size()) : 0;
 }
 
 int32_t DomainMesher::site_of_place(int32_t place) {
@@ -466,8 +469,14 @@ void DomainMesher::make_strip() {
     }
     const Strip strip(part, lengths, strip_points_, walls_);
     // Lines may cross the border outside of the face.
-    crossed_ = std::ranges::any_of(strip.crossed(), [&](int32_t wall) { return walls_[static_cast<size_t>(wall)].border >= 0; });
-    if (getenv("CR")) { int n=0; for (int c : strip.crossed()) if (walls_[c].border>=0 && n++<3) { auto&w=walls_[c]; fprintf(stderr,"crossed wall %d of %zu border %d passable %d: %.9g %.9g - %.9g %.9g\n",c,walls_.size(),w.border,w.passable,strip_points_[w.from][0],strip_points_[w.from][1],strip_points_[w.to][0],strip_points_[w.to][1]); } }
+    crossed_.clear();
+    for (const auto &[one, other] : strip.crossings()) {
+        for (const int32_t wall : {one, other}) {
+            if (walls_[static_cast<size_t>(one)].border >= 0 && walls_[static_cast<size_t>(wall)].border >= 0) {
+                crossed_.push_back(walls_[static_cast<size_t>(wall)].border);
+            }
+        }
+    }
     for (const Strip::Component &component : strip.components()) {
         if (!is_kept(component)) {
             continue;
@@ -558,7 +567,7 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
     for (size_t k = 0; k < 3; ++k) {
         const auto site = static_cast<size_t>(triangle.sites[k]);
         const int32_t point = sites_[site].point;
-        const Vector3 &x = point < first_point_ ? mesh_.points[static_cast<size_t>(point)]
+        const Vector3 &x = point < first_point_ ? (*domain_.points)[static_cast<size_t>(point)]
                                                 : new_points_[static_cast<size_t>(point - first_point_)];
         corners[k] = {sites_[site].param, in_grid(x)};
         over = std::max(over, grid_.scaled(length(x - positions_[site])));
@@ -676,10 +685,27 @@ void DomainMesher::prove() {
     }
 }
 
+// Where a triangle of the strip is best divided: at a pole on that side, else on the longest one that can be.
+DomainMesher::Split DomainMesher::split_of(const Triangle &triangle) const {
+    Split best;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto from = static_cast<size_t>(triangle.sites[(k + 1) % 3]), to = static_cast<size_t>(triangle.sites[(k + 2) % 3]);
+        const Site &a = sites_[from], &b = sites_[to];
+        const bool pole = a.point == b.point;
+        const double size = pole ? infinity : length(positions_[from] - positions_[to]);
+        const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
+        if (can && size > best.size) {
+            best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
+        }
+    }
+    return best;
+}
+
 // Cells over the tolerance are cut, triangles of the strip get a new point.
 bool DomainMesher::improve() {
     std::vector<int32_t> cells;
     std::vector<std::array<double, 2>> more;
+    weak_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
         const Triangle &triangle = triangles_[i];
         if (distances_[i].most() <= rule_.chord) {
@@ -691,25 +717,11 @@ bool DomainMesher::improve() {
             }
             continue;
         }
-        double longest = 0;
-        std::array<double, 2> place{};
-        for (size_t k = 0; k < 3; ++k) { // at a pole, that side
-            const Site &a = sites_[static_cast<size_t>(triangle.sites[(k + 1) % 3])], &b = sites_[static_cast<size_t>(triangle.sites[(k + 2) % 3])];
-            if (a.point == b.point) {
-                longest = infinity;
-                place = {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2};
-            }
-        }
-        for (size_t k = 0; k < 3; ++k) {
-            const Site &a = sites_[static_cast<size_t>(triangle.sites[(k + 1) % 3])], &b = sites_[static_cast<size_t>(triangle.sites[(k + 2) % 3])];
-            const double size = length(positions_[static_cast<size_t>(triangle.sites[(k + 1) % 3])] - positions_[static_cast<size_t>(triangle.sites[(k + 2) % 3])]);
-            if (!triangle.fixed[k] && size > longest) {
-                longest = size;
-                place = {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2};
-            }
-        }
-        if (longest > rule_.chord / 4) {
-            more.push_back(place);
+        const Split split = split_of(triangle);
+        if (split.border >= 0) {
+            weak_.push_back(split.border);
+        } else if (split.size > rule_.chord / 4) {
+            more.push_back(split.place);
         }
     }
     std::ranges::sort(more);
@@ -721,35 +733,34 @@ bool DomainMesher::improve() {
     return !cells.empty() || !more.empty();
 }
 
-MeshFace DomainMesher::output() {
-    if (getenv("DM")) { size_t w=0; int n=0; for (size_t i=0;i<triangles_.size();++i){ if(distances_[i].most()>distances_[w].most()) w=i; n+=distances_[i].most()>rule_.chord;} if(n){ double over=0; auto b=bound_of(triangles_[w],over); fprintf(stderr,"bad %d of %zu worst %s: d %.3g %.3g over %.3g h %.3g out %.3g beside %.3g alt %.3g chord %.3g border %d %d %d\n",n,triangles_.size(),triangles_[w].cell>=0?"cell":"strip",distances_[w].from_shape,distances_[w].from_mesh,grid_.unscaled(over),grid_.unscaled(b.height),grid_.unscaled(b.out),grid_.unscaled(b.beside),grid_.unscaled(b.altitude),rule_.chord,triangles_[w].border[0],triangles_[w].border[1],triangles_[w].border[2]); for(int k=0;k<3;++k){auto&S=sites_[triangles_[w].sites[k]]; fprintf(stderr,"   uv %.8g %.8g p %d moved %.3g\n",S.param[0],S.param[1],S.point,length(positions_[triangles_[w].sites[k]]-(S.point<first_point_?mesh_.points[S.point]:new_points_[S.point-first_point_])));} } }
-    MeshFace face;
-    face.first_vertex = mesh_.vertices.size();
-    face.vertices = sites_.size();
-    face.first_triangle = mesh_.triangles.size();
-    mesh_.points.insert(mesh_.points.end(), new_points_.begin(), new_points_.end());
+DomainMesh DomainMesher::output() {
+    DomainMesh result;
     for (size_t i = 0; i < sites_.size(); ++i) {
-        mesh_.vertices.push_back({sites_[i].point, sites_[i].param, normals_[i]});
+        const int32_t point = sites_[i].point;
+        result.vertices.push_back({point < first_point_ ? point : first_point_ - 1 - point, sites_[i].param, normals_[i]});
     }
-    const auto base = static_cast<int32_t>(face.first_vertex);
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        face.from_shape = std::max(face.from_shape, distances_[i].from_shape);
-        face.from_mesh = std::max(face.from_mesh, distances_[i].from_mesh);
+        result.from_shape = std::max(result.from_shape, distances_[i].from_shape);
+        result.from_mesh = std::max(result.from_mesh, distances_[i].from_mesh);
         const auto &sites = triangles_[i].sites;
         std::array<int32_t, 3> points{};
         for (size_t k = 0; k < 3; ++k) {
             points[k] = sites_[static_cast<size_t>(sites[k])].point;
         }
         if (points[0] != points[1] && points[1] != points[2] && points[2] != points[0]) {
-            mesh_.triangles.push_back({base + sites[0], base + sites[1], base + sites[2]});
+            result.triangles.push_back(sites);
         }
     }
-    face.triangles = mesh_.triangles.size() - face.first_triangle;
-    face.reached = !crossed_ && face.triangles > 0 && std::max(face.from_shape, face.from_mesh) <= rule_.chord;
-    return face;
+    result.points = std::move(new_points_);
+    result.reached = crossed_.empty() && !result.triangles.empty() && std::max(result.from_shape, result.from_mesh) <= rule_.chord;
+    result.weak = std::move(weak_);
+    result.weak.insert(result.weak.end(), crossed_.begin(), crossed_.end());
+    std::ranges::sort(result.weak);
+    result.weak.erase(std::ranges::unique(result.weak).begin(), result.weak.end());
+    return result;
 }
 
-MeshFace DomainMesher::run() {
+DomainMesh DomainMesher::run() {
     for (int round = 0;; ++round) {
         make_tables();
         place_points();
@@ -767,8 +778,8 @@ MeshFace DomainMesher::run() {
 
 } // namespace
 
-MeshFace add_mesh(const MeshDomain &domain, const MeshRule &rule, Mesh &mesh) {
-    return DomainMesher(domain, rule, mesh).run();
+DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule) {
+    return DomainMesher(domain, rule).run();
 }
 
 } // namespace nrb::mesh

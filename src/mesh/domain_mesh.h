@@ -18,7 +18,8 @@ struct MeshRule {
 // What is to be meshed.
 struct MeshDomain {
     const Spline *surface = nullptr;
-    FaceBorder border{}; // its points are numbers of points of the mesh
+    FaceBorder border{};
+    const std::vector<Vector3> *points = nullptr; // of which those of the border are numbers
     std::array<bool, 2> closed{};
     std::array<std::array<bool, 2>, 2> collapsed{}; // end 0 or 1 of axis k
     // Whether a place is inside, and whether curves of the border come into a rectangle; empty: all of the domain is.
@@ -26,7 +27,16 @@ struct MeshDomain {
     std::function<bool(const Rectangle &)> cut{};
 };
 
-// Adds points, vertices and triangles to a mesh that has the points of the border, and tells how far they are from it.
-MeshFace add_mesh(const MeshDomain &domain, const MeshRule &rule, Mesh &mesh);
+// Points of vertices are those of the border, or own ones: -1 - i.
+struct DomainMesh {
+    std::vector<Vector3> points;
+    std::vector<MeshVertex> vertices;
+    std::vector<std::array<int32_t, 3>> triangles;
+    double from_shape = 0, from_mesh = 0;
+    bool reached = false;
+    std::vector<int32_t> weak{}; // segments of the border at which triangles are too far off, or that cross others
+};
+
+DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule);
 
 } // namespace nrb::mesh

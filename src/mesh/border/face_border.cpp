@@ -75,7 +75,7 @@ public:
 
 private:
     void add(const face::TrimPiece &piece);
-    void arrive(const Point2 &place, int32_t point);
+    void arrive(const Point2 &place, const CurveVertex &vertex);
     [[nodiscard]] int32_t other_side(size_t k, int32_t point);
     void add_segment(int32_t from, int32_t to);
     void mirror(const BorderSegment &segment);
@@ -91,6 +91,8 @@ private:
     SnapLines lines_;
     FaceBorder result_;
     int32_t first_ = -1, last_ = -1; // points of the loop
+    int64_t line_ = -1, last_line_ = -1;
+    double last_edge_param_ = 0, middle_ = nan_value; // of edges
     std::vector<PolygonPart> hull_;  // of the curve since the last point
 };
 
@@ -141,12 +143,14 @@ void BorderWalk::add(const face::TrimPiece &piece) {
                                                      : face_.trims().pieces().point(piece, place);
         collect(piece, before, place);
         before = place;
-        arrive(x, vertex.point);
+        line_ = edges_.line_of(number_, start.loop, start.index);
+        arrive(x, vertex);
     }
     collect(piece, before, 1);
 }
 
-void BorderWalk::arrive(const Point2 &place, int32_t point) {
+void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
+    const int32_t point = vertex.point;
     const Point2 x = lines_.snapped(place);
     if (last_ >= 0 && result_.points[static_cast<size_t>(last_)].point == point &&
         result_.points[static_cast<size_t>(last_)].param == x) {
@@ -156,11 +160,15 @@ void BorderWalk::arrive(const Point2 &place, int32_t point) {
     result_.points.push_back({x, point});
     const auto number = static_cast<int32_t>(result_.points.size() - 1);
     if (last_ >= 0) {
+        const bool same = line_ == last_line_ && vertex.edge_param != last_edge_param_;
+        middle_ = same ? vertex.edge_param / 2 + last_edge_param_ / 2 : nan_value;
         connect(last_, number);
     } else {
         first_ = number;
     }
     last_ = number;
+    last_line_ = line_;
+    last_edge_param_ = vertex.edge_param;
     hull_.clear();
 }
 
@@ -206,6 +214,10 @@ void BorderWalk::mirror(const BorderSegment &segment) {
 void BorderWalk::add_segment(int32_t from, int32_t to) {
     const Point2 &a = result_.points[static_cast<size_t>(from)].param, &b = result_.points[static_cast<size_t>(to)].param;
     BorderSegment segment{from, to};
+    if (!std::isnan(middle_)) {
+        segment.line = line_;
+        segment.middle = middle_;
+    }
     const Point2 period{face_.covering().period(0), face_.covering().period(1)};
     const double du = (b[0] - a[0]) / period[0], dv = (b[1] - a[1]) / period[1], squared = du * du + dv * dv;
     double most = 0;
@@ -237,10 +249,12 @@ void BorderWalk::add_segment(int32_t from, int32_t to) {
 }
 
 void BorderWalk::close() {
+    middle_ = nan_value;
     if (last_ >= 0 && last_ != first_) {
         connect(last_, first_);
     }
     first_ = last_ = -1;
+    last_line_ = -1;
     hull_.clear();
 }
 

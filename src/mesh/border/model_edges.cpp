@@ -82,29 +82,17 @@ void ModelEdges::set_curves() {
     }
 }
 
-// Where pieces of the border pass a seam, or a kink of the surface. Curves that are near such a line are on it.
+// Where the border passes a seam, or a kink of the surface. What is near such a line is on it.
 void ModelEdges::add_fixed(int64_t number) {
     const face::Face &face = *model_.faces[static_cast<size_t>(number)].face;
     const face::BorderPieces border(face);
-    const SnapLines lines(face);
-    const auto &pieces = face.trims().pieces();
-    const auto &all = pieces.all();
-    for (size_t i = 0; i < all.size(); ++i) {
-        const face::TrimPiece &piece = all[i];
-        for (size_t k = 0; k < 2; ++k) {
-            if (i + 1 < all.size() && all[i + 1].loop == piece.loop && lines.passes(k, piece, all[i + 1])) {
-                fix(border.place_of(piece, 1), piece.end);
-            }
-            for (const double line : lines.inner(k)) {
-                const bool over = std::min(piece.start[k], piece.end[k]) < line - lines.near(k) &&
-                                  std::max(piece.start[k], piece.end[k]) > line + lines.near(k);
-                if (over) {
-                    const double at = pieces.place_of(piece, static_cast<int>(k), line);
-                    face::Point2 x = pieces.point(piece, at);
-                    x[k] = line;
-                    fix(border.place_of(piece, at), x);
-                }
-            }
+    const auto &all = face.trims().pieces().all();
+    for (size_t first = 0, last = 0; first < all.size(); first = last) {
+        for (last = first; last < all.size() && all[last].loop == all[first].loop; ++last) {
+        }
+        for (const LinePassage &passage :
+             passages_of(face, std::span(all).subspan(first, last - first))) {
+            fix(border.place_of(*passage.piece, passage.place), passage.at);
         }
     }
 }
@@ -222,11 +210,33 @@ void ModelEdges::set_points(size_t line, const Polyline &polyline) {
     }
 }
 
+// The bound of the segment that is divided stays that of its parts: a part of a curve within a distance of a convex set.
+std::vector<int64_t> ModelEdges::add_vertex(int64_t number, double param) {
+    const auto at = static_cast<size_t>(number);
+    EdgeLine &line = lines_[at];
+    const auto next = std::ranges::lower_bound(line.params, param);
+    if (next == line.params.begin() || next == line.params.end() || *next == param) {
+        return {};
+    }
+    const std::vector<double> x = eval::curve_point(*curves_[at], param, false);
+    const auto index = next - line.params.begin();
+    line.params.insert(next, param);
+    line.points.insert(line.points.begin() + index, static_cast<int32_t>(points_.size()));
+    points_.push_back({x[0], x.size() > 1 ? x[1] : 0, x.size() > 2 ? x[2] : 0});
+    std::vector<int64_t> faces;
+    for (const size_t use : users_[at]) {
+        set_vertices(uses_[use]);
+        faces.push_back(uses_[use].face);
+    }
+    return faces;
+}
+
 // Where curve and edge run in the same direction the vertices rise.
 void ModelEdges::set_vertices(Use &use) {
     const EdgeLine &line = lines_[use.line];
+    use.vertices.clear();
     for (size_t i = 0; i < line.params.size(); ++i) {
-        CurveVertex vertex{use.pairing->on_curve(line.params[i]), line.points[i]};
+        CurveVertex vertex{use.pairing->on_curve(line.params[i]), line.points[i], line.params[i]};
         for (const Fixed &fixed : use.fixed) {
             if (fixed.edge == line.params[i]) {
                 vertex.param = fixed.curve;

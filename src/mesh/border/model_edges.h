@@ -27,6 +27,7 @@ struct EdgeLine {
 struct CurveVertex {
     double param;
     int32_t point;
+    double edge_param; // of the edge
     std::optional<face::Point2> place{}; // if it has to be there exactly, in the domain
 };
 
@@ -43,6 +44,13 @@ public:
     [[nodiscard]] const std::vector<CurveVertex> &vertices(int64_t face, int32_t loop, int32_t index) const noexcept {
         return uses_[static_cast<size_t>(borders_.number(face, loop, index))].vertices;
     }
+
+    // The polyline under a curve of a face.
+    [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
+        return static_cast<int64_t>(uses_[use_at(face, loop, index)].line);
+    }
+    // A further vertex of a polyline, unless it has one there; the faces that have it. Points keep their numbers.
+    std::vector<int64_t> add_vertex(int64_t line, double param);
 
 private:
     struct Fixed {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace nrb::mesh {
 
@@ -40,17 +41,6 @@ SnapLines::SnapLines(const face::Face &face) {
     }
 }
 
-bool SnapLines::passes(size_t k, const face::TrimPiece &before, const face::TrimPiece &after) const noexcept {
-    const auto leaves = [&](const face::TrimPiece &piece, double line) {
-        return std::max(std::abs(piece.start[k] - line), std::abs(piece.end[k] - line)) > near_[k];
-    };
-    const double out = before.end[k], in = after.start[k];
-    const bool seam = closed_[k] && ((out == domain_[k].lower && in == domain_[k].upper) ||
-                                     (out == domain_[k].upper && in == domain_[k].lower));
-    const bool line = out == in && std::ranges::binary_search(inner_[k], out);
-    return (seam || line) && leaves(before, out) && leaves(after, in);
-}
-
 face::Point2 SnapLines::snapped(face::Point2 x) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         const auto snap = [&](double line) { x[k] = std::abs(x[k] - line) <= near_[k] ? line : x[k]; };
@@ -68,6 +58,101 @@ bool SnapLines::on_seam(size_t k, const face::Point2 &x) const noexcept {
 face::Point2 SnapLines::other_side(size_t k, face::Point2 x) const noexcept {
     x[k] = x[k] == domain_[k].lower ? domain_[k].upper : domain_[k].lower;
     return x;
+}
+
+namespace {
+
+// Follows a loop along one axis, twice around, since it may begin on a line.
+class LoopWatch {
+public:
+    LoopWatch(const face::Face &face, std::span<const face::TrimPiece> loop, const SnapLines &lines, size_t k,
+              std::vector<LinePassage> &out)
+        : face_(face), loop_(loop), lines_(lines), k_(k), out_(out) {}
+
+    // Past a line inside the domain.
+    void watch_line(double line) {
+        int before = 0;
+        std::optional<LinePassage> on; // the last place on the line
+        for (size_t i = 0; i < 2 * loop_.size(); ++i) {
+            const face::TrimPiece &piece = loop_[i % loop_.size()];
+            const int start = side(piece.start, line), end = side(piece.end, line);
+            if (start == 0) {
+                on = {&piece, 0, piece.start};
+            } else {
+                go(start, before, on, i);
+            }
+            if (start * end < 0) {
+                const double place = face_.trims().pieces().place_of(piece, static_cast<int>(k_), line);
+                on = {&piece, place, face_.trims().pieces().point(piece, place)};
+                on->at[k_] = line;
+            } else if (end == 0) {
+                on = {&piece, 1, piece.end};
+            }
+            if (end != 0) {
+                go(end, before, on, i);
+            }
+        }
+    }
+    // From one end of the domain to the other.
+    void watch_seam() {
+        int before = 0; // the end at which the last piece that was somewhere else came to the seam
+        std::optional<LinePassage> on;
+        for (size_t i = 0; i < 2 * loop_.size(); ++i) {
+            const face::TrimPiece &piece = loop_[i % loop_.size()];
+            if (end_of(piece.start) != 0 && end_of(piece.start) == end_of(piece.end)) {
+                continue;
+            }
+            const int start = end_of(piece.start);
+            if (i >= loop_.size() && before != 0 && start != 0 && before != start && on) {
+                out_.push_back(*on);
+            }
+            before = end_of(piece.end);
+            on = LinePassage{&piece, 1, piece.end};
+        }
+    }
+
+private:
+    [[nodiscard]] int side(const face::Point2 &x, double line) const noexcept {
+        return x[k_] < line - lines_.near(k_) ? -1 : x[k_] > line + lines_.near(k_) ? 1 : 0;
+    }
+    [[nodiscard]] int end_of(const face::Point2 &x) const noexcept {
+        return x[k_] <= lines_.domain(k_).lower + lines_.near(k_)   ? -1
+               : x[k_] >= lines_.domain(k_).upper - lines_.near(k_) ? 1
+                                                                   : 0;
+    }
+    void go(int now, int &before, std::optional<LinePassage> &on, size_t i) {
+        if (before * now < 0 && on && i >= loop_.size()) {
+            out_.push_back(*on);
+        }
+        before = now;
+        on.reset();
+    }
+
+    const face::Face &face_;
+    std::span<const face::TrimPiece> loop_;
+    const SnapLines &lines_;
+    size_t k_;
+    std::vector<LinePassage> &out_;
+};
+
+} // namespace
+
+std::vector<LinePassage> passages_of(const face::Face &face, std::span<const face::TrimPiece> loop) {
+    const SnapLines lines(face);
+    std::vector<LinePassage> result;
+    for (size_t k = 0; k < 2; ++k) {
+        LoopWatch watch(face, loop, lines, k, result);
+        for (const double line : lines.inner(k)) {
+            watch.watch_line(line);
+        }
+        if (lines.closed(k)) {
+            watch.watch_seam();
+        }
+    }
+    for (LinePassage &passage : result) {
+        passage.at = lines.snapped(passage.at);
+    }
+    return result;
 }
 
 } // namespace nrb::mesh

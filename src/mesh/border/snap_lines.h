@@ -5,6 +5,7 @@
 #include "face/face.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace nrb::mesh {
@@ -17,8 +18,8 @@ public:
     [[nodiscard]] double near(size_t k) const noexcept { return near_[k]; }
     // Inside the domain, rising.
     [[nodiscard]] const std::vector<double> &inner(size_t k) const noexcept { return inner_[k]; }
-    // Whether two pieces, one after the other, pass a line at which both end: a seam of the axis, or another line.
-    [[nodiscard]] bool passes(size_t k, const face::TrimPiece &before, const face::TrimPiece &after) const noexcept;
+    [[nodiscard]] bool closed(size_t k) const noexcept { return closed_[k]; }
+    [[nodiscard]] Interval domain(size_t k) const noexcept { return domain_[k]; }
     // A place, on all lines that it is near to.
     [[nodiscard]] face::Point2 snapped(face::Point2 x) const noexcept;
     // Whether a place is on a seam of an axis, and the same place on its other side.
@@ -31,5 +32,15 @@ private:
     std::array<double, 2> near_{};
     std::array<std::vector<double>, 2> inner_;
 };
+
+// Where pieces of a loop pass a line: a place from 0 to 1 of a piece, and of the domain.
+struct LinePassage {
+    const face::TrimPiece *piece;
+    double place;
+    face::Point2 at;
+};
+
+// Of the pieces of one loop, in their order. Those that only touch a line, or run along it, do not pass it.
+std::vector<LinePassage> passages_of(const face::Face &face, std::span<const face::TrimPiece> loop);
 
 } // namespace nrb::mesh

@@ -54,7 +54,7 @@ void Strip::add_walls(const std::vector<Wall> &walls) {
         }
     }
     for (const Triangulation::Crossing &crossing : triangulation_.constrain(segments)) {
-        crossed_.push_back(numbers[crossing.segment]);
+        crossings_.push_back({numbers[crossing.segment], crossing.label});
     }
 }
 

@@ -37,8 +37,8 @@ public:
     [[nodiscard]] int32_t first(int32_t point) const noexcept {
         return first_[static_cast<size_t>(triangulation_.vertex_of(static_cast<size_t>(point)))];
     }
-    // Walls that cross others, and are missing.
-    [[nodiscard]] const std::vector<int32_t> &crossed() const noexcept { return crossed_; }
+    // Walls that cross others, and are missing, with those.
+    [[nodiscard]] const std::vector<std::array<int32_t, 2>> &crossings() const noexcept { return crossings_; }
 
 private:
     void add_walls(const std::vector<Wall> &walls);
@@ -46,7 +46,7 @@ private:
 
     Triangulation triangulation_;
     std::vector<int32_t> first_; // points of the vertices
-    std::vector<int32_t> crossed_;
+    std::vector<std::array<int32_t, 2>> crossings_;
     std::vector<Component> components_;
 };
 
