@@ -6,11 +6,15 @@
 #include "eval/frames/surface_frames.h"
 #include "mesh/border/segment_index.h"
 #include "mesh/cells/cell_triangles.h"
+#include "mesh/proof/cut_triangle.h"
+#include "mesh/proof/distance.h"
 #include "mesh/proof/mesh_bound.h"
 #include "mesh/strip/strip.h"
 
 #include <algorithm>
 #include <map>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 namespace nrb::mesh {
@@ -65,6 +69,8 @@ private:
     [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param);
     void place_points();
     void evaluate();
+    [[nodiscard]] TriangleBound bound_over_pieces(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces, int32_t block);
+    [[nodiscard]] Vector3 point_of(const std::array<double, 2> &place, int32_t number) const;
     [[nodiscard]] TriangleBound bound_over_cells(const std::array<TriangleCorner, 3> &corners, const Rectangle &part, int32_t block,
                                                  const Triangle &triangle, double &over) const;
     [[nodiscard]] double moves_over(const Triangle &triangle, const HessianBox &box, const Rectangle &cell) const;
@@ -579,7 +585,10 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
     if (triangle.cell >= 0) {
         const Cell &cell = tree_.cells()[static_cast<size_t>(triangle.cell)];
         const CellPart here{&cell.box, tree_.rectangle(cell)};
-        return triangle_bound(corners, {&here, 1});
+        const TriangleBound bound = triangle_bound(corners, {&here, 1});
+        const PieceRange pieces = nets_.pieces_in(part);
+        const bool fits = grid_.unscaled(std::max(bound.from_shape(), bound.from_mesh())) <= rule_.chord;
+        return fits || pieces.count() == 1 || pieces.count() > most_pieces ? bound : bound_over_pieces(corners, pieces, cell.block);
     }
     std::array<double, 2> beside{};
     for (const int32_t border : triangle.border) {
@@ -613,9 +622,87 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
         return bound_over_cells(corners, part, block, triangle, over);
     }
     const HessianBox box = nets_.box(part, pieces);
+    if (pieces.count() > 1) {
+        over += moves_over(triangle, box, part);
+        return bound_over_pieces(corners, pieces, block);
+    }
     over += moves_over(triangle, box, part);
     const CellPart here{&box, part};
     return triangle_bound(corners, {&here, 1});
+}
+
+// By parts of the triangle, on each of which the surface is one piece. A part is near the triangle of its own corners, and that is
+// as near to the whole triangle as its corners are.
+TriangleBound DomainMesher::bound_over_pieces(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces, int32_t block) {
+    const std::array<Vector3, 3> whole{corners[0].point, corners[1].point, corners[2].point};
+    const std::array<std::array<double, 2>, 3> params{corners[0].param, corners[1].param, corners[2].param};
+    const Vector3 product = cross(whole[1] - whole[0], whole[2] - whole[0]);
+    const double area = length(product), longest = std::max({length(whole[1] - whole[0]), length(whole[2] - whole[1]), length(whole[0] - whole[2])});
+    TriangleBound result;
+    if (area > 1e-12 * longest * longest) {
+        result.normal = (1 / area) * product;
+        result.altitude = area / longest;
+    }
+    const double noise = 8 * eps * (longest + grid_.radius()) + 4 * grid_.value_error() * grid_.radius();
+    double all = 0; // the distance, whatever the direction
+    for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
+        for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
+            const CutPolygon polygon = cut_triangle(params, {{grid_.break_at(0, u), grid_.break_at(1, v)}, {grid_.break_at(0, u + 1), grid_.break_at(1, v + 1)}});
+            if (polygon.places.size() < 3) {
+                continue;
+            }
+            std::vector<TriangleCorner> own;
+            for (const auto &place : polygon.places) {
+                own.push_back({place, in_grid(point_of(place, block))});
+                all = std::max(all, distance_from_triangle(own.back().point, whole) + noise);
+            }
+            const auto n = own.size();
+            for (size_t i = 1; i + 1 < n; ++i) {
+                const std::array<TriangleCorner, 3> part{own[0], own[i], own[i + 1]};
+                Rectangle around{part[0].param, part[0].param};
+                for (size_t k = 0; k < 2; ++k) {
+                    around.lower[k] = std::min({part[0].param[k], part[1].param[k], part[2].param[k]});
+                    around.upper[k] = std::max({part[0].param[k], part[1].param[k], part[2].param[k]});
+                    if (!(around.lower[k] < around.upper[k])) {
+                        around.lower[k] = grid_.break_at(static_cast<int>(k), k == 0 ? u : v);
+                        around.upper[k] = grid_.break_at(static_cast<int>(k), (k == 0 ? u : v) + 1);
+                    }
+                }
+                const HessianBox box = nets_.box(around, {{u, v}, {u + 1, v + 1}});
+                const CellPart here{&box, around};
+                const TriangleBound bound = triangle_bound(part, {&here, 1});
+                const double far = std::max({distance_from_triangle(part[0].point, whole), distance_from_triangle(part[1].point, whole),
+                                             distance_from_triangle(part[2].point, whole)});
+                result.height = std::max(result.height, far + bound.from_shape() + noise);
+                const std::array<int, 3> labels{polygon.sides[i], i + 2 == n ? polygon.sides[n - 1] : -1, i == 1 ? polygon.sides[0] : -1};
+                for (size_t k = 0; k < 3; ++k) {
+                    if (labels[k] >= 0) {
+                        const auto side = static_cast<size_t>(labels[k]);
+                        const Vector3 &a = whole[(side + 1) % 3], &b = whole[(side + 2) % 3];
+                        const double off = std::max(distance_from_segment(part[(k + 1) % 3].point, a, b), distance_from_segment(part[(k + 2) % 3].point, a, b));
+                        result.sides[side] = std::max(result.sides[side], off + bound.sides[k] + noise);
+                        result.beside = std::max(result.beside, result.sides[side]);
+                    }
+                }
+            }
+        }
+    }
+    return result;
+}
+
+// From the side on which a block is.
+Vector3 DomainMesher::point_of(const std::array<double, 2> &place, int32_t number) const {
+    const Rectangle block = tree_.block(number);
+    eval::AxisRules rules{};
+    std::array<double, 2> at = place;
+    for (size_t k = 0; k < 2; ++k) {
+        at[k] = std::clamp(at[k], block.lower[k], block.upper[k]);
+        rules[k].left = at[k] == block.upper[k];
+    }
+    std::array<double, 3> x{};
+    const int dim = surface_.dim();
+    eval::evaluate_points(surface_, rules, 0, {at.data(), 1, 2, 2, 1}, {x.data(), 1, dim, dim, 1});
+    return {x[0], x[1], x[2]};
 }
 
 // How far places between curves of the border and the sides of a triangle are from it, in space.
@@ -734,6 +821,7 @@ bool DomainMesher::improve() {
 }
 
 DomainMesh DomainMesher::output() {
+    if (getenv("DM")) { size_t w=0; int n=0; for (size_t i=0;i<triangles_.size();++i){ if(!(distances_[i].most()<=distances_[w].most())) w=i; n+=!(distances_[i].most()<=rule_.chord);} if(n||!crossed_.empty()){ double over=0; auto b=bound_of(triangles_[w],over); fprintf(stderr,"bad %d of %zu crossed %zu weak %zu worst %s: d %.3g %.3g over %.3g h %.3g out %.3g beside %.3g alt %.3g chord %.3g border %d %d %d\n",n,triangles_.size(),crossed_.size(),weak_.size(),triangles_[w].cell>=0?"cell":"strip",distances_[w].from_shape,distances_[w].from_mesh,grid_.unscaled(over),grid_.unscaled(b.height),grid_.unscaled(b.out),grid_.unscaled(b.beside),grid_.unscaled(b.altitude),rule_.chord,triangles_[w].border[0],triangles_[w].border[1],triangles_[w].border[2]); for(int k=0;k<3;++k){auto&S=sites_[triangles_[w].sites[k]]; const Vector3&P=S.point<first_point_?(*domain_.points)[S.point]:new_points_[S.point-first_point_]; fprintf(stderr,"   uv %.9g %.9g p %d moved %.3g  xyz %.6g %.6g %.6g fixed %d\n",S.param[0],S.param[1],S.point,length(positions_[triangles_[w].sites[k]]-P),P.x,P.y,P.z,triangles_[w].fixed[k]);} for (int c : crossed_) { auto&g=domain_.border.segments[c]; auto&a=domain_.border.points[g.from].param; auto&bb=domain_.border.points[g.to].param; fprintf(stderr,"   crossed %.9g %.9g - %.9g %.9g line %ld\n",a[0],a[1],bb[0],bb[1],(long)g.line);} } }
     DomainMesh result;
     for (size_t i = 0; i < sites_.size(); ++i) {
         const int32_t point = sites_[i].point;

@@ -75,6 +75,7 @@ public:
 
 private:
     void add(const face::TrimPiece &piece);
+    void add_behind(const face::TrimPiece &piece);
     void arrive(const Point2 &place, const CurveVertex &vertex);
     [[nodiscard]] int32_t other_side(size_t k, int32_t point);
     void add_segment(int32_t from, int32_t to);
@@ -123,8 +124,29 @@ void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
     }
 }
 
+// The segment behind a curve, a part of it in one copy of the domain; its vertices are at equal parameters.
+void BorderWalk::add_behind(const face::TrimPiece &piece) {
+    const face::BorderPlace at = border_.place_of(piece, 0);
+    const bool turned = border_.is_turned(piece);
+    const auto count = static_cast<int32_t>(face_.loops()[static_cast<size_t>(at.loop)].size());
+    const int32_t before = turned ? (at.index + count - 1) % count : at.index;
+    const auto &vertices = edges_.vertices_behind(number_, at.loop, before);
+    if (vertices.empty()) {
+        return;
+    }
+    line_ = edges_.line_behind(number_, at.loop, before);
+    const double length = vertices.back().param - vertices.front().param;
+    for (size_t i = 0; i < vertices.size(); ++i) {
+        const CurveVertex &vertex = vertices[turned ? vertices.size() - 1 - i : i];
+        const double share = turned ? (vertices.back().param - vertex.param) / length : (vertex.param - vertices.front().param) / length;
+        hull_.clear();
+        arrive({piece.start[0] * (1 - share) + piece.end[0] * share, piece.start[1] * (1 - share) + piece.end[1] * share}, vertex);
+    }
+}
+
 void BorderWalk::add(const face::TrimPiece &piece) {
-    if (piece.range.lower == piece.range.upper) { // a segment behind a curve
+    if (piece.range.lower == piece.range.upper) {
+        add_behind(piece);
         return;
     }
     const face::BorderPlace start = border_.place_of(piece, 0), end = border_.place_of(piece, 1);

@@ -2,9 +2,11 @@
 #include "mesh/border/model_edges.h"
 
 #include "base/watch.h"
+#include "build/polylines.h"
 #include "eval/curve_point.h"
 #include "face/deviation.h"
 #include "mesh/border/snap_lines.h"
+#include "mesh/proof/distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +18,23 @@ namespace {
 // Rounds of adding vertices for the sake of faces, each between two others.
 constexpr int most_rounds = 12;
 
-double distance_from_segment(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
-    const Vector3 along = b - a;
-    const double squared = dot(along, along);
-    const double t = squared > 0 ? std::clamp(dot(x - a, along) / squared, 0.0, 1.0) : 0;
-    return length(x - (a + t * along));
-}
-
 } // namespace
 
 ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : model_(model), borders_(model) {
     set_uses();
     set_curves();
     const double near = std::isfinite(rule.chord) ? rule.chord / 32 : 0;
-    for (Use &use : uses_) {
-        const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
-        const face::Coedge &coedge = face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
-        use.pairing = std::make_unique<CurvePairing>(face, *coedge.curve, *curves_[use.line], coedge.against, near);
-        count_work(1 << 12);
+    const size_t count = uses_.size();
+    for (size_t i = 0; i < count; ++i) {
+        make_pairing(uses_[i], near);
+    }
+    for (int64_t face = 0; face < std::ssize(model_.faces); ++face) {
+        if (model_.faces[static_cast<size_t>(face)].face->has_gaps()) {
+            add_gaps(face);
+        }
+    }
+    for (size_t i = count; i < uses_.size(); ++i) {
+        make_pairing(uses_[i], near);
     }
     for (face_ = 0; face_ < std::ssize(model_.faces); ++face_) {
         add_fixed(face_);
@@ -45,6 +46,59 @@ ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : mo
     for (Use &use : uses_) {
         set_vertices(use);
     }
+}
+
+const face::Coedge &ModelEdges::coedge_of(const Use &use) const noexcept {
+    const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
+    return face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
+}
+
+void ModelEdges::make_pairing(Use &use, double near) {
+    const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
+    const Spline &curve = use.own ? *use.own : *coedge_of(use).curve;
+    use.pairing = std::make_unique<CurvePairing>(face, curve, *curves_[use.line], !use.own && coedge_of(use).against, near);
+    count_work(1 << 12);
+}
+
+// Behind curves that end farther from the next one than the tolerance.
+void ModelEdges::add_gaps(int64_t number) {
+    const face::Face &face = *model_.faces[static_cast<size_t>(number)].face;
+    for (int32_t loop = 0; loop < static_cast<int32_t>(face.loops().size()); ++loop) {
+        const auto count = static_cast<int32_t>(face.loops()[static_cast<size_t>(loop)].size());
+        for (int32_t i = 0; i < count; ++i) {
+            const Use &own = uses_[use_at(number, loop, i)], &next = uses_[use_at(number, loop, (i + 1) % count)];
+            face::Joint gap{};
+            eval::end_point(*coedge_of(own).curve, true, gap.from.data());
+            eval::end_point(*coedge_of(next).curve, false, gap.to.data());
+            const double apart = length(own.pairing->image(coedge_of(own).curve->axis(0).domain().upper) -
+                                        next.pairing->image(coedge_of(next).curve->axis(0).domain().lower));
+            if (apart > face.tolerance()) {
+                add_gap(number, loop, i, gap);
+            }
+        }
+    }
+}
+
+void ModelEdges::add_gap(int64_t number, int32_t loop, int32_t index, const face::Joint &gap) {
+    const face::Face &face = *model_.faces[static_cast<size_t>(number)].face;
+    const face::Point2 to = face.covering().nearest_copy(gap.to, gap.from);
+    Use use{number, loop, index, lines_.size()};
+    use.own = build::polyline(2, {gap.from[0], gap.from[1], to[0], to[1]}, {0, 1});
+    gaps_[borders_.number(number, loop, index)] = uses_.size();
+    lines_.emplace_back();
+    curves_.push_back(face::edge_over(face.surface(), face.covering(), use.own, face.tolerance()).curve);
+    users_.push_back({uses_.size()});
+    uses_.push_back(std::move(use));
+}
+
+const std::vector<CurveVertex> &ModelEdges::vertices_behind(int64_t face, int32_t loop, int32_t index) const noexcept {
+    static const std::vector<CurveVertex> none;
+    const auto found = gaps_.find(borders_.number(face, loop, index));
+    return found == gaps_.end() ? none : uses_[found->second].vertices;
+}
+
+int64_t ModelEdges::line_behind(int64_t face, int32_t loop, int32_t index) const noexcept {
+    return static_cast<int64_t>(uses_[gaps_.at(borders_.number(face, loop, index))].line);
 }
 
 void ModelEdges::set_uses() {
@@ -120,10 +174,10 @@ std::vector<double> ModelEdges::fixed_params(size_t line) const {
 // Whether what a face has between two vertices is far from the segment: on its curve, or on the segment in its domain.
 bool ModelEdges::is_far(const Use &use, const std::array<double, 2> &params, double chord) const {
     const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
-    const face::Coedge &coedge = face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
+    const Spline &curve = use.own ? *use.own : *coedge_of(use).curve;
     const auto place = [&](double share) {
         face::Point2 x;
-        eval::curve_point(*coedge.curve, params[0] * (1 - share) + params[1] * share, false, x.data());
+        eval::curve_point(curve, params[0] * (1 - share) + params[1] * share, false, x.data());
         return x;
     };
     const auto in_space = [&](const face::Point2 &x) {
@@ -184,6 +238,20 @@ int32_t ModelEdges::corner(int64_t number, const Vector3 &x) {
     return known->second;
 }
 
+// The point at an end of a polyline, which is that of a corner. In a gap there are two of these.
+int32_t ModelEdges::end_of_line(size_t line, bool upper, const Vector3 &x) {
+    const Use &use = uses_[users_[line].front()];
+    const auto count = static_cast<int64_t>(model_.faces[static_cast<size_t>(use.face)].face->loops()[static_cast<size_t>(use.loop)].size());
+    const int64_t number = borders_.number(use.face, use.loop, use.index);
+    const bool at_end = use.own ? !upper : upper != coedge_of(use).against; // of the curve of the loop
+    if (at_end) {
+        const bool gap = gaps_.contains(number);
+        return corner(gap ? -1 - number : borders_.coedge(number).end, x);
+    }
+    const int64_t next = use.own ? borders_.number(use.face, use.loop, static_cast<int32_t>((use.index + 1) % count)) : number;
+    return corner(borders_.coedge(next).start, x);
+}
+
 void ModelEdges::set_points(size_t line, const Polyline &polyline) {
     EdgeLine &out = lines_[line];
     const int dim = curves_[line]->dim();
@@ -200,9 +268,7 @@ void ModelEdges::set_points(size_t line, const Polyline &polyline) {
     for (size_t i = 0; i < count; ++i) {
         const bool first = i == 0, last = i + 1 == count;
         if ((first || last) && !users_[line].empty()) {
-            const Use &use = uses_[users_[line].front()];
-            const model::SharedCoedge &coedge = borders_.coedge(borders_.number(use.face, use.loop, use.index));
-            out.points.push_back(corner(first != coedge.against ? coedge.start : coedge.end, point(i)));
+            out.points.push_back(end_of_line(line, last, point(i)));
         } else {
             out.points.push_back(static_cast<int32_t>(points_.size()));
             points_.push_back(point(i));

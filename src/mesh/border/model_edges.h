@@ -45,6 +45,9 @@ public:
         return uses_[static_cast<size_t>(borders_.number(face, loop, index))].vertices;
     }
 
+    // Of the segment of the domain by which a loop goes on behind a curve whose end is far from the next one: empty if there is none.
+    [[nodiscard]] const std::vector<CurveVertex> &vertices_behind(int64_t face, int32_t loop, int32_t index) const noexcept;
+    [[nodiscard]] int64_t line_behind(int64_t face, int32_t loop, int32_t index) const noexcept;
     // The polyline under a curve of a face.
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[use_at(face, loop, index)].line);
@@ -61,12 +64,17 @@ private:
         int64_t face = 0;
         int32_t loop = 0, index = 0;
         size_t line = 0;
+        SplinePtr own{}; // the curve, if it is none of the face
         std::unique_ptr<CurvePairing> pairing{};
         std::vector<Fixed> fixed{};
         std::vector<CurveVertex> vertices{};
     };
 
     void set_uses();
+    void add_gaps(int64_t face);
+    void add_gap(int64_t face, int32_t loop, int32_t index, const face::Joint &gap);
+    void make_pairing(Use &use, double near);
+    [[nodiscard]] const face::Coedge &coedge_of(const Use &use) const noexcept;
     void set_curves();
     void add_fixed(int64_t face);
     void fix(const face::BorderPlace &place, const face::Point2 &x);
@@ -76,6 +84,7 @@ private:
     void set_points(size_t line, const Polyline &polyline);
     void set_vertices(Use &use);
     [[nodiscard]] bool is_far(const Use &use, const std::array<double, 2> &params, double chord) const;
+    int32_t end_of_line(size_t line, bool upper, const Vector3 &x);
     int32_t corner(int64_t number, const Vector3 &x);
 
     [[nodiscard]] size_t use_at(int64_t face, int32_t loop, int32_t index) const noexcept {
@@ -91,6 +100,7 @@ private:
     std::vector<std::vector<size_t>> users_; // of the lines
     std::vector<Vector3> points_;
     std::map<int64_t, int32_t> corners_;
+    std::map<int64_t, size_t> gaps_; // uses behind the uses of curves
 };
 
 } // namespace nrb::mesh

@@ -49,6 +49,7 @@ private:
     [[nodiscard]] double second_derivative(size_t k) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
+    [[nodiscard]] double from_longest_side(const TriangleBound &bound) const noexcept;
     [[nodiscard]] bool runs_along(size_t k) const noexcept;
     [[nodiscard]] double sharpness() const noexcept;
     [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
@@ -148,6 +149,23 @@ double Triangle::off(const Vector3 &normal) const noexcept {
     return std::max(std::abs(dot(normal, sides_[1])), std::abs(dot(normal, sides_[2]))) + 8 * eps * longest_;
 }
 
+// Places over a side, in the domain, are as far from its image as the surface moves on the way there.
+double Triangle::from_longest_side(const TriangleBound &bound) const noexcept {
+    if (cells_.size() > 1) {
+        return infinity;
+    }
+    double best = infinity;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto &side = steps_[k], &other = steps_[(k + 1) % 3]; // `other` begins where the side ends
+        const double squared = side[0] * side[0] + side[1] * side[1];
+        const double along = -(other[0] * side[0] + other[1] * side[1]) / squared; // from its end
+        if (along >= 0 && along <= 1) {
+            best = std::min(best, bound.sides[k] + cells_.front().box->move(other[0] + along * side[0], other[1] + along * side[1]));
+        }
+    }
+    return best;
+}
+
 // Of a triangle that is a segment to rounding: how far the surface is from it, across it and beyond its ends.
 double Triangle::beside_segment() const noexcept {
     const size_t k = lengths_[0] >= lengths_[1] ? (lengths_[0] >= lengths_[2] ? 0 : 2) : lengths_[1] >= lengths_[2] ? 1 : 2;
@@ -165,7 +183,7 @@ TriangleBound Triangle::bound() const noexcept {
     const double area = length(product);
     if (!(area > 1e-12 * longest_ * longest_)) { // no plane to speak of
         const double whole = std::min(equal_parameters(), beside_segment());
-        return {whole, 0, whole, 0, {}};
+        return {whole, 0, whole, {whole, whole, whole}, 0, {}};
     }
     const Vector3 normal = (1 / area) * product;
     const Bend heights = bend(normal, corners_[0].point);
@@ -181,11 +199,12 @@ TriangleBound Triangle::bound() const noexcept {
         const double beside =
             runs_along(k) ? std::hypot(heights.on_side(k), bend_out.on_side(k)) / least_weight_ + slack
                           : equal_parameters();
-        result.beside = std::max(result.beside, beside * rounding);
+        result.sides[k] = beside * rounding;
+        result.beside = std::max(result.beside, result.sides[k]);
     }
     result.out *= sharpness();
     if (result.out > result.height) {
-        result.out = std::min(result.out, equal_parameters());
+        result.out = std::min({result.out, equal_parameters(), from_longest_side(result)});
     }
     return result;
 }
@@ -195,7 +214,7 @@ TriangleBound Triangle::bound() const noexcept {
 TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept {
     const Triangle triangle(corners, cells);
-    return triangle.certain() ? triangle.bound() : TriangleBound{infinity, 0, infinity, 0, {}};
+    return triangle.certain() ? triangle.bound() : TriangleBound{infinity, 0, infinity, {infinity, infinity, infinity}, 0, {}};
 }
 
 } // namespace nrb::mesh

@@ -46,6 +46,7 @@ struct TriangleBound {
     double height = 0; // of the surface over the plane
     double out = 0;    // how far, in the plane, the surface comes out of the triangle
     double beside = 0; // how far from the sides their images are
+    std::array<double, 3> sides{}; // from each of them
     double altitude = 0;  // the least one of the triangle
     Vector3 normal{};     // 0: the triangle has none
 
