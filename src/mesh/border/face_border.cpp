@@ -77,6 +77,7 @@ private:
     void add(const face::TrimPiece &piece);
     void add_behind(const face::TrimPiece &piece);
     void arrive(const Point2 &place, const CurveVertex &vertex);
+    [[nodiscard]] bool is_at(int32_t number, const Point2 &x, int32_t point) const noexcept;
     [[nodiscard]] int32_t other_side(size_t k, int32_t point);
     void add_segment(int32_t from, int32_t to);
     void mirror(const BorderSegment &segment);
@@ -171,11 +172,28 @@ void BorderWalk::add(const face::TrimPiece &piece) {
     collect(piece, before, 1);
 }
 
+// Whether a point is that of a vertex, and near it in the domain: curves that meet in a corner need not end in one place.
+bool BorderWalk::is_at(int32_t number, const Point2 &x, int32_t point) const noexcept {
+    const BorderPoint &own = result_.points[static_cast<size_t>(number)];
+    return own.point == point && std::abs(own.param[0] - x[0]) <= lines_.near(0) && std::abs(own.param[1] - x[1]) <= lines_.near(1);
+}
+
 void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
     const int32_t point = vertex.point;
     const Point2 x = lines_.snapped(place);
-    if (last_ >= 0 && result_.points[static_cast<size_t>(last_)].point == point &&
-        result_.points[static_cast<size_t>(last_)].param == x) {
+    if (last_ >= 0 && is_at(last_, x, point)) {
+        hull_.clear();
+        last_line_ = line_;
+        last_edge_param_ = vertex.edge_param;
+        return;
+    }
+    if (last_ >= 0 && last_ != first_ && is_at(first_, x, point)) { // closed
+        const bool same = line_ == last_line_ && vertex.edge_param != last_edge_param_;
+        middle_ = same ? vertex.edge_param / 2 + last_edge_param_ / 2 : nan_value;
+        connect(last_, first_);
+        last_ = first_;
+        last_line_ = line_;
+        last_edge_param_ = vertex.edge_param;
         hull_.clear();
         return;
     }
