@@ -12,9 +12,8 @@
 #include "mesh/strip/strip.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 
 namespace nrb::mesh {
@@ -46,8 +45,8 @@ struct Triangle {
 class DomainMesher {
 public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule)
-        : domain_(domain), rule_(rule), surface_(*domain.surface),
-          grid_(pieces::piece_grid_of(surface_)), index_(domain.border), nets_(grid_), tree_(grid_, cell_rule()) {}
+        : domain_(domain), rule_(rule), surface_(*domain.surface), grid_(pieces::piece_grid_of(surface_)),
+          index_(domain.border), nets_(grid_), tree_(grid_, cell_rule()) {}
 
     DomainMesh run();
 
@@ -69,11 +68,14 @@ private:
     [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param);
     void place_points();
     void evaluate();
-    [[nodiscard]] TriangleBound bound_over_pieces(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces, int32_t block);
+    [[nodiscard]] TriangleBound bound_over_pieces(const std::array<TriangleCorner, 3> &corners,
+                                                  const PieceRange &pieces, int32_t block);
     [[nodiscard]] Vector3 point_of(const std::array<double, 2> &place, int32_t number) const;
-    [[nodiscard]] TriangleBound bound_over_cells(const std::array<TriangleCorner, 3> &corners, const Rectangle &part, int32_t block,
+    [[nodiscard]] TriangleBound bound_over_cells(const std::array<TriangleCorner, 3> &corners,
+                                                 const Rectangle &part, int32_t block,
                                                  const Triangle &triangle, double &over) const;
-    [[nodiscard]] double moves_over(const Triangle &triangle, const HessianBox &box, const Rectangle &cell) const;
+    [[nodiscard]] double moves_over(const Triangle &triangle, const HessianBox &box,
+                                    const Rectangle &cell) const;
     void prove();
     [[nodiscard]] Vector3 in_grid(const Vector3 &x) const noexcept;
     [[nodiscard]] TriangleBound bound_of(const Triangle &triangle, double &over);
@@ -85,7 +87,9 @@ private:
     [[nodiscard]] Split split_of(const Triangle &triangle) const;
     [[nodiscard]] bool improve();
     [[nodiscard]] DomainMesh output();
-    [[nodiscard]] double t_of(size_t k, int32_t line) const noexcept { return tree_.lines(k)[static_cast<size_t>(line)].t; }
+    [[nodiscard]] double t_of(size_t k, int32_t line) const noexcept {
+        return tree_.lines(k)[static_cast<size_t>(line)].t;
+    }
 
     const MeshDomain &domain_;
     const MeshRule &rule_;
@@ -99,10 +103,10 @@ private:
     std::vector<std::array<double, 2>> extra_; // places that the strip needs besides
 
     std::vector<Site> sites_;
-    std::vector<int32_t> place_sites_;           // -1: none yet
-    std::vector<int32_t> place_points_;          // of the first of those that are one in space; -1: none yet
+    std::vector<int32_t> place_sites_;  // -1: none yet
+    std::vector<int32_t> place_points_; // of the first of those that are one in space; -1: none yet
     std::vector<std::array<double, 2>> strip_points_;
-    std::vector<int32_t> strip_places_;          // of strip points, -1: of the border, or an extra one
+    std::vector<int32_t> strip_places_; // of strip points, -1: of the border, or an extra one
     std::map<std::array<double, 2>, int32_t> strip_of_param_;
     std::vector<Wall> walls_;
     std::map<std::pair<int32_t, int32_t>, int32_t> strip_sites_;
@@ -113,9 +117,9 @@ private:
     std::vector<Distances> distances_;
     int32_t first_point_ = 0, next_point_ = 0; // points of the mesh that are new
     std::vector<Vector3> new_points_;
-    std::vector<bool> touched_; // places on the border of cells that the border cuts
+    std::vector<bool> touched_;           // places on the border of cells that the border cuts
     std::vector<int32_t> crossed_, weak_; // segments of the border
-    double slack_ = 0; // of rounding
+    double slack_ = 0;                    // of rounding
 };
 
 CellRule DomainMesher::cell_rule() const {
@@ -140,8 +144,9 @@ Side DomainMesher::side_of(const Rectangle &part) const {
     if (index_.any_in(around(part)) || domain_.cut(part)) {
         return Side::border;
     }
-    return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2}) ? Side::inside
-                                                                                                         : Side::outside;
+    return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2})
+               ? Side::inside
+               : Side::outside;
 }
 
 void DomainMesher::make_tables() {
@@ -256,7 +261,8 @@ bool DomainMesher::is_wanted(int32_t place, const std::array<double, 2> &sides) 
 // The border, the corners of cells that it cuts and that are inside, and what cells inside share with these.
 void DomainMesher::add_strip_points() {
     const auto add = [&](const std::array<double, 2> &param, int32_t place) {
-        const auto [at, fresh] = strip_of_param_.try_emplace(param, static_cast<int32_t>(strip_points_.size()));
+        const auto [at, fresh] =
+            strip_of_param_.try_emplace(param, static_cast<int32_t>(strip_points_.size()));
         if (fresh) {
             strip_points_.push_back(param);
             strip_places_.push_back(place);
@@ -286,7 +292,8 @@ void DomainMesher::add_strip_points() {
             for (const int32_t place : border) {
                 touched_[static_cast<size_t>(place)] = true;
                 for (size_t k = 0; k < 2; ++k) {
-                    sides[static_cast<size_t>(place)][k] = std::min(sides[static_cast<size_t>(place)][k], part.side(k));
+                    sides[static_cast<size_t>(place)][k] =
+                        std::min(sides[static_cast<size_t>(place)][k], part.side(k));
                 }
             }
         }
@@ -391,7 +398,8 @@ bool DomainMesher::is_kept(const Strip::Component &component) const {
         }
     }
     bool in_cell = false;
-    tree_.for_each_in({middle, middle}, [&](const Cell &cell) { in_cell = in_cell || cell.side == Side::inside; });
+    tree_.for_each_in({middle, middle},
+                      [&](const Cell &cell) { in_cell = in_cell || cell.side == Side::inside; });
     return !in_cell && domain_.inside({middle[0], middle[1]});
 }
 
@@ -402,7 +410,8 @@ int32_t DomainMesher::place_in_block(int32_t place, const Rectangle &block) cons
         const auto at = static_cast<size_t>(lines[k]);
         if (all[at].t == block.upper[k] && !all[at].from_left && at > 0 && all[at - 1].t == all[at].t) {
             --lines[k];
-        } else if (all[at].t == block.lower[k] && all[at].from_left && at + 1 < all.size() && all[at + 1].t == all[at].t) {
+        } else if (all[at].t == block.lower[k] && all[at].from_left && at + 1 < all.size() &&
+                   all[at + 1].t == all[at].t) {
             ++lines[k];
         }
     }
@@ -434,7 +443,8 @@ int32_t DomainMesher::site_of(int32_t strip_point, int32_t number) {
     if (strip_places_[at] >= 0) {
         return site_of_place(place_in_block(strip_places_[at], block));
     }
-    const auto [known, fresh] = strip_sites_.try_emplace({strip_point, number}, static_cast<int32_t>(sites_.size()));
+    const auto [known, fresh] =
+        strip_sites_.try_emplace({strip_point, number}, static_cast<int32_t>(sites_.size()));
     if (fresh) {
         Site site;
         site.param = strip_points_[at];
@@ -469,7 +479,8 @@ void DomainMesher::make_strip() {
     std::array<double, 2> lengths{};
     for (const Cell &cell : tree_.cells()) {
         for (size_t k = 0; k < 2; ++k) {
-            const double speed = cell.box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / tree_.rectangle(cell).side(k) * part.side(k);
+            const double speed =
+                cell.box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / tree_.rectangle(cell).side(k) * part.side(k);
             lengths[k] = std::max(lengths[k], std::isfinite(speed) ? speed : 0);
         }
     }
@@ -478,7 +489,8 @@ void DomainMesher::make_strip() {
     crossed_.clear();
     for (const auto &[one, other] : strip.crossings()) {
         for (const int32_t wall : {one, other}) {
-            if (walls_[static_cast<size_t>(one)].border >= 0 && walls_[static_cast<size_t>(wall)].border >= 0) {
+            if (walls_[static_cast<size_t>(one)].border >= 0 &&
+                walls_[static_cast<size_t>(wall)].border >= 0) {
                 crossed_.push_back(walls_[static_cast<size_t>(wall)].border);
             }
         }
@@ -527,7 +539,9 @@ void DomainMesher::evaluate() {
         const ConstRecords at{params.data(), n, 2, 2, 1};
         std::vector<double> points(3 * members.size()), normals(points.size());
         if (surface_.dim() == 3) {
-            eval::surface_frames(surface_, rules, at, {{points.data(), n, 3, 3, 1}, {}, {}, {normals.data(), n, 3, 3, 1}, nullptr});
+            eval::surface_frames(
+                surface_, rules, at,
+                {{points.data(), n, 3, 3, 1}, {}, {}, {normals.data(), n, 3, 3, 1}, nullptr});
         } else {
             std::vector<double> jets(6 * members.size());
             eval::evaluate_points(surface_, rules, 1, at, {jets.data(), n, 6, 6, 1});
@@ -578,8 +592,10 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
         corners[k] = {sites_[site].param, in_grid(x)};
         over = std::max(over, grid_.scaled(length(x - positions_[site])));
         for (size_t axis = 0; axis < 2; ++axis) {
-            part.lower[axis] = k == 0 ? corners[k].param[axis] : std::min(part.lower[axis], corners[k].param[axis]);
-            part.upper[axis] = k == 0 ? corners[k].param[axis] : std::max(part.upper[axis], corners[k].param[axis]);
+            part.lower[axis] =
+                k == 0 ? corners[k].param[axis] : std::min(part.lower[axis], corners[k].param[axis]);
+            part.upper[axis] =
+                k == 0 ? corners[k].param[axis] : std::max(part.upper[axis], corners[k].param[axis]);
         }
     }
     if (triangle.cell >= 0) {
@@ -588,12 +604,15 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
         const TriangleBound bound = triangle_bound(corners, {&here, 1});
         const PieceRange pieces = nets_.pieces_in(part);
         const bool fits = grid_.unscaled(std::max(bound.from_shape(), bound.from_mesh())) <= rule_.chord;
-        return fits || pieces.count() == 1 || pieces.count() > most_pieces ? bound : bound_over_pieces(corners, pieces, cell.block);
+        return fits || pieces.count() == 1 || pieces.count() > most_pieces
+                   ? bound
+                   : bound_over_pieces(corners, pieces, cell.block);
     }
     std::array<double, 2> beside{};
     for (const int32_t border : triangle.border) {
         for (size_t k = 0; k < 2 && border >= 0; ++k) {
-            beside[k] = std::max(beside[k], std::abs(domain_.border.segments[static_cast<size_t>(border)].over[k]));
+            beside[k] =
+                std::max(beside[k], std::abs(domain_.border.segments[static_cast<size_t>(border)].over[k]));
         }
     }
     const std::array<double, 2> middle{(corners[0].param[0] + corners[1].param[0] + corners[2].param[0]) / 3,
@@ -606,7 +625,8 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
     const Rectangle bounds = tree_.block(block);
     for (size_t k = 0; k < 2; ++k) {
         const double room = 1e-6 * bounds.side(k);
-        if (part.lower[k] + beside[k] < bounds.lower[k] - room || part.upper[k] - beside[k] > bounds.upper[k] + room) {
+        if (part.lower[k] + beside[k] < bounds.lower[k] - room ||
+            part.upper[k] - beside[k] > bounds.upper[k] + room) {
             over = infinity; // over a line at which the surface may have a kink
         }
         part.lower[k] = std::max(part.lower[k], bounds.lower[k]);
@@ -633,11 +653,14 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
 
 // By parts of the triangle, on each of which the surface is one piece. A part is near the triangle of its own corners, and that is
 // as near to the whole triangle as its corners are.
-TriangleBound DomainMesher::bound_over_pieces(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces, int32_t block) {
+TriangleBound DomainMesher::bound_over_pieces(const std::array<TriangleCorner, 3> &corners,
+                                              const PieceRange &pieces, int32_t block) {
     const std::array<Vector3, 3> whole{corners[0].point, corners[1].point, corners[2].point};
     const std::array<std::array<double, 2>, 3> params{corners[0].param, corners[1].param, corners[2].param};
     const Vector3 product = cross(whole[1] - whole[0], whole[2] - whole[0]);
-    const double area = length(product), longest = std::max({length(whole[1] - whole[0]), length(whole[2] - whole[1]), length(whole[0] - whole[2])});
+    const double area = length(product),
+                 longest = std::max(
+                     {length(whole[1] - whole[0]), length(whole[2] - whole[1]), length(whole[0] - whole[2])});
     TriangleBound result;
     if (area > 1e-12 * longest * longest) {
         result.normal = (1 / area) * product;
@@ -647,7 +670,9 @@ TriangleBound DomainMesher::bound_over_pieces(const std::array<TriangleCorner, 3
     double all = 0; // the distance, whatever the direction
     for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
         for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
-            const CutPolygon polygon = cut_triangle(params, {{grid_.break_at(0, u), grid_.break_at(1, v)}, {grid_.break_at(0, u + 1), grid_.break_at(1, v + 1)}});
+            const CutPolygon polygon =
+                cut_triangle(params, {{grid_.break_at(0, u), grid_.break_at(1, v)},
+                                      {grid_.break_at(0, u + 1), grid_.break_at(1, v + 1)}});
             if (polygon.places.size() < 3) {
                 continue;
             }
@@ -671,15 +696,18 @@ TriangleBound DomainMesher::bound_over_pieces(const std::array<TriangleCorner, 3
                 const HessianBox box = nets_.box(around, {{u, v}, {u + 1, v + 1}});
                 const CellPart here{&box, around};
                 const TriangleBound bound = triangle_bound(part, {&here, 1});
-                const double far = std::max({distance_from_triangle(part[0].point, whole), distance_from_triangle(part[1].point, whole),
+                const double far = std::max({distance_from_triangle(part[0].point, whole),
+                                             distance_from_triangle(part[1].point, whole),
                                              distance_from_triangle(part[2].point, whole)});
                 result.height = std::max(result.height, far + bound.from_shape() + noise);
-                const std::array<int, 3> labels{polygon.sides[i], i + 2 == n ? polygon.sides[n - 1] : -1, i == 1 ? polygon.sides[0] : -1};
+                const std::array<int, 3> labels{polygon.sides[i], i + 2 == n ? polygon.sides[n - 1] : -1,
+                                                i == 1 ? polygon.sides[0] : -1};
                 for (size_t k = 0; k < 3; ++k) {
                     if (labels[k] >= 0) {
                         const auto side = static_cast<size_t>(labels[k]);
                         const Vector3 &a = whole[(side + 1) % 3], &b = whole[(side + 2) % 3];
-                        const double off = std::max(distance_from_segment(part[(k + 1) % 3].point, a, b), distance_from_segment(part[(k + 2) % 3].point, a, b));
+                        const double off = std::max(distance_from_segment(part[(k + 1) % 3].point, a, b),
+                                                    distance_from_segment(part[(k + 2) % 3].point, a, b));
                         result.sides[side] = std::max(result.sides[side], off + bound.sides[k] + noise);
                         result.beside = std::max(result.beside, result.sides[side]);
                     }
@@ -706,18 +734,21 @@ Vector3 DomainMesher::point_of(const std::array<double, 2> &place, int32_t numbe
 }
 
 // How far places between curves of the border and the sides of a triangle are from it, in space.
-double DomainMesher::moves_over(const Triangle &triangle, const HessianBox &box, const Rectangle &cell) const {
+double DomainMesher::moves_over(const Triangle &triangle, const HessianBox &box,
+                                const Rectangle &cell) const {
     double moves = 0;
     for (const int32_t border : triangle.border) {
         if (border >= 0) {
-            moves = std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)], box, cell));
+            moves =
+                std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)], box, cell));
         }
     }
     return moves;
 }
 
-TriangleBound DomainMesher::bound_over_cells(const std::array<TriangleCorner, 3> &corners, const Rectangle &part, int32_t block,
-                                             const Triangle &triangle, double &over) const {
+TriangleBound DomainMesher::bound_over_cells(const std::array<TriangleCorner, 3> &corners,
+                                             const Rectangle &part, int32_t block, const Triangle &triangle,
+                                             double &over) const {
     std::vector<CellPart> cells;
     double moves = 0;
     tree_.for_each_in(part, [&](const Cell &cell) {
@@ -738,8 +769,10 @@ void DomainMesher::prove() {
     }
     for (const Site &site : sites_) {
         for (size_t k = 0; k < 2; ++k) {
-            const bool low = site.param[k] == tree_.lines(k).front().t, high = site.param[k] == tree_.lines(k).back().t;
-            if ((low && !domain_.closed[k] && !domain_.collapsed[k][0]) || (high && !domain_.closed[k] && !domain_.collapsed[k][1])) {
+            const bool low = site.param[k] == tree_.lines(k).front().t,
+                       high = site.param[k] == tree_.lines(k).back().t;
+            if ((low && !domain_.closed[k] && !domain_.collapsed[k][0]) ||
+                (high && !domain_.closed[k] && !domain_.collapsed[k][1])) {
                 all.set_border(site.point);
             }
         }
@@ -776,7 +809,8 @@ void DomainMesher::prove() {
 DomainMesher::Split DomainMesher::split_of(const Triangle &triangle) const {
     Split best;
     for (size_t k = 0; k < 3; ++k) {
-        const auto from = static_cast<size_t>(triangle.sites[(k + 1) % 3]), to = static_cast<size_t>(triangle.sites[(k + 2) % 3]);
+        const auto from = static_cast<size_t>(triangle.sites[(k + 1) % 3]),
+                   to = static_cast<size_t>(triangle.sites[(k + 2) % 3]);
         const Site &a = sites_[from], &b = sites_[to];
         const bool pole = a.point == b.point;
         const double size = pole ? infinity : length(positions_[from] - positions_[to]);
@@ -821,11 +855,11 @@ bool DomainMesher::improve() {
 }
 
 DomainMesh DomainMesher::output() {
-    if (getenv("DM")) { size_t w=0; int n=0; for (size_t i=0;i<triangles_.size();++i){ if(!(distances_[i].most()<=distances_[w].most())) w=i; n+=!(distances_[i].most()<=rule_.chord);} if(triangles_.empty()) { fprintf(stderr,"empty: sites %zu strip points %zu comps\n",sites_.size(),strip_points_.size()); for (size_t i=0;i<domain_.border.segments.size();++i){auto& g=domain_.border.segments[i]; auto&a=domain_.border.points[g.from].param; auto&b=domain_.border.points[g.to].param; fprintf(stderr,"   seg %zu %.9g %.9g - %.9g %.9g line %ld pts %d %d\n",i,a[0],a[1],b[0],b[1],(long)g.line,domain_.border.points[g.from].point,domain_.border.points[g.to].point);} for(int c:crossed_) fprintf(stderr,"   crossed seg %d\n",c);} else if(n||!crossed_.empty()){ double over=0; auto b=bound_of(triangles_[w],over); fprintf(stderr,"bad %d of %zu crossed %zu weak %zu worst %s: d %.3g %.3g over %.3g h %.3g out %.3g beside %.3g alt %.3g chord %.3g border %d %d %d\n",n,triangles_.size(),crossed_.size(),weak_.size(),triangles_[w].cell>=0?"cell":"strip",distances_[w].from_shape,distances_[w].from_mesh,grid_.unscaled(over),grid_.unscaled(b.height),grid_.unscaled(b.out),grid_.unscaled(b.beside),grid_.unscaled(b.altitude),rule_.chord,triangles_[w].border[0],triangles_[w].border[1],triangles_[w].border[2]); for(int k=0;k<3;++k){auto&S=sites_[triangles_[w].sites[k]]; const Vector3&P=S.point<first_point_?(*domain_.points)[S.point]:new_points_[S.point-first_point_]; fprintf(stderr,"   uv %.9g %.9g p %d moved %.3g  xyz %.6g %.6g %.6g fixed %d\n",S.param[0],S.param[1],S.point,length(positions_[triangles_[w].sites[k]]-P),P.x,P.y,P.z,triangles_[w].fixed[k]);} for (int c : crossed_) { auto&g=domain_.border.segments[c]; auto&a=domain_.border.points[g.from].param; auto&bb=domain_.border.points[g.to].param; fprintf(stderr,"   crossed %.9g %.9g - %.9g %.9g line %ld\n",a[0],a[1],bb[0],bb[1],(long)g.line);} } }
     DomainMesh result;
     for (size_t i = 0; i < sites_.size(); ++i) {
         const int32_t point = sites_[i].point;
-        result.vertices.push_back({point < first_point_ ? point : first_point_ - 1 - point, sites_[i].param, normals_[i]});
+        result.vertices.push_back(
+            {point < first_point_ ? point : first_point_ - 1 - point, sites_[i].param, normals_[i]});
     }
     for (size_t i = 0; i < triangles_.size(); ++i) {
         result.from_shape = std::max(result.from_shape, distances_[i].from_shape);
@@ -840,7 +874,8 @@ DomainMesh DomainMesher::output() {
         }
     }
     result.points = std::move(new_points_);
-    result.reached = crossed_.empty() && !result.triangles.empty() && std::max(result.from_shape, result.from_mesh) <= rule_.chord;
+    result.reached = crossed_.empty() && !result.triangles.empty() &&
+                     std::max(result.from_shape, result.from_mesh) <= rule_.chord;
     result.weak = std::move(weak_);
     result.weak.insert(result.weak.end(), crossed_.begin(), crossed_.end());
     std::ranges::sort(result.weak);

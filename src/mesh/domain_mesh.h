@@ -11,10 +11,6 @@
 
 namespace nrb::mesh {
 
-struct MeshRule {
-    double chord = infinity; // the largest distance, both ways
-};
-
 // What is to be meshed.
 struct MeshDomain {
     const Spline *surface = nullptr;
@@ -34,7 +30,8 @@ struct DomainMesh {
     std::vector<std::array<int32_t, 3>> triangles;
     double from_shape = 0, from_mesh = 0;
     bool reached = false;
-    std::vector<int32_t> weak{}; // segments of the border at which triangles are too far off, or that cross others
+    std::vector<int32_t>
+        weak{}; // segments of the border at which triangles are too far off, or that cross others
 };
 
 DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule);

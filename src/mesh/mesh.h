@@ -2,6 +2,7 @@
 // Triangles that stand for shapes, with the proof of how far they are from them.
 #pragma once
 
+#include "base/numbers.h"
 #include "numeric/vector3.h"
 #include "spline/spline.h"
 
@@ -12,16 +13,23 @@
 
 namespace nrb::mesh {
 
+// What is asked for.
+struct MeshRule {
+    double chord = infinity; // the largest distance, both ways
+    double relative =
+        0; // the same as a share of the largest side of the box of all control points; 0: no limit
+    double longest = 0; // side of a triangle; 0: no limit
+};
+
 // Where a face has a point: on a border of faces, at a crease or a seam a point has several.
 struct MeshVertex {
     int32_t point;
     std::array<double, 2> param;
-    Vector3 normal; // NaN where there is none
+    Vector3 normal; // of the surface, from the side of the face; NaN where there is none
 };
 
 // What stands for a face, or a whole surface.
 struct MeshFace {
-    int64_t face = 0;                     // of a model
     size_t first_vertex = 0, vertices = 0;
     size_t first_triangle = 0, triangles = 0;
     double from_shape = 0; // no point of the face is farther from the triangles
@@ -29,11 +37,23 @@ struct MeshFace {
     bool reached = true;   // all that was asked for is proven
 };
 
+// The polyline of an edge, whose points all faces at it have.
+struct MeshEdge {
+    int64_t edge = -1; // of the model; -1: one of a face alone
+    size_t first = 0, points = 0;
+    double bound = 0; // no point of the one is farther from the other
+    bool reached = true;
+};
+
+// Faces are in the order of those of the model, in the coordinates of their parts.
 struct Mesh {
-    std::vector<Vector3> points;
+    std::vector<Vector3> points; // z = 0 in the plane
     std::vector<MeshVertex> vertices;
-    std::vector<std::array<int32_t, 3>> triangles; // of vertices, counterclockwise about the normal of the surface
+    std::vector<std::array<int32_t, 3>>
+        triangles; // of vertices, counterclockwise about the normal of the surface
     std::vector<MeshFace> faces;
+    std::vector<MeshEdge> edges;
+    std::vector<int32_t> edge_points;
 };
 using MeshPtr = std::shared_ptr<const Mesh>;
 

@@ -2,6 +2,7 @@
 #include "mesh/surface_mesh.h"
 
 #include "base/watch.h"
+#include "model/from_faces.h"
 
 #include <algorithm>
 
@@ -26,10 +27,10 @@ MeshDomain domain_of(const Spline &surface, const face::Covering &covering) {
 }
 
 // With own points behind all others.
-void append(const DomainMesh &part, int64_t face, Mesh &mesh) {
-    const auto base = static_cast<int32_t>(mesh.vertices.size()), first = static_cast<int32_t>(mesh.points.size());
+void append(const DomainMesh &part, Mesh &mesh) {
+    const auto base = static_cast<int32_t>(mesh.vertices.size()),
+               first = static_cast<int32_t>(mesh.points.size());
     MeshFace info;
-    info.face = face;
     info.first_vertex = mesh.vertices.size();
     info.vertices = part.vertices.size();
     info.first_triangle = mesh.triangles.size();
@@ -48,10 +49,60 @@ void append(const DomainMesh &part, int64_t face, Mesh &mesh) {
     }
 }
 
+void append_edges(const ModelEdges &edges, Mesh &mesh) {
+    for (const EdgeLine &line : edges.lines()) {
+        mesh.edges.push_back(
+            {line.edge, mesh.edge_points.size(), line.points.size(), line.bound, line.reached});
+        mesh.edge_points.insert(mesh.edge_points.end(), line.points.begin(), line.points.end());
+    }
+}
+
+// Of the box of control points.
+double extent_of(const Spline &spline, std::vector<Interval> &box) {
+    box.resize(static_cast<size_t>(spline.dim()), {infinity, -infinity});
+    double extent = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        Interval &side = box[static_cast<size_t>(c)];
+        for (int64_t i = 0; i < spline.point_count(); ++i) {
+            const double x = spline.coordinate(i, c);
+            side = {std::min(side.lower, x), std::max(side.upper, x)};
+        }
+        extent = std::max(extent, side.upper - side.lower);
+    }
+    return extent;
+}
+
+// With one distance.
+MeshRule settled(MeshRule rule, double extent) {
+    if (rule.relative > 0) {
+        rule.chord = std::min(rule.chord, rule.relative * extent);
+    }
+    return rule;
+}
+
+MeshRule settled(const model::Model &model, const MeshRule &rule) {
+    std::vector<Interval> box;
+    double extent = 0;
+    for (const model::ModelFace &face : model.faces) {
+        extent = std::max(extent, extent_of(face.face->surface()->effective(), box));
+    }
+    return settled(rule, extent);
+}
+
+void check_surface(const Spline &surface) {
+    if (surface.axes() != 2) {
+        fail(Status::axes, "a spline of %d axes, expected a surface", surface.axes());
+    }
+    if (surface.dim() != 2 && surface.dim() != 3) {
+        fail(Status::dimension, "a surface of dimension %d, expected 2 or 3", surface.dim());
+    }
+}
+
 class ModelMesher {
 public:
     ModelMesher(const model::Model &model, const MeshRule &rule)
-        : model_(model), rule_(rule), edges_(model, {rule.chord * share_of_edges}), parts_(model.faces.size()) {}
+        : model_(model), rule_(rule), edges_(model, {rule.chord * share_of_edges, 0, rule.longest}),
+          parts_(model.faces.size()) {}
 
     Mesh mesh() {
         std::vector<bool> old(parts_.size(), true);
@@ -63,8 +114,9 @@ public:
         }
         Mesh result;
         result.points = edges_.points();
+        append_edges(edges_, result);
         for (size_t i = 0; i < parts_.size(); ++i) {
-            append(parts_[i], static_cast<int64_t>(i), result);
+            append(parts_[i], result);
         }
         return result;
     }
@@ -76,7 +128,7 @@ private:
     bool divide_edges(std::vector<bool> &old);
 
     const model::Model &model_;
-    const MeshRule &rule_;
+    MeshRule rule_;
     ModelEdges edges_;
     std::vector<DomainMesh> parts_;
     std::vector<std::pair<int64_t, double>> weak_; // polylines, and where they are to be divided
@@ -122,13 +174,23 @@ bool ModelMesher::divide_edges(std::vector<bool> &old) {
 } // namespace
 
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule) {
+    check_surface(surface);
+    std::vector<Interval> box;
+    const MeshRule own = settled(rule, extent_of(surface.effective(), box));
     Mesh mesh;
-    append(mesh_of(domain_of(surface, face::Covering(surface, 0)), rule), 0, mesh);
+    append(mesh_of(domain_of(surface, face::Covering(surface, 0)), own), mesh);
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+MeshPtr mesh_of(const face::FacePtr &face, const MeshRule &rule) {
+    return mesh_of(model::model_of_faces({face}, 0), rule);
+}
+
 MeshPtr mesh_of(const model::Model &model, const MeshRule &rule) {
-    return std::make_shared<const Mesh>(ModelMesher(model, rule).mesh());
+    for (const model::ModelFace &face : model.faces) {
+        check_surface(*face.face->surface());
+    }
+    return std::make_shared<const Mesh>(ModelMesher(model, settled(model, rule)).mesh());
 }
 
 } // namespace nrb::mesh

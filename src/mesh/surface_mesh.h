@@ -6,9 +6,10 @@
 
 namespace nrb::mesh {
 
-// Precondition: a surface of dimension 2 or 3.
+// Throws Status::dimension for a surface of another dimension than 2 or 3, axes for what is none, overflow for more than 2^31 - 1
+// vertices.
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule);
-// In the coordinates of their parts.
+MeshPtr mesh_of(const face::FacePtr &face, const MeshRule &rule);
 MeshPtr mesh_of(const model::Model &model, const MeshRule &rule);
 
 } // namespace nrb::mesh

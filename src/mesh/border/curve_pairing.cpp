@@ -31,19 +31,23 @@ std::vector<double> at_equal_lengths(Interval domain, const std::vector<Vector3>
     std::vector<double> lengths{0}, params{domain.lower};
     for (size_t i = 1; i < points.size(); ++i) {
         lengths.push_back(lengths.back() + length(points[i] - points[i - 1]));
-        params.push_back(parameter_in(domain, static_cast<double>(i) / static_cast<double>(points.size() - 1)));
+        params.push_back(
+            parameter_in(domain, static_cast<double>(i) / static_cast<double>(points.size() - 1)));
     }
     std::vector<double> result;
     for (size_t i = 0; i <= count; ++i) {
         const double wanted = lengths.back() * static_cast<double>(i) / static_cast<double>(count);
-        result.push_back(i == 0 ? domain.lower : i == count ? domain.upper : interpolated(lengths, params, wanted));
+        result.push_back(i == 0       ? domain.lower
+                         : i == count ? domain.upper
+                                      : interpolated(lengths, params, wanted));
     }
     return result;
 }
 
 } // namespace
 
-CurvePairing::CurvePairing(const face::Face &face, const Spline &curve, const Spline &edge, bool against, double near)
+CurvePairing::CurvePairing(const face::Face &face, const Spline &curve, const Spline &edge, bool against,
+                           double near)
     : face_(face), curve_(curve), edge_(edge), against_(against), curve_domain_(curve.axis(0).domain()),
       edge_domain_(edge.axis(0).domain()) {
     if (!is_near(near)) {
@@ -100,7 +104,8 @@ CurvePairing::Jet CurvePairing::image_jet(double s) const {
     const face::Point2 x = face_.covering().in_domain({plane[0], plane[1]});
     std::array<double, 9> jet{};
     const int dim = face_.surface()->dim();
-    eval::evaluate_points(*face_.surface(), {}, 1, {x.data(), 1, 2, 2, 1}, {jet.data(), 1, 3 * dim, 3 * dim, 1});
+    eval::evaluate_points(*face_.surface(), {}, 1, {x.data(), 1, 2, 2, 1},
+                          {jet.data(), 1, 3 * dim, 3 * dim, 1});
     return {vector_of(jet.data(), dim),
             plane[2] * vector_of(jet.data() + dim, dim) + plane[3] * vector_of(jet.data() + 2 * dim, dim)};
 }
@@ -137,7 +142,8 @@ double CurvePairing::on_edge(double s) const {
         return line_to_edge(s);
     }
     const double step = (edge_domain_.upper - edge_domain_.lower) / 16, guess = interpolated(s_, t_, s);
-    const Interval around{std::max(edge_domain_.lower, guess - step), std::min(edge_domain_.upper, guess + step)};
+    const Interval around{std::max(edge_domain_.lower, guess - step),
+                          std::min(edge_domain_.upper, guess + step)};
     return nearer(guess, around, image(s), [&](double t) { return edge_jet(t); });
 }
 
@@ -146,7 +152,8 @@ double CurvePairing::on_curve(double t) const {
         return line_to_curve(t);
     }
     const double step = (curve_domain_.upper - curve_domain_.lower) / 16, guess = interpolated(t_, s_, t);
-    const Interval around{std::max(curve_domain_.lower, guess - step), std::min(curve_domain_.upper, guess + step)};
+    const Interval around{std::max(curve_domain_.lower, guess - step),
+                          std::min(curve_domain_.upper, guess + step)};
     return nearer(guess, around, edge_jet(t).point, [&](double s) { return image_jet(s); });
 }
 

@@ -15,7 +15,8 @@ namespace {
 using face::Point2;
 
 // The control points of a part of a piece.
-std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from, double to) {
+std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from,
+                                   double to) {
     const std::span<const double> given = pieces.coefficients(piece);
     const size_t width = piece.weighted ? 3 : 2, count = static_cast<size_t>(piece.degree) + 1;
     std::vector<Point2> points(count);
@@ -39,7 +40,8 @@ struct PolygonPart {
     double share;
 };
 
-double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from, double to) {
+double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from,
+                        double to) {
     double ends = infinity, inner = 0;
     if (piece.weighted) {
         std::vector<double> weights;
@@ -59,7 +61,8 @@ double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &p
 class BorderWalk {
 public:
     BorderWalk(const model::Model &model, int64_t number, const ModelEdges &edges)
-        : number_(number), face_(*model.faces[static_cast<size_t>(number)].face), edges_(edges), border_(face_), lines_(face_) {}
+        : number_(number), face_(*model.faces[static_cast<size_t>(number)].face), edges_(edges),
+          border_(face_), lines_(face_) {}
 
     FaceBorder walk() {
         const auto &all = face_.trims().pieces().all();
@@ -95,7 +98,7 @@ private:
     int32_t first_ = -1, last_ = -1; // points of the loop
     int64_t line_ = -1, last_line_ = -1;
     double last_edge_param_ = 0, middle_ = nan_value; // of edges
-    std::vector<PolygonPart> hull_;  // of the curve since the last point
+    std::vector<PolygonPart> hull_;                   // of the curve since the last point
 };
 
 // Whether the way from one place to another leads over a seam, or along a pole.
@@ -121,7 +124,8 @@ void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
         const std::vector<Point2> points = control_points(face_.trims().pieces(), piece, from, to);
         hull_.push_back({points, share_of_polygon(face_.trims().pieces(), piece, from, to)});
     } else if (from < to) {
-        hull_.push_back({{face_.trims().pieces().point(piece, from), face_.trims().pieces().point(piece, to)}, 0});
+        hull_.push_back(
+            {{face_.trims().pieces().point(piece, from), face_.trims().pieces().point(piece, to)}, 0});
     }
 }
 
@@ -139,9 +143,12 @@ void BorderWalk::add_behind(const face::TrimPiece &piece) {
     const double length = vertices.back().param - vertices.front().param;
     for (size_t i = 0; i < vertices.size(); ++i) {
         const CurveVertex &vertex = vertices[turned ? vertices.size() - 1 - i : i];
-        const double share = turned ? (vertices.back().param - vertex.param) / length : (vertex.param - vertices.front().param) / length;
+        const double share = turned ? (vertices.back().param - vertex.param) / length
+                                    : (vertex.param - vertices.front().param) / length;
         hull_.clear();
-        arrive({piece.start[0] * (1 - share) + piece.end[0] * share, piece.start[1] * (1 - share) + piece.end[1] * share}, vertex);
+        arrive({piece.start[0] * (1 - share) + piece.end[0] * share,
+                piece.start[1] * (1 - share) + piece.end[1] * share},
+               vertex);
     }
 }
 
@@ -175,7 +182,8 @@ void BorderWalk::add(const face::TrimPiece &piece) {
 // Whether a point is that of a vertex, and near it in the domain: curves that meet in a corner need not end in one place.
 bool BorderWalk::is_at(int32_t number, const Point2 &x, int32_t point) const noexcept {
     const BorderPoint &own = result_.points[static_cast<size_t>(number)];
-    return own.point == point && std::abs(own.param[0] - x[0]) <= lines_.near(0) && std::abs(own.param[1] - x[1]) <= lines_.near(1);
+    return own.point == point && std::abs(own.param[0] - x[0]) <= lines_.near(0) &&
+           std::abs(own.param[1] - x[1]) <= lines_.near(1);
 }
 
 void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
@@ -252,7 +260,8 @@ void BorderWalk::mirror(const BorderSegment &segment) {
 }
 
 void BorderWalk::add_segment(int32_t from, int32_t to) {
-    const Point2 &a = result_.points[static_cast<size_t>(from)].param, &b = result_.points[static_cast<size_t>(to)].param;
+    const Point2 &a = result_.points[static_cast<size_t>(from)].param,
+                 &b = result_.points[static_cast<size_t>(to)].param;
     BorderSegment segment{from, to};
     if (!std::isnan(middle_)) {
         segment.line = line_;
@@ -267,7 +276,8 @@ void BorderWalk::add_segment(int32_t from, int32_t to) {
             Point2 x = part.points[i];
             for (size_t k = 0; k < 2; ++k) { // in the copy of the segment
                 const double off = x[k] - (a[k] / 2 + b[k] / 2);
-                x[k] -= face_.covering().closed(static_cast<int>(k)) ? std::round(off / period[k]) * period[k] : 0;
+                x[k] -= face_.covering().closed(static_cast<int>(k)) ? std::round(off / period[k]) * period[k]
+                                                                     : 0;
             }
             const double along = ((x[0] - a[0]) / period[0] * du + (x[1] - a[1]) / period[1] * dv) / squared;
             const double t = std::clamp(along, 0.0, 1.0);

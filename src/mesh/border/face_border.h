@@ -12,7 +12,7 @@ struct BorderPoint {
 };
 
 struct BorderSegment {
-    int32_t from, to;    // of the points
+    int32_t from, to; // of the points
     // No place between it and its curve is farther from it than by such a step, to one side or the other; if not `across`, along each axis.
     face::Point2 over{};
     bool across = true;

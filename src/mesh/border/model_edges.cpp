@@ -56,7 +56,8 @@ const face::Coedge &ModelEdges::coedge_of(const Use &use) const noexcept {
 void ModelEdges::make_pairing(Use &use, double near) {
     const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
     const Spline &curve = use.own ? *use.own : *coedge_of(use).curve;
-    use.pairing = std::make_unique<CurvePairing>(face, curve, *curves_[use.line], !use.own && coedge_of(use).against, near);
+    use.pairing = std::make_unique<CurvePairing>(face, curve, *curves_[use.line],
+                                                 !use.own && coedge_of(use).against, near);
     count_work(1 << 12);
 }
 
@@ -66,7 +67,8 @@ void ModelEdges::add_gaps(int64_t number) {
     for (int32_t loop = 0; loop < static_cast<int32_t>(face.loops().size()); ++loop) {
         const auto count = static_cast<int32_t>(face.loops()[static_cast<size_t>(loop)].size());
         for (int32_t i = 0; i < count; ++i) {
-            const Use &own = uses_[use_at(number, loop, i)], &next = uses_[use_at(number, loop, (i + 1) % count)];
+            const Use &own = uses_[use_at(number, loop, i)],
+                      &next = uses_[use_at(number, loop, (i + 1) % count)];
             face::Joint gap{};
             eval::end_point(*coedge_of(own).curve, true, gap.from.data());
             eval::end_point(*coedge_of(next).curve, false, gap.to.data());
@@ -91,7 +93,8 @@ void ModelEdges::add_gap(int64_t number, int32_t loop, int32_t index, const face
     uses_.push_back(std::move(use));
 }
 
-const std::vector<CurveVertex> &ModelEdges::vertices_behind(int64_t face, int32_t loop, int32_t index) const noexcept {
+const std::vector<CurveVertex> &ModelEdges::vertices_behind(int64_t face, int32_t loop,
+                                                            int32_t index) const noexcept {
     static const std::vector<CurveVertex> none;
     const auto found = gaps_.find(borders_.number(face, loop, index));
     return found == gaps_.end() ? none : uses_[found->second].vertices;
@@ -119,7 +122,8 @@ void ModelEdges::set_curves() {
         curves_.push_back(edge.curve);
         users_.emplace_back();
         for (const model::EdgeUse &use : edge.uses) {
-            const size_t at = use_at(use.face, static_cast<int32_t>(use.loop), static_cast<int32_t>(use.index));
+            const size_t at =
+                use_at(use.face, static_cast<int32_t>(use.loop), static_cast<int32_t>(use.index));
             uses_[at].line = lines_.size() - 1;
             users_.back().push_back(at);
         }
@@ -130,7 +134,8 @@ void ModelEdges::set_curves() {
             const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
             use.line = lines_.size();
             lines_.emplace_back();
-            curves_.push_back(face::edge_of(face, face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)]));
+            curves_.push_back(face::edge_of(
+                face, face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)]));
             users_.push_back({at});
         }
     }
@@ -144,8 +149,7 @@ void ModelEdges::add_fixed(int64_t number) {
     for (size_t first = 0, last = 0; first < all.size(); first = last) {
         for (last = first; last < all.size() && all[last].loop == all[first].loop; ++last) {
         }
-        for (const LinePassage &passage :
-             passages_of(face, std::span(all).subspan(first, last - first))) {
+        for (const LinePassage &passage : passages_of(face, std::span(all).subspan(first, last - first))) {
             fix(border.place_of(*passage.piece, passage.place), passage.at);
         }
     }
@@ -188,7 +192,8 @@ bool ModelEdges::is_far(const Use &use, const std::array<double, 2> &params, dou
     const Vector3 a = in_space(from), b = in_space(to);
     double off_chord = 0, off_curve = 0;
     for (const double share : {0.25, 0.5, 0.75}) {
-        const face::Point2 between{from[0] * (1 - share) + to[0] * share, from[1] * (1 - share) + to[1] * share};
+        const face::Point2 between{from[0] * (1 - share) + to[0] * share,
+                                   from[1] * (1 - share) + to[1] * share};
         const Vector3 on_chord = in_space(between);
         off_chord = std::max(off_chord, distance_from_segment(on_chord, a, b));
         off_curve = std::max(off_curve, length(in_space(place(share)) - on_chord));
@@ -196,15 +201,17 @@ bool ModelEdges::is_far(const Use &use, const std::array<double, 2> &params, dou
     return off_chord + off_curve > chord;
 }
 
-std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<double> &params, double chord) const {
+std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<double> &params,
+                                              double chord) const {
     std::vector<double> result;
     for (size_t i = 0; i + 1 < params.size(); ++i) {
         const double middle = params[i] / 2 + params[i + 1] / 2;
-        const bool far = middle > params[i] && middle < params[i + 1] &&
-                         std::ranges::any_of(users_[line], [&](size_t at) {
-                             const Use &use = uses_[at];
-                             return is_far(use, {use.pairing->on_curve(params[i]), use.pairing->on_curve(params[i + 1])}, chord);
-                         });
+        const bool far =
+            middle > params[i] && middle < params[i + 1] && std::ranges::any_of(users_[line], [&](size_t at) {
+                const Use &use = uses_[at];
+                return is_far(use, {use.pairing->on_curve(params[i]), use.pairing->on_curve(params[i + 1])},
+                              chord);
+            });
         if (far) {
             result.push_back(middle);
         }
@@ -241,14 +248,16 @@ int32_t ModelEdges::corner(int64_t number, const Vector3 &x) {
 // The point at an end of a polyline, which is that of a corner. In a gap there are two of these.
 int32_t ModelEdges::end_of_line(size_t line, bool upper, const Vector3 &x) {
     const Use &use = uses_[users_[line].front()];
-    const auto count = static_cast<int64_t>(model_.faces[static_cast<size_t>(use.face)].face->loops()[static_cast<size_t>(use.loop)].size());
+    const auto count = static_cast<int64_t>(
+        model_.faces[static_cast<size_t>(use.face)].face->loops()[static_cast<size_t>(use.loop)].size());
     const int64_t number = borders_.number(use.face, use.loop, use.index);
     const bool at_end = use.own ? !upper : upper != coedge_of(use).against; // of the curve of the loop
     if (at_end) {
         const bool gap = gaps_.contains(number);
         return corner(gap ? -1 - number : borders_.coedge(number).end, x);
     }
-    const int64_t next = use.own ? borders_.number(use.face, use.loop, static_cast<int32_t>((use.index + 1) % count)) : number;
+    const int64_t next =
+        use.own ? borders_.number(use.face, use.loop, static_cast<int32_t>((use.index + 1) % count)) : number;
     return corner(borders_.coedge(next).start, x);
 }
 

@@ -16,10 +16,10 @@
 namespace nrb::mesh {
 
 struct EdgeLine {
-    int64_t edge = -1;               // of the model; -1: one of a face alone
-    std::vector<int32_t> points{};   // from its start to its end
+    int64_t edge = -1;             // of the model; -1: one of a face alone
+    std::vector<int32_t> points{}; // from its start to its end
     std::vector<double> params{};
-    double bound = 0;                // of its distance from the curve, both ways
+    double bound = 0; // of its distance from the curve, both ways
     bool reached = true;
 };
 
@@ -27,7 +27,7 @@ struct EdgeLine {
 struct CurveVertex {
     double param;
     int32_t point;
-    double edge_param; // of the edge
+    double edge_param;                   // of the edge
     std::optional<face::Point2> place{}; // if it has to be there exactly, in the domain
 };
 
@@ -41,12 +41,14 @@ public:
     [[nodiscard]] const std::vector<Vector3> &points() const noexcept { return points_; }
     [[nodiscard]] const std::vector<EdgeLine> &lines() const noexcept { return lines_; }
     // Of a curve of a face: rising.
-    [[nodiscard]] const std::vector<CurveVertex> &vertices(int64_t face, int32_t loop, int32_t index) const noexcept {
+    [[nodiscard]] const std::vector<CurveVertex> &vertices(int64_t face, int32_t loop,
+                                                           int32_t index) const noexcept {
         return uses_[static_cast<size_t>(borders_.number(face, loop, index))].vertices;
     }
 
     // Of the segment of the domain by which a loop goes on behind a curve whose end is far from the next one: empty if there is none.
-    [[nodiscard]] const std::vector<CurveVertex> &vertices_behind(int64_t face, int32_t loop, int32_t index) const noexcept;
+    [[nodiscard]] const std::vector<CurveVertex> &vertices_behind(int64_t face, int32_t loop,
+                                                                  int32_t index) const noexcept;
     [[nodiscard]] int64_t line_behind(int64_t face, int32_t loop, int32_t index) const noexcept;
     // The polyline under a curve of a face.
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
@@ -80,7 +82,8 @@ private:
     void fix(const face::BorderPlace &place, const face::Point2 &x);
     void make_line(size_t line, const PolylineRule &rule);
     [[nodiscard]] std::vector<double> fixed_params(size_t line) const;
-    [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params, double chord) const;
+    [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params,
+                                                    double chord) const;
     void set_points(size_t line, const Polyline &polyline);
     void set_vertices(Use &use);
     [[nodiscard]] bool is_far(const Use &use, const std::array<double, 2> &params, double chord) const;

@@ -15,7 +15,8 @@ SegmentIndex::SegmentIndex(const FaceBorder &border) : border_(border) {
             box_.upper[k] = std::max(box_.upper[k], point.param[k]);
         }
     }
-    columns_ = std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(border.segments.size()))), 1, 1024);
+    columns_ = std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(border.segments.size()))),
+                                  1, 1024);
     buckets_.resize(columns_ * columns_);
     for (int32_t i = 0; i < static_cast<int32_t>(border.segments.size()); ++i) {
         const BorderSegment &segment = border.segments[static_cast<size_t>(i)];
@@ -49,7 +50,8 @@ bool SegmentIndex::meets(int32_t number, const Rectangle &part) const noexcept {
     const double du = b[0] - a[0], dv = b[1] - a[1];
     bool left = false, right = false;
     for (size_t c = 0; c < 4; ++c) {
-        const double u = (c % 2 == 0 ? part.lower[0] : part.upper[0]) - a[0], v = (c < 2 ? part.lower[1] : part.upper[1]) - a[1];
+        const double u = (c % 2 == 0 ? part.lower[0] : part.upper[0]) - a[0],
+                     v = (c < 2 ? part.lower[1] : part.upper[1]) - a[1];
         const double side = du * v - dv * u, noise = 8 * eps * (std::abs(du * v) + std::abs(dv * u));
         left = left || side >= -noise;
         right = right || side <= noise;

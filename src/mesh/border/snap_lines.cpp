@@ -118,7 +118,7 @@ private:
     [[nodiscard]] int end_of(const face::Point2 &x) const noexcept {
         return x[k_] <= lines_.domain(k_).lower + lines_.near(k_)   ? -1
                : x[k_] >= lines_.domain(k_).upper - lines_.near(k_) ? 1
-                                                                   : 0;
+                                                                    : 0;
     }
     void go(int now, int &before, std::optional<LinePassage> &on, size_t i) {
         if (before * now < 0 && on && i >= loop_.size()) {

@@ -39,7 +39,8 @@ void CellNets::extract(int64_t u, int64_t v, double *net) {
 
 Interval CellNets::part_of(const Rectangle &part, size_t k, int64_t piece) const noexcept {
     const auto axis = static_cast<int>(k);
-    return {std::max(part.lower[k], grid_.break_at(axis, piece)), std::min(part.upper[k], grid_.break_at(axis, piece + 1))};
+    return {std::max(part.lower[k], grid_.break_at(axis, piece)),
+            std::min(part.upper[k], grid_.break_at(axis, piece + 1))};
 }
 
 void CellNets::extract(int64_t u, int64_t v, const Rectangle &part, double *net) {
@@ -72,7 +73,8 @@ PieceRange CellNets::pieces_in(const Rectangle &part) const noexcept {
         const auto axis = static_cast<int>(k);
         result.lower[k] = grid_.find(axis, part.lower[k]);
         result.upper[k] = grid_.find(axis, part.upper[k]) + 1;
-        if (result.upper[k] > result.lower[k] + 1 && grid_.break_at(axis, result.upper[k] - 1) == part.upper[k]) {
+        if (result.upper[k] > result.lower[k] + 1 &&
+            grid_.break_at(axis, result.upper[k] - 1) == part.upper[k]) {
             --result.upper[k];
         }
     }
@@ -86,7 +88,8 @@ Rectangle CellNets::wide_part(const Rectangle &part, const std::array<int64_t, 2
         const auto axis = static_cast<int>(k);
         const Interval own = part_of(part, k, piece[k]);
         const double low = grid_.break_at(axis, piece[k]), high = grid_.break_at(axis, piece[k] + 1);
-        const double wanted = std::min(high - low, part.side(k)) / 8, lacking = std::max(0.0, wanted - (own.upper - own.lower));
+        const double wanted = std::min(high - low, part.side(k)) / 8,
+                     lacking = std::max(0.0, wanted - (own.upper - own.lower));
         result.lower[k] = std::max(low, own.lower - lacking);
         result.upper[k] = std::min(high, own.upper + lacking);
     }
@@ -99,7 +102,8 @@ HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces) {
     for (size_t c = 0; c < 4; ++c) {
         const bool right = c == 1 || c == 2, top = c >= 2;
         double *net = net_.data() + c * values_;
-        extract(right ? pieces.upper[0] - 1 : pieces.lower[0], top ? pieces.upper[1] - 1 : pieces.lower[1], part, net);
+        extract(right ? pieces.upper[0] - 1 : pieces.lower[0], top ? pieces.upper[1] - 1 : pieces.lower[1],
+                part, net);
         corners[c] = corners_of(*this, net)[c];
     }
     HessianBox result = box_about(corners);
@@ -108,7 +112,8 @@ HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces) {
         for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
             const Rectangle own = wide_part(part, {u, v});
             extract(u, v, own, net.data());
-            result.add(degrees_[0], degrees_[1], net.data(), {part.side(0) / own.side(0), part.side(1) / own.side(1)}, noise(4));
+            result.add(degrees_[0], degrees_[1], net.data(),
+                       {part.side(0) / own.side(0), part.side(1) / own.side(1)}, noise(4));
         }
     }
     return result;

@@ -40,7 +40,8 @@ public:
     [[nodiscard]] double moved() const noexcept;
 
 private:
-    [[nodiscard]] Rectangle wide_part(const Rectangle &part, const std::array<int64_t, 2> &piece) const noexcept;
+    [[nodiscard]] Rectangle wide_part(const Rectangle &part,
+                                      const std::array<int64_t, 2> &piece) const noexcept;
 
     const pieces::PieceGrid &grid_;
     std::array<int, 2> degrees_{1, 1};

@@ -72,7 +72,8 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
     const auto part = [&](const Range &range) {
         const double away = (std::abs(range.u) * (1 - u) + std::abs(range.v) * (1 - v)) / 2;
-        return Range{range.middle < 0 ? range.middle - away : range.middle + away, range.u, range.v, range.radius};
+        return Range{range.middle < 0 ? range.middle - away : range.middle + away, range.u, range.v,
+                     range.radius};
     };
     const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
     const double one = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {a, b}}}),
@@ -85,7 +86,8 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
 Cut best_cut(const CellBend &bend, double chord) noexcept {
     const double halved_u = bend.in_parts(2, 1), halved_v = bend.in_parts(1, 2);
     const size_t axis = halved_u <= halved_v ? 0 : 1;
-    if (std::min(halved_u, halved_v) > chord && (axis == 0 ? bend.in_parts(3, 1) : bend.in_parts(1, 3)) <= chord) {
+    if (std::min(halved_u, halved_v) > chord &&
+        (axis == 0 ? bend.in_parts(3, 1) : bend.in_parts(1, 3)) <= chord) {
         return {axis, 1.0 / 3};
     }
     return {axis, 0.5};

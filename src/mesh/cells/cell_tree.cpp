@@ -34,7 +34,7 @@ private:
         std::array<int32_t, 2> lower, upper; // lines
         Rectangle part;
         PieceRange pieces;
-        int64_t nets = -1; // where they begin
+        int64_t nets = -1;   // where they begin
         int32_t parent = -1; // whose upper child it is
         int32_t cell = -1;   // which it takes the place of
         int divisions = 0;
@@ -91,7 +91,8 @@ int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
 void CellTree::Builder::build() {
     tree_.moved_ = nets_.moved();
     set_blocks();
-    const int64_t across = std::ssize(tree_.blocks_[1]) - 1, count = (std::ssize(tree_.blocks_[0]) - 1) * across;
+    const int64_t across = std::ssize(tree_.blocks_[1]) - 1,
+                  count = (std::ssize(tree_.blocks_[0]) - 1) * across;
     Steps steps(count);
     for (int64_t i = 0; i < count; ++i, steps.next()) {
         block_ = static_cast<int32_t>(i);
@@ -336,7 +337,7 @@ void CellTree::Builder::cut(int32_t number) {
     block_ = cell.block;
     Item item = item_of(cell);
     CellBend bend = bend_of(cell.box);
-    const double u = bend.in_parts(2, 1) , v = bend.in_parts(1, 2);
+    const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;
     open_.clear();

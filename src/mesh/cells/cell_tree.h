@@ -13,7 +13,7 @@ namespace nrb::mesh {
 enum class Side { outside, border, inside };
 
 struct CellRule {
-    double chord = infinity; // in the units of the grid
+    double chord = infinity;                       // in the units of the grid
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
 };
 
@@ -88,8 +88,10 @@ void CellTree::for_each_in(const Rectangle &part, Visit &&visit) const {
         return at > 0 && ends[static_cast<size_t>(at)] >= part.lower[k] ? at - 1 : at;
     };
     const int64_t across = std::ssize(block_ends_[1]) - 1;
-    for (int64_t i = first(0); i + 1 < std::ssize(block_ends_[0]) && block_ends_[0][static_cast<size_t>(i)] <= part.upper[0]; ++i) {
-        for (int64_t j = first(1); j < across && block_ends_[1][static_cast<size_t>(j)] <= part.upper[1]; ++j) {
+    for (int64_t i = first(0);
+         i + 1 < std::ssize(block_ends_[0]) && block_ends_[0][static_cast<size_t>(i)] <= part.upper[0]; ++i) {
+        for (int64_t j = first(1); j < across && block_ends_[1][static_cast<size_t>(j)] <= part.upper[1];
+             ++j) {
             open.push_back(roots_[static_cast<size_t>(i * across + j)]);
         }
     }

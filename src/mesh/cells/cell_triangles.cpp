@@ -30,7 +30,8 @@ void CellTriangles::set_stops(const PlaceTable &table, const Cell &cell, const s
         const auto [u, v] = table.place(place).lines;
         const unsigned sides = (u == cell.lower[0] ? on_left : 0U) | (u == cell.upper[0] ? on_right : 0U) |
                                (v == cell.lower[1] ? on_bottom : 0U) | (v == cell.upper[1] ? on_top : 0U);
-        stops_.push_back({place, sides, (tree_.lines(0)[static_cast<size_t>(u)].t - part.lower[0]) / part.side(0),
+        stops_.push_back({place, sides,
+                          (tree_.lines(0)[static_cast<size_t>(u)].t - part.lower[0]) / part.side(0),
                           (tree_.lines(1)[static_cast<size_t>(v)].t - part.lower[1]) / part.side(1)});
     }
 }

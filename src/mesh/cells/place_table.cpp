@@ -46,7 +46,8 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
     keys_.reserve(4 * tree.cells().size());
     for (const Cell &cell : tree.cells()) {
         for (size_t c = 0; c < 4 && cell.side != Side::outside; ++c) {
-            const int32_t u = c % 2 == 0 ? cell.lower[0] : cell.upper[0], v = c < 2 ? cell.lower[1] : cell.upper[1];
+            const int32_t u = c % 2 == 0 ? cell.lower[0] : cell.upper[0],
+                          v = c < 2 ? cell.lower[1] : cell.upper[1];
             const int32_t u2 = others[0][static_cast<size_t>(u)], v2 = others[1][static_cast<size_t>(v)];
             keys_.push_back(key_of(u, v));
             if (u2 != u) {
@@ -94,7 +95,8 @@ int32_t PlaceTable::find(int32_t u, int32_t v) const noexcept {
 
 int32_t PlaceTable::point_of(int32_t i) const {
     const auto [u, v] = place(i).lines;
-    const int32_t first_u = twins_.first[0][static_cast<size_t>(u)], first_v = twins_.first[1][static_cast<size_t>(v)];
+    const int32_t first_u = twins_.first[0][static_cast<size_t>(u)],
+                  first_v = twins_.first[1][static_cast<size_t>(v)];
     if (twins_.collapsed[0][static_cast<size_t>(first_u)] != 0) {
         return first_on_u_[static_cast<size_t>(first_u)];
     }

@@ -11,7 +11,8 @@ namespace nrb::mesh {
 // Part of a triangle: a convex polygon.
 struct CutPolygon {
     std::vector<std::array<double, 2>> places;
-    std::vector<int> sides; // of the triangle: that on which the side from place i to the next one lies, -1: none
+    std::vector<int>
+        sides; // of the triangle: that on which the side from place i to the next one lies, -1: none
 };
 
 // What a triangle has of a rectangle; fewer than three places: nothing.

@@ -22,7 +22,9 @@ public:
     }
     [[nodiscard]] bool empty() const noexcept { return u_ <= 0 || v_ <= 0; }
     [[nodiscard]] Row &at(int i, int j) noexcept { return rows_[static_cast<size_t>(i * v_ + j)]; }
-    [[nodiscard]] const Row &at(int i, int j) const noexcept { return rows_[static_cast<size_t>(i * v_ + j)]; }
+    [[nodiscard]] const Row &at(int i, int j) const noexcept {
+        return rows_[static_cast<size_t>(i * v_ + j)];
+    }
 
     // Times a factor. The plane is that through the means of the corners; a plane has the coefficients of its values at the places
     // of control points, so that what coefficients differ from it bounds what the function does.
@@ -154,7 +156,8 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
             largest_weight_ = std::max(largest_weight_, net[3]);
         }
     }
-    const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1], error = noise * largest_weight_;
+    const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1],
+                 error = noise * largest_weight_;
     const Net::Extremes all = rows.extremes();
     double reach = 0;
     for (size_t c = 0; c < 3; ++c) {
@@ -200,7 +203,8 @@ void HessianBox::add_first(size_t k, const FirstNet &net, double factor, double 
         all = own;
         return;
     }
-    const double apart = std::hypot(own.middle[0] - all.middle[0], own.middle[1] - all.middle[1], own.middle[2] - all.middle[2]);
+    const double apart = std::hypot(own.middle[0] - all.middle[0], own.middle[1] - all.middle[1],
+                                    own.middle[2] - all.middle[2]);
     all.radius = std::max(all.radius, own.radius + apart);
     all.weight = std::max(all.weight, own.weight);
 }
@@ -233,8 +237,9 @@ Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
         double sum = 0;
         for (size_t c = 0; c < 3; ++c) {
             const Range &a = ranges[c];
-            const double middle = std::abs(a.middle + moved[c] * w.middle), u = std::abs(a.u + moved[c] * w.u),
-                         v = std::abs(a.v + moved[c] * w.v), rest = a.radius + std::abs(moved[c]) * w.radius;
+            const double middle = std::abs(a.middle + moved[c] * w.middle),
+                         u = std::abs(a.u + moved[c] * w.u), v = std::abs(a.v + moved[c] * w.v),
+                         rest = a.radius + std::abs(moved[c]) * w.radius;
             const double most = middle + (u + v) / 2 + rest;
             sum += most * most;
         }
@@ -246,7 +251,8 @@ Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
 // S' = (A' - S w') / w about the origin, with a middle of the one and the rest for what is left.
 double HessianBox::move(double u, double v) const noexcept {
     const double w = least_weight_, ratio = largest_weight_ / least_weight_;
-    const Row middle{(u * first_[0].middle[0] + v * first_[1].middle[0]) / w, (u * first_[0].middle[1] + v * first_[1].middle[1]) / w,
+    const Row middle{(u * first_[0].middle[0] + v * first_[1].middle[0]) / w,
+                     (u * first_[0].middle[1] + v * first_[1].middle[1]) / w,
                      (u * first_[0].middle[2] + v * first_[1].middle[2]) / w, 0};
     const double size = std::sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]);
     const double rest = std::abs(u) * (first_[0].radius + reach_ * first_[0].weight / w) +

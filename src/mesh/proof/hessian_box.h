@@ -15,7 +15,9 @@ struct Range {
     double middle = 0, u = 0, v = 0, radius = 0;
 
     [[nodiscard]] double at(double x, double y) const noexcept { return middle + u * x + v * y; }
-    [[nodiscard]] double width() const noexcept { return (std::abs(u) + std::abs(v)) / 2 + radius; } // half of it
+    [[nodiscard]] double width() const noexcept {
+        return (std::abs(u) + std::abs(v)) / 2 + radius;
+    } // half of it
     [[nodiscard]] double most() const noexcept { return std::abs(middle) + width(); }
 };
 

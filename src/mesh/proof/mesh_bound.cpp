@@ -61,7 +61,8 @@ Distances MeshBound::distances(const std::array<int32_t, 3> &corners,
     if (!(turned < most_turned && std::max(out + height, beside) < 0.99 * altitude * cosine)) {
         return alone;
     }
-    const double slope = turned / cosine, more = 1 + 64 * eps, parting = 1.05 * apart_of_all / (cosine * cosine);
+    const double slope = turned / cosine, more = 1 + 64 * eps,
+                 parting = 1.05 * apart_of_all / (cosine * cosine);
     const Distances around{(bound.height + bound.out * slope) * more,
                            (height / cosine + (out + height * slope) * parting) * more};
     return {std::min(alone.from_shape, around.from_shape), std::min(alone.from_mesh, around.from_mesh)};

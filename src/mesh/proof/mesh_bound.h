@@ -44,8 +44,8 @@ private:
     // The most of the triangles around.
     struct Point {
         bool border = false;
-        Vector3 normal{};      // the sum, and then the mean
-        double turned = 0;     // from the mean, as a chord of the unit sphere
+        Vector3 normal{};  // the sum, and then the mean
+        double turned = 0; // from the mean, as a chord of the unit sphere
         double altitude = infinity;
         double height = 0, out = 0, beside = 0;
     };

@@ -49,9 +49,7 @@ public:
     [[nodiscard]] double above() const noexcept {
         return most_of_pairs({-means_[0], -means_[1], -means_[2]}) / 2 + all_;
     }
-    [[nodiscard]] double both() const noexcept {
-        return std::max(most_of_pairs(means_) / 2 + all_, above());
-    }
+    [[nodiscard]] double both() const noexcept { return std::max(most_of_pairs(means_) / 2 + all_, above()); }
     [[nodiscard]] double on_side(size_t k) const noexcept {
         return (std::abs(means_[k]) + rest_[k]) / 8 + 0.0963 * differences_[k];
     }

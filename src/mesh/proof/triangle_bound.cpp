@@ -49,7 +49,7 @@ private:
     [[nodiscard]] double second_derivative(size_t k) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
-    [[nodiscard]] double from_longest_side(const TriangleBound &bound) const noexcept;
+    [[nodiscard]] double from_a_side(const TriangleBound &bound) const noexcept;
     [[nodiscard]] bool runs_along(size_t k) const noexcept;
     [[nodiscard]] double sharpness() const noexcept;
     [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
@@ -111,7 +111,8 @@ bool Triangle::runs_along(size_t k) const noexcept {
         return true;
     }
     const Vector3 along = (1 / lengths_[k]) * sides_[k];
-    return bend(along, corner(k + 1).point).largest(k) <= room && bend(along, corner(k + 2).point).largest(k) <= room;
+    return bend(along, corner(k + 1).point).largest(k) <= room &&
+           bend(along, corner(k + 2).point).largest(k) <= room;
 }
 
 // Points that come out of the triangle no farther than 1 over each side are no farther from it than this: where two sides meet at an
@@ -125,7 +126,9 @@ double Triangle::sharpness() const noexcept {
         const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
         const double half_cosine = std::sqrt(std::max(1 + cosine - 8 * eps, 0.0) / 2);
         const double half_sine = std::sqrt(std::max(1 - cosine - 8 * eps, 0.0) / 2);
-        most = std::max(most, 1 / std::max(half_sine, half_cosine > half_sine && is_cut(k, half_cosine) ? half_cosine : 0.0));
+        most = std::max(
+            most,
+            1 / std::max(half_sine, half_cosine > half_sine && is_cut(k, half_cosine) ? half_cosine : 0.0));
     }
     return most * rounding;
 }
@@ -150,7 +153,7 @@ double Triangle::off(const Vector3 &normal) const noexcept {
 }
 
 // Places over a side, in the domain, are as far from its image as the surface moves on the way there.
-double Triangle::from_longest_side(const TriangleBound &bound) const noexcept {
+double Triangle::from_a_side(const TriangleBound &bound) const noexcept {
     if (cells_.size() > 1) {
         return infinity;
     }
@@ -160,7 +163,8 @@ double Triangle::from_longest_side(const TriangleBound &bound) const noexcept {
         const double squared = side[0] * side[0] + side[1] * side[1];
         const double along = -(other[0] * side[0] + other[1] * side[1]) / squared; // from its end
         if (along >= 0 && along <= 1) {
-            best = std::min(best, bound.sides[k] + cells_.front().box->move(other[0] + along * side[0], other[1] + along * side[1]));
+            best = std::min(best, bound.sides[k] + cells_.front().box->move(other[0] + along * side[0],
+                                                                            other[1] + along * side[1]));
         }
     }
     return best;
@@ -168,12 +172,16 @@ double Triangle::from_longest_side(const TriangleBound &bound) const noexcept {
 
 // Of a triangle that is a segment to rounding: how far the surface is from it, across it and beyond its ends.
 double Triangle::beside_segment() const noexcept {
-    const size_t k = lengths_[0] >= lengths_[1] ? (lengths_[0] >= lengths_[2] ? 0 : 2) : lengths_[1] >= lengths_[2] ? 1 : 2;
-    const Vector3 along = (1 / lengths_[k]) * sides_[k], least = std::abs(along.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
+    const size_t k = lengths_[0] >= lengths_[1]   ? (lengths_[0] >= lengths_[2] ? 0 : 2)
+                     : lengths_[1] >= lengths_[2] ? 1
+                                                  : 2;
+    const Vector3 along = (1 / lengths_[k]) * sides_[k],
+                  least = std::abs(along.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
     const Vector3 across = unit(cross(along, least)), up = cross(along, across);
     const Vector3 &from = corner(k + 1).point, &to = corner(k + 2).point, &other = corner(k).point;
     const double off = length(cross(other - from, along)) + 8 * eps * longest_;
-    const double beside = std::hypot(bend(across, from).both(), bend(up, from).both()) / least_weight_ + 2 * off;
+    const double beside =
+        std::hypot(bend(across, from).both(), bend(up, from).both()) / least_weight_ + 2 * off;
     const double beyond = std::max(bend(along, to).above(), bend(-1 * along, from).above()) / least_weight_;
     return lengths_[k] > 0 ? std::hypot(beside, beyond + 8 * eps * longest_) * rounding : infinity;
 }
@@ -183,7 +191,7 @@ TriangleBound Triangle::bound() const noexcept {
     const double area = length(product);
     if (!(area > 1e-12 * longest_ * longest_)) { // no plane to speak of
         const double whole = std::min(equal_parameters(), beside_segment());
-        return {whole, 0, whole, {whole, whole, whole}, 0, {}};
+        return {whole, 0, whole, {whole, whole, whole}, whole, 0, {}};
     }
     const Vector3 normal = (1 / area) * product;
     const Bend heights = bend(normal, corners_[0].point);
@@ -204,8 +212,11 @@ TriangleBound Triangle::bound() const noexcept {
     }
     result.out *= sharpness();
     if (result.out > result.height) {
-        result.out = std::min({result.out, equal_parameters(), from_longest_side(result)});
+        result.out = std::min(result.out, equal_parameters());
     }
+    result.whole = from_a_side(result);
+    result.height = std::min(result.height, result.whole); // sides are in the plane
+    result.out = std::min(result.out, result.whole);
     return result;
 }
 
@@ -214,7 +225,9 @@ TriangleBound Triangle::bound() const noexcept {
 TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept {
     const Triangle triangle(corners, cells);
-    return triangle.certain() ? triangle.bound() : TriangleBound{infinity, 0, infinity, {infinity, infinity, infinity}, 0, {}};
+    return triangle.certain()
+               ? triangle.bound()
+               : TriangleBound{infinity, 0, infinity, {infinity, infinity, infinity}, infinity, 0, {}};
 }
 
 } // namespace nrb::mesh

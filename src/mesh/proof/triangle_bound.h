@@ -43,20 +43,24 @@ struct CellPart {
 };
 
 struct TriangleBound {
-    double height = 0; // of the surface over the plane
-    double out = 0;    // how far, in the plane, the surface comes out of the triangle
-    double beside = 0; // how far from the sides their images are
+    double height = 0;             // of the surface over the plane
+    double out = 0;                // how far, in the plane, the surface comes out of the triangle
+    double beside = 0;             // how far from the sides their images are
     std::array<double, 3> sides{}; // from each of them
-    double altitude = 0;  // the least one of the triangle
-    Vector3 normal{};     // 0: the triangle has none
+    double whole = infinity;       // no point of the surface is farther from the triangle
+    double altitude = 0;           // the least one of the triangle
+    Vector3 normal{};              // 0: the triangle has none
 
     // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
-    [[nodiscard]] double from_shape() const noexcept { return std::hypot(height, out) * (1 + 4 * eps); }
+    [[nodiscard]] double from_shape() const noexcept {
+        return std::min(std::hypot(height, out) * (1 + 4 * eps), whole);
+    }
     [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
 };
 
 // The cells cover the triangle. Corners may be rounded; what that moves comes on top of these bounds. Infinite where weights may not
 // be positive.
-TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells) noexcept;
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
+                             std::span<const CellPart> cells) noexcept;
 
 } // namespace nrb::mesh

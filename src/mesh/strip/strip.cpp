@@ -23,7 +23,8 @@ std::vector<GridPoint> on_grid(const Rectangle &part, const std::array<double, 2
     for (const auto &point : points) {
         std::array<int32_t, 2> place{};
         for (size_t k = 0; k < 2; ++k) {
-            place[k] = static_cast<int32_t>(std::clamp(std::round((point[k] - part.lower[k]) * steps[k]), 0.0, double{grid_end}));
+            place[k] = static_cast<int32_t>(
+                std::clamp(std::round((point[k] - part.lower[k]) * steps[k]), 0.0, double{grid_end}));
         }
         result.push_back({place[0], place[1]});
     }

@@ -11,8 +11,8 @@ namespace nrb::mesh {
 
 // A segment that is to be a side of triangles.
 struct Wall {
-    int32_t from, to;    // points
-    int32_t border = -1; // segment of a border that it is
+    int32_t from, to;      // points
+    int32_t border = -1;   // segment of a border that it is
     bool passable = false; // what is on both sides belongs together
 };
 
