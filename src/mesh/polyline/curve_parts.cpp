@@ -43,14 +43,14 @@ Direction direction_at(const pieces::BezierPiece &piece, bool upper) {
     return {};
 }
 
-// Whether no weight is more than rounding.
+// Whether nothing can be proven of parts of a piece either: overflow or rounding may have made all of it.
 bool hidden(const pieces::BezierPiece &piece) noexcept {
+    const pieces::Rounding &rounding = piece.rounding();
+    bool small = true;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        if (std::abs(piece.weight(i)) > 128 * piece.rounding().weight) {
-            return false;
-        }
+        small = small && std::abs(piece.weight(i)) <= 128 * rounding.weight;
     }
-    return true;
+    return small || !std::isfinite(rounding.apart + rounding.record + rounding.weight);
 }
 
 // Rounded up, so that it holds where the unit of the caller is so large that digits are lost.
@@ -114,7 +114,8 @@ bool CurveParts::closed() const {
     const Interval domain = curve_.axis(0).domain();
     const Vertex first = vertex(domain.lower, false), last = vertex(domain.upper, true);
     const double room = pieces_.front().moved() + pieces_.back().moved();
-    return distance(first.in_frame.data(), last.in_frame.data(), curve_.dim()) <= 4 * room;
+    return std::isfinite(room) &&
+           distance(first.in_frame.data(), last.in_frame.data(), curve_.dim()) <= 4 * room;
 }
 
 Vertex CurveParts::vertex(double t, bool left) const {
@@ -136,7 +137,7 @@ void CurveParts::add(const pieces::BezierPiece &piece, Sizes &sizes) {
     sizes.bound = std::max(sizes.bound, segment_.distance(piece));
     sizes.floor = std::max(sizes.floor, segment_.noise(piece));
     sizes.extent += piece.size();
-    sizes.hidden = sizes.hidden && hidden(piece);
+    sizes.hidden = sizes.hidden && !piece.sound() && hidden(piece);
     if (rule_.angle > 0 && sizes.turning < std::numbers::pi) {
         sizes.turning = std::min(std::numbers::pi, std::max(sizes.turning, 2 * segment_.turn(piece)));
     }

@@ -14,8 +14,8 @@ namespace nrb::mesh {
 
 namespace {
 
-// What a step aims at, where it is long enough, and what segments may need on average to be spread evenly.
-constexpr double aim = 0.98, enough = 0.95, even = 0.99;
+// What a step aims at, and where it is long enough.
+constexpr double aim = 0.98, enough = 0.95;
 constexpr int most_tries = 8;
 // A short segment at the end is shared by so many.
 constexpr size_t most_spread = 16;
@@ -82,8 +82,8 @@ private:
     }
 
     Step accepted(Step step, double &guess) const {
-        const double need = step.segment.need;
-        guess = (step.to.t - from_.t) * std::clamp(aim / need, 0.25, 4.0);
+        const double longer = step.segment.hopeless ? 4 : std::clamp(aim / step.segment.need, 0.25, 4.0);
+        guess = (step.to.t - from_.t) * longer;
         return step;
     }
 
@@ -170,8 +170,7 @@ Run spread_evenly(CurveParts &parts, Run run) {
         total += segment.need;
     }
     const int64_t given = std::ssize(tail.segments);
-    const auto fewest =
-        static_cast<int64_t>(std::clamp(std::ceil(total / even), 1.0, static_cast<double>(given)));
+    const auto fewest = static_cast<int64_t>(std::clamp(std::ceil(total), 1.0, static_cast<double>(given)));
     for (int64_t count = fewest; count <= given && given > 1 && !work_ended(); ++count) {
         if (std::optional<Run> found = fitting_run(parts, tail, even_params(tail, total, count))) {
             tail = *std::move(found);
