@@ -85,7 +85,8 @@ Chord::Bends Chord::bends(const pieces::BezierPiece &piece) const noexcept {
         least = std::min(least, piece.weight(i));
         heaviest = std::max(heaviest, piece.weight(i));
         if (i + 2 <= last) {
-            const double found = norm_of(dim_, [v, n](int c) { return v[c] - 2 * v[c + n] + v[c + 2 * n]; });
+            const double *next = v + n, *second = next + n;
+            const double found = norm_of(dim_, [=](int c) { return v[c] - 2 * next[c] + second[c]; });
             bend = std::max(bend, found);
             least_bend = std::min(least_bend, found);
         }
@@ -148,11 +149,11 @@ double Chord::angle_with(const double *vector, double error) const noexcept {
 }
 
 double Chord::turn(const pieces::BezierPiece &piece) const {
-    if (!piece.positive() || !(length_ > 4 * rounding_)) {
-        return std::numbers::pi;
-    }
     if (piece.degree(0) == 0) {
         return 0;
+    }
+    if (!piece.positive() || !(length_ > 4 * rounding_)) {
+        return std::numbers::pi;
     }
     const pieces::Slopes slopes(piece);
     double turn = 0;
