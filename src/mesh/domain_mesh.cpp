@@ -6,15 +6,16 @@
 #include "eval/frames/surface_frames.h"
 #include "mesh/border/segment_index.h"
 #include "mesh/cells/cell_triangles.h"
-#include "mesh/proof/cut_triangle.h"
-#include "mesh/proof/distance.h"
+#include "mesh/cells/piece_bound.h"
 #include "mesh/proof/mesh_bound.h"
 #include "mesh/strip/strip.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <unordered_map>
 
 namespace nrb::mesh {
 
@@ -42,11 +43,24 @@ struct Triangle {
     std::array<bool, 3> fixed{};
 };
 
+// Of a triangle: parameters of the corners, and segments of the border.
+using BoundKey = std::array<double, 9>;
+struct BoundHash {
+    size_t operator()(const BoundKey &key) const noexcept {
+        uint64_t hash = 0x9e3779b97f4a7c15U;
+        for (const double x : key) {
+            hash = (hash ^ std::bit_cast<uint64_t>(x)) * 0xff51afd7ed558ccdU;
+            hash ^= hash >> 32;
+        }
+        return hash;
+    }
+};
+
 class DomainMesher {
 public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule)
         : domain_(domain), rule_(rule), surface_(*domain.surface), grid_(pieces::piece_grid_of(surface_)),
-          index_(domain.border), nets_(grid_), tree_(grid_, cell_rule()) {}
+          index_(domain.border), nets_(grid_), by_pieces_(surface_, nets_), tree_(grid_, cell_rule()) {}
 
     DomainMesh run();
 
@@ -68,14 +82,16 @@ private:
     [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param);
     void place_points();
     void evaluate();
-    [[nodiscard]] TriangleBound bound_over_pieces(const std::array<TriangleCorner, 3> &corners,
-                                                  const PieceRange &pieces, int32_t block);
-    [[nodiscard]] Vector3 point_of(const std::array<double, 2> &place, int32_t number) const;
     [[nodiscard]] TriangleBound bound_over_cells(const std::array<TriangleCorner, 3> &corners,
                                                  const Rectangle &part, int32_t block,
                                                  const Triangle &triangle, double &over) const;
     [[nodiscard]] double moves_over(const Triangle &triangle, const HessianBox &box,
                                     const Rectangle &cell) const;
+    struct Known {
+        TriangleBound bound;
+        double over = 0;
+    };
+    [[nodiscard]] const Known &known_bound(const Triangle &triangle);
     void prove();
     [[nodiscard]] Vector3 in_grid(const Vector3 &x) const noexcept;
     [[nodiscard]] TriangleBound bound_of(const Triangle &triangle, double &over);
@@ -97,6 +113,7 @@ private:
     const pieces::PieceGrid &grid_;
     SegmentIndex index_;
     CellNets nets_;
+    PieceBound by_pieces_;
     CellTree tree_;
     std::optional<LineTwins> twins_;
     std::optional<PlaceTable> table_;
@@ -120,6 +137,7 @@ private:
     std::vector<bool> touched_;           // places on the border of cells that the border cuts
     std::vector<int32_t> crossed_, weak_; // segments of the border
     double slack_ = 0;                    // of rounding
+    std::unordered_map<BoundKey, Known, BoundHash> known_;
 };
 
 CellRule DomainMesher::cell_rule() const {
@@ -606,7 +624,7 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
         const bool fits = grid_.unscaled(std::max(bound.from_shape(), bound.from_mesh())) <= rule_.chord;
         return fits || pieces.count() == 1 || pieces.count() > most_pieces
                    ? bound
-                   : bound_over_pieces(corners, pieces, cell.block);
+                   : by_pieces_.bound(corners, pieces, tree_.block(cell.block));
     }
     std::array<double, 2> beside{};
     for (const int32_t border : triangle.border) {
@@ -644,93 +662,11 @@ TriangleBound DomainMesher::bound_of(const Triangle &triangle, double &over) {
     const HessianBox box = nets_.box(part, pieces);
     if (pieces.count() > 1) {
         over += moves_over(triangle, box, part);
-        return bound_over_pieces(corners, pieces, block);
+        return by_pieces_.bound(corners, pieces, tree_.block(block));
     }
     over += moves_over(triangle, box, part);
     const CellPart here{&box, part};
     return triangle_bound(corners, {&here, 1});
-}
-
-// By parts of the triangle, on each of which the surface is one piece. A part is near the triangle of its own corners, and that is
-// as near to the whole triangle as its corners are.
-TriangleBound DomainMesher::bound_over_pieces(const std::array<TriangleCorner, 3> &corners,
-                                              const PieceRange &pieces, int32_t block) {
-    const std::array<Vector3, 3> whole{corners[0].point, corners[1].point, corners[2].point};
-    const std::array<std::array<double, 2>, 3> params{corners[0].param, corners[1].param, corners[2].param};
-    const Vector3 product = cross(whole[1] - whole[0], whole[2] - whole[0]);
-    const double area = length(product),
-                 longest = std::max(
-                     {length(whole[1] - whole[0]), length(whole[2] - whole[1]), length(whole[0] - whole[2])});
-    TriangleBound result;
-    if (area > 1e-12 * longest * longest) {
-        result.normal = (1 / area) * product;
-        result.altitude = area / longest;
-    }
-    const double noise = 8 * eps * (longest + grid_.radius()) + 4 * grid_.value_error() * grid_.radius();
-    double all = 0; // the distance, whatever the direction
-    for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
-        for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
-            const CutPolygon polygon =
-                cut_triangle(params, {{grid_.break_at(0, u), grid_.break_at(1, v)},
-                                      {grid_.break_at(0, u + 1), grid_.break_at(1, v + 1)}});
-            if (polygon.places.size() < 3) {
-                continue;
-            }
-            std::vector<TriangleCorner> own;
-            for (const auto &place : polygon.places) {
-                own.push_back({place, in_grid(point_of(place, block))});
-                all = std::max(all, distance_from_triangle(own.back().point, whole) + noise);
-            }
-            const auto n = own.size();
-            for (size_t i = 1; i + 1 < n; ++i) {
-                const std::array<TriangleCorner, 3> part{own[0], own[i], own[i + 1]};
-                Rectangle around{part[0].param, part[0].param};
-                for (size_t k = 0; k < 2; ++k) {
-                    around.lower[k] = std::min({part[0].param[k], part[1].param[k], part[2].param[k]});
-                    around.upper[k] = std::max({part[0].param[k], part[1].param[k], part[2].param[k]});
-                    if (!(around.lower[k] < around.upper[k])) {
-                        around.lower[k] = grid_.break_at(static_cast<int>(k), k == 0 ? u : v);
-                        around.upper[k] = grid_.break_at(static_cast<int>(k), (k == 0 ? u : v) + 1);
-                    }
-                }
-                const HessianBox box = nets_.box(around, {{u, v}, {u + 1, v + 1}});
-                const CellPart here{&box, around};
-                const TriangleBound bound = triangle_bound(part, {&here, 1});
-                const double far = std::max({distance_from_triangle(part[0].point, whole),
-                                             distance_from_triangle(part[1].point, whole),
-                                             distance_from_triangle(part[2].point, whole)});
-                result.height = std::max(result.height, far + bound.from_shape() + noise);
-                const std::array<int, 3> labels{polygon.sides[i], i + 2 == n ? polygon.sides[n - 1] : -1,
-                                                i == 1 ? polygon.sides[0] : -1};
-                for (size_t k = 0; k < 3; ++k) {
-                    if (labels[k] >= 0) {
-                        const auto side = static_cast<size_t>(labels[k]);
-                        const Vector3 &a = whole[(side + 1) % 3], &b = whole[(side + 2) % 3];
-                        const double off = std::max(distance_from_segment(part[(k + 1) % 3].point, a, b),
-                                                    distance_from_segment(part[(k + 2) % 3].point, a, b));
-                        result.sides[side] = std::max(result.sides[side], off + bound.sides[k] + noise);
-                        result.beside = std::max(result.beside, result.sides[side]);
-                    }
-                }
-            }
-        }
-    }
-    return result;
-}
-
-// From the side on which a block is.
-Vector3 DomainMesher::point_of(const std::array<double, 2> &place, int32_t number) const {
-    const Rectangle block = tree_.block(number);
-    eval::AxisRules rules{};
-    std::array<double, 2> at = place;
-    for (size_t k = 0; k < 2; ++k) {
-        at[k] = std::clamp(at[k], block.lower[k], block.upper[k]);
-        rules[k].left = at[k] == block.upper[k];
-    }
-    std::array<double, 3> x{};
-    const int dim = surface_.dim();
-    eval::evaluate_points(surface_, rules, 0, {at.data(), 1, 2, 2, 1}, {x.data(), 1, dim, dim, 1});
-    return {x[0], x[1], x[2]};
 }
 
 // How far places between curves of the border and the sides of a triangle are from it, in space.
@@ -762,6 +698,25 @@ TriangleBound DomainMesher::bound_over_cells(const std::array<TriangleCorner, 3>
     return triangle_bound(corners, cells);
 }
 
+// Most triangles stay from one round to the next.
+const DomainMesher::Known &DomainMesher::known_bound(const Triangle &triangle) {
+    BoundKey key{};
+    for (size_t k = 0; k < 3; ++k) {
+        const Site &site = sites_[static_cast<size_t>(triangle.sites[k])];
+        const auto offset = 2 * k;
+        key[offset] = site.param[0];
+        key[offset + 1] = site.param[1];
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        key[6 + k] = triangle.border[k];
+    }
+    const auto [known, fresh] = known_.try_emplace(key);
+    if (fresh) {
+        known->second.bound = bound_of(triangle, known->second.over);
+    }
+    return known->second;
+}
+
 void DomainMesher::prove() {
     MeshBound all(static_cast<size_t>(next_point_));
     for (const BorderPoint &point : domain_.border.points) {
@@ -785,9 +740,9 @@ void DomainMesher::prove() {
                                       sites_[static_cast<size_t>(triangle.sites[2])].point};
     };
     for (const Triangle &triangle : triangles_) {
-        double over = 0;
-        bounds_.push_back(bound_of(triangle, over));
-        overs.push_back(over);
+        const Known &known = known_bound(triangle);
+        bounds_.push_back(known.bound);
+        overs.push_back(known.over);
         all.add_normal(points_of(triangle), bounds_.back().normal);
         count_work(500);
     }

@@ -13,7 +13,6 @@ CellNets::CellNets(const pieces::PieceGrid &grid)
     for (int k = 0; k < grid.shape().axes; ++k) {
         degrees_[static_cast<size_t>(grid.spline_axis(k))] = grid.shape().degree(k);
     }
-    line_.resize(static_cast<size_t>(std::max(degrees_[0], degrees_[1]) + 1));
     values_ = static_cast<size_t>((degrees_[0] + 1) * (degrees_[1] + 1)) * HessianBox::coordinates;
 }
 
@@ -43,26 +42,52 @@ Interval CellNets::part_of(const Rectangle &part, size_t k, int64_t piece) const
             std::min(part.upper[k], grid_.break_at(axis, piece + 1))};
 }
 
+namespace {
+
+// Coefficients of [outer][degree + 1][inner] over a part of [0, 1]; as restrict_to(), for all of them at once.
+void restrict_layers(const AxisLayers &layers, double lower, double upper, double *values) noexcept {
+    const int p = layers.degree;
+    const auto mix = [&](double *to, double a, const double *x, double b, const double *y) {
+        for (int64_t i = 0; i < layers.inner; ++i) {
+            to[i] = a * x[i] + b * y[i];
+        }
+    };
+    const double t = lower / upper, rest = (upper - lower) / upper;
+    for (int64_t o = 0; o < layers.outer; ++o) {
+        const auto layer = [&](int d) { return values + layers.at(o, d, 0); };
+        for (int r = 1; upper < 1 && r <= p; ++r) {
+            for (int i = p; i >= r; --i) {
+                mix(layer(i), 1 - upper, layer(i - 1), upper, layer(i));
+            }
+        }
+        for (int r = 1; lower > 0 && r <= p; ++r) {
+            for (int i = 0; i <= p - r; ++i) {
+                mix(layer(i), rest, layer(i), t, layer(i + 1));
+            }
+        }
+    }
+}
+
+} // namespace
+
 void CellNets::extract(int64_t u, int64_t v, const Rectangle &part, double *net) {
-    extract(u, v, net);
+    if (last_ != std::array<int64_t, 2>{u, v}) {
+        whole_.resize(values_);
+        extract(u, v, whole_.data());
+        last_ = {u, v};
+    }
+    std::ranges::copy(whole_, net);
     const int64_t row = int64_t{degrees_[1] + 1} * 4;
     for (size_t k = 0; k < 2; ++k) {
         const auto axis = static_cast<int>(k);
-        const int64_t piece = k == 0 ? u : v, step = k == 0 ? row : 4, other = k == 0 ? 4 : row;
+        const int64_t piece = k == 0 ? u : v;
         const double from = grid_.break_at(axis, piece), size = grid_.break_at(axis, piece + 1) - from;
         const Interval own = part_of(part, k, piece);
         const double low = (own.lower - from) / size, high = (own.upper - from) / size;
-        for (int64_t o = 0; (low > 0 || high < 1) && o <= degrees_[1 - k]; ++o) {
-            for (int64_t c = 0; c < 4; ++c) {
-                double *first = net + o * other + c;
-                for (int64_t d = 0; d <= degrees_[k]; ++d) {
-                    line_[static_cast<size_t>(d)] = first[d * step];
-                }
-                restrict_to(degrees_[k], low, high, line_.data());
-                for (int64_t d = 0; d <= degrees_[k]; ++d) {
-                    first[d * step] = line_[static_cast<size_t>(d)];
-                }
-            }
+        if (low > 0 || high < 1) {
+            restrict_layers(k == 0 ? AxisLayers{1, degrees_[0], row}
+                                   : AxisLayers{degrees_[0] + 1, degrees_[1], 4},
+                            low, high, net);
         }
     }
 }
@@ -97,22 +122,27 @@ Rectangle CellNets::wide_part(const Rectangle &part, const std::array<int64_t, 2
 }
 
 HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces) {
-    net_.resize(4 * values_);
+    const bool one = pieces.count() == 1;
+    net_.resize(5 * values_);
     CellCorners corners;
     for (size_t c = 0; c < 4; ++c) {
         const bool right = c == 1 || c == 2, top = c >= 2;
-        double *net = net_.data() + c * values_;
-        extract(right ? pieces.upper[0] - 1 : pieces.lower[0], top ? pieces.upper[1] - 1 : pieces.lower[1],
-                part, net);
+        double *net = net_.data() + (one ? 0 : c * values_);
+        if (c == 0 || !one) {
+            extract(right ? pieces.upper[0] - 1 : pieces.lower[0],
+                    top ? pieces.upper[1] - 1 : pieces.lower[1], part, net);
+        }
         corners[c] = corners_of(*this, net)[c];
     }
     HessianBox result = box_about(corners);
-    std::vector<double> net(values_);
+    double *net = net_.data() + (one ? 0 : 4 * values_);
     for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
         for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
-            const Rectangle own = wide_part(part, {u, v});
-            extract(u, v, own, net.data());
-            result.add(degrees_[0], degrees_[1], net.data(),
+            const Rectangle own = one ? part : wide_part(part, {u, v});
+            if (!one) {
+                extract(u, v, own, net);
+            }
+            result.add(degrees_[0], degrees_[1], net,
                        {part.side(0) / own.side(0), part.side(1) / own.side(1)}, noise(4));
         }
     }

@@ -23,6 +23,8 @@ class CellNets {
 public:
     explicit CellNets(const pieces::PieceGrid &grid);
 
+    [[nodiscard]] const pieces::PieceGrid &grid() const noexcept { return grid_; }
+
     [[nodiscard]] int degree(size_t k) const noexcept { return degrees_[k]; }
     [[nodiscard]] size_t values() const noexcept { return values_; } // of a net
     // Of a whole piece: [values()].
@@ -46,7 +48,9 @@ private:
     const pieces::PieceGrid &grid_;
     std::array<int, 2> degrees_{1, 1};
     size_t values_ = 0;
-    std::vector<double> patch_, work_, line_, net_;
+    std::vector<double> patch_, work_, net_;
+    std::vector<double> whole_; // the net of the last piece
+    std::array<int64_t, 2> last_{-1, -1};
 };
 
 // The four corners (x, y, z, w) of a net: at (0, 0), (1, 0), (1, 1) and (0, 1).

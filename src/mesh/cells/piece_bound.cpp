@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/cells/piece_bound.h"
+
+#include "eval/evaluate.h"
+#include "mesh/proof/distance.h"
+
+#include <algorithm>
+
+namespace nrb::mesh {
+
+TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces,
+                                const Rectangle &block) {
+    whole_ = corners;
+    block_ = block;
+    const pieces::PieceGrid &grid = nets_.grid();
+    std::array<std::array<double, 2>, 3> params;
+    double longest = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        params[k] = corners[k].param;
+        points_[k] = corners[k].point;
+        longest = std::max(longest, length(corners[(k + 1) % 3].point - corners[k].point));
+    }
+    noise_ = 8 * eps * (longest + grid.radius()) + 4 * grid.value_error() * grid.radius();
+    TriangleBound result;
+    const Vector3 product = cross(points_[1] - points_[0], points_[2] - points_[0]);
+    const double area = length(product);
+    if (area > 1e-12 * longest * longest) {
+        result.normal = (1 / area) * product;
+        result.altitude = area / longest * (1 - 16 * eps);
+    }
+    for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
+        for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
+            const Rectangle part{{grid.break_at(0, u), grid.break_at(1, v)},
+                                 {grid.break_at(0, u + 1), grid.break_at(1, v + 1)}};
+            const CutPolygon polygon = cut_triangle(params, part);
+            if (polygon.places.size() >= 3) {
+                add(polygon, {u, v}, result);
+            }
+        }
+    }
+    result.out = result.whole = result.height; // distances, whatever the direction
+    return result;
+}
+
+void PieceBound::place_corners(const CutPolygon &polygon) {
+    const auto n = static_cast<int64_t>(polygon.places.size());
+    params_.clear();
+    for (const auto &place : polygon.places) {
+        for (size_t k = 0; k < 2; ++k) {
+            params_.push_back(std::clamp(place[k], block_.lower[k], block_.upper[k]));
+        }
+    }
+    // Blocks are continuous, so that one side of lines inside is as good as the other.
+    eval::AxisRules rules{};
+    for (size_t k = 0; k < 2; ++k) {
+        rules[k].left =
+            std::ranges::any_of(polygon.places, [&](const auto &x) { return x[k] >= block_.upper[k]; });
+    }
+    const int dim = surface_.dim();
+    values_.assign(static_cast<size_t>(n * 3), 0);
+    eval::evaluate_points(surface_, rules, 0, {params_.data(), n, 2, 2, 1}, {values_.data(), n, dim, 3, 1});
+    corners_.clear();
+    for (size_t i = 0; i < polygon.places.size(); ++i) {
+        std::array<double, 8> placed{};
+        nets_.grid().place(values_.data() + 3 * i, placed.data());
+        corners_.push_back({polygon.places[i], {placed[0], placed[1], dim == 3 ? placed[2] : 0}});
+    }
+}
+
+// The whole piece along an axis along which the polygon has no extent.
+Rectangle PieceBound::around(const std::array<int64_t, 2> &piece) const noexcept {
+    Rectangle result{corners_.front().param, corners_.front().param};
+    for (size_t k = 0; k < 2; ++k) {
+        for (const TriangleCorner &corner : corners_) {
+            result.lower[k] = std::min(result.lower[k], corner.param[k]);
+            result.upper[k] = std::max(result.upper[k], corner.param[k]);
+        }
+        if (!(result.lower[k] < result.upper[k])) {
+            result.lower[k] = nets_.grid().break_at(static_cast<int>(k), piece[k]);
+            result.upper[k] = nets_.grid().break_at(static_cast<int>(k), piece[k] + 1);
+        }
+    }
+    return result;
+}
+
+void PieceBound::add(const CutPolygon &polygon, const std::array<int64_t, 2> &piece, TriangleBound &result) {
+    place_corners(polygon);
+    const Rectangle part = around(piece);
+    const HessianBox box = nets_.box(part, {piece, {piece[0] + 1, piece[1] + 1}});
+    const CellPart here{&box, part};
+    double off = 0;
+    for (const TriangleCorner &corner : corners_) {
+        off = std::max(off, distance_from_triangle(corner.point, points_));
+    }
+    const size_t n = corners_.size();
+    for (size_t i = 1; i + 1 < n; ++i) {
+        const std::array<TriangleCorner, 3> own{corners_[0], corners_[i], corners_[i + 1]};
+        const TriangleBound bound = triangle_bound(own, {&here, 1});
+        result.height = std::max(result.height, off + bound.from_shape() + noise_);
+        const std::array<int, 3> sides{polygon.sides[i], i + 2 == n ? polygon.sides[n - 1] : -1,
+                                       i == 1 ? polygon.sides[0] : -1};
+        for (size_t k = 0; k < 3; ++k) {
+            if (sides[k] >= 0) {
+                add_side(static_cast<size_t>(sides[k]), own[(k + 1) % 3].point, own[(k + 2) % 3].point,
+                         bound.sides[k], result);
+            }
+        }
+    }
+}
+
+void PieceBound::add_side(size_t side, const Vector3 &from, const Vector3 &to, double beside,
+                          TriangleBound &result) const {
+    const Vector3 &a = points_[(side + 1) % 3], &b = points_[(side + 2) % 3];
+    const double off = std::max(distance_from_segment(from, a, b), distance_from_segment(to, a, b));
+    result.sides[side] = std::max(result.sides[side], off + beside + noise_);
+    result.beside = std::max(result.beside, result.sides[side]);
+}
+
+} // namespace nrb::mesh
