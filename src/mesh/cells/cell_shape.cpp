@@ -9,6 +9,9 @@ namespace nrb::mesh {
 
 namespace {
 
+// What slopes count about, in bounds of meshes.
+constexpr double slope_times = 0.5;
+
 Vector3 point_of(const double *corner) noexcept {
     return (1 / corner[3]) * Vector3{corner[0], corner[1], corner[2]};
 }
@@ -43,7 +46,8 @@ CellBend bend_of(const HessianBox &box) noexcept {
         return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
     };
     return {{divided(height.uu), divided(height.uv), divided(height.vv)},
-            {across.uu.most() / w / 8, along.vv.most() / w / 8}};
+            {across.uu.most() / w / 8, along.vv.most() / w / 8},
+            {box.speed(0), box.speed(1)}};
 }
 
 namespace {
@@ -67,6 +71,15 @@ double over_triangle(const Hessian &h, const std::array<std::array<double, 2>, 3
 
 } // namespace
 
+// By how much the normal turns over a part.
+double CellBend::slope(double u, double v) const noexcept {
+    const double uu = heights.uu.most() * u / speeds[0], uv_u = heights.uv.most() * v / speeds[0],
+                 uv_v = heights.uv.most() * u / speeds[1], vv = heights.vv.most() * v / speeds[1];
+    const double most = std::max(std::hypot(uu, uv_v), std::hypot(uv_u, vv));
+    return std::isfinite(most) ? std::min(most, 1.0) : 1.0;
+}
+
+// Where triangles have others around, what comes out of them counts by the slopes of these (mesh_bound.h).
 // Of the two diagonals the better one counts. Of several parts, that in the middle of which the surface bends most.
 double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
@@ -80,7 +93,8 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                                 over_triangle(h, {{{-a, -b}, {a, b}, {-a, b}}}));
     const double other = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {-a, b}}}),
                                   over_triangle(h, {{{a, -b}, {a, b}, {-a, b}}}));
-    return std::hypot(std::min(one, other), std::max(beside[0] * u * u, beside[1] * v * v));
+    const double height = std::min(one, other), out = std::max(beside[0] * u * u, beside[1] * v * v);
+    return at_border ? std::hypot(height, out) : height + (out + height) * slope_times * slope(u, v);
 }
 
 Cut best_cut(const CellBend &bend, double chord) noexcept {

@@ -11,9 +11,12 @@ namespace nrb::mesh {
 struct CellBend {
     Hessian heights;
     std::array<double, 2> beside{};
+    std::array<double, 2> speeds{}; // lengths of the sides, about
+    bool at_border = false;         // where no other triangles are beside it
 
     // The distance of a cell of a grid of so many along the axes.
     [[nodiscard]] double in_parts(double u_parts, double v_parts) const noexcept;
+    [[nodiscard]] double slope(double u, double v) const noexcept;
 };
 
 // corners: (x, y, z, w) at (0, 0), (1, 0), (1, 1) and (0, 1).

@@ -128,9 +128,7 @@ void CellTree::Builder::look_at(Item item) {
     make_nets(item);
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
-    if (!at_border(item)) {
-        bend.beside = {0, 0};
-    }
+    bend.at_border = at_border(item);
     const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord;
     if (flat || side == Side::outside || work_ended() || !divide(item, best_cut(bend, rule_.chord))) {
         tree_.reached_ = tree_.reached_ && (flat || side == Side::outside);

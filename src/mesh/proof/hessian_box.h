@@ -60,6 +60,12 @@ public:
     // The most that the surface moves by on a step of (u, v) sides of the cell in it.
     [[nodiscard]] double move(double u, double v) const noexcept;
 
+    // About how long a side of the cell is.
+    [[nodiscard]] double speed(size_t k) const noexcept {
+        const auto &x = first_[k].middle;
+        return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / least_weight_;
+    }
+
     // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
     // 1. `noise`: of a coefficient, relative to the largest weight.
     void add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
