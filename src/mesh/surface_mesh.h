@@ -2,7 +2,7 @@
 // Meshes of whole surfaces and of models.
 #pragma once
 
-#include "mesh/domain_mesh.h"
+#include "mesh/domain/domain_mesh.h"
 
 namespace nrb::mesh {
 

@@ -45,6 +45,7 @@ private:
     int32_t add_line(size_t k, double t, bool from_left);
     void look_at(Item item);
     [[nodiscard]] bool at_border(const Item &item) const noexcept;
+    [[nodiscard]] Cut cut_of(const HessianBox &box, const CellBend &bend) const noexcept;
     void make_nets(Item &item);
     struct Found {
         HessianBox box;
@@ -129,8 +130,9 @@ void CellTree::Builder::look_at(Item item) {
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.at_border = at_border(item);
-    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord;
-    if (flat || side == Side::outside || work_ended() || !divide(item, best_cut(bend, rule_.chord))) {
+    const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
+    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
+    if (flat || side == Side::outside || work_ended() || !divide(item, cut_of(found.box, bend))) {
         tree_.reached_ = tree_.reached_ && (flat || side == Side::outside);
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
@@ -144,6 +146,14 @@ bool CellTree::Builder::at_border(const Item &item) const noexcept {
                  item.part.upper[k] == tree_.block_ends_[k].back();
     }
     return result;
+}
+
+// Where the surface is flat enough, across the longer side.
+Cut CellTree::Builder::cut_of(const HessianBox &box, const CellBend &bend) const noexcept {
+    if (bend.in_parts(1, 1) <= rule_.chord) {
+        return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
+    }
+    return best_cut(bend, rule_.chord);
 }
 
 void CellTree::Builder::make_nets(Item &item) {

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/border_strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace nrb::mesh {
+
+BorderStrip::BorderStrip(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
+                         const std::vector<std::array<double, 2>> &extra)
+    : domain_(domain), index_(index), cells_(cells) {
+    add_border();
+    look_at_cells();
+    add_places();
+    for (const auto &param : extra) {
+        add_point(param, -1);
+    }
+    add_walls();
+    make_strip();
+}
+
+void BorderStrip::add_point(const std::array<double, 2> &param, int32_t place) {
+    const auto [at, fresh] = of_param_.try_emplace(param, static_cast<int32_t>(points_.size()));
+    if (fresh) {
+        points_.push_back(param);
+        places_.push_back(place);
+    }
+}
+
+// All of it, in its order.
+void BorderStrip::add_border() {
+    for (const BorderPoint &point : domain_.border.points) {
+        of_param_.try_emplace(point.param, static_cast<int32_t>(points_.size()));
+        points_.push_back(point.param);
+        places_.push_back(-1);
+    }
+}
+
+void BorderStrip::look_at_cells() {
+    needed_.assign(static_cast<size_t>(cells_.table().count()), false);
+    touched_.assign(needed_.size(), false);
+    sides_.assign(needed_.size(), {infinity, infinity});
+    std::vector<int32_t> border;
+    for (const Cell &cell : cells_.tree().cells()) {
+        if (cell.side == Side::outside) {
+            continue;
+        }
+        cells_.table().border(cell, border);
+        const Rectangle part = cells_.tree().rectangle(cell);
+        for (const int32_t place : border) {
+            const auto at = static_cast<size_t>(place);
+            if (cell.side == Side::inside) {
+                needed_[at] = true;
+            } else {
+                touched_[at] = true;
+                sides_[at] = {std::min(sides_[at][0], part.side(0)), std::min(sides_[at][1], part.side(1))};
+            }
+        }
+    }
+}
+
+// Whether a corner of cells is inside, or at an end of the domain, and not near the border.
+bool BorderStrip::is_wanted(int32_t place) const {
+    const std::array<double, 2> param = cells_.param(place);
+    const auto &sides = sides_[static_cast<size_t>(place)];
+    Rectangle near{param, param};
+    for (size_t k = 0; k < 2; ++k) {
+        near.lower[k] -= near_border * sides[k];
+        near.upper[k] += near_border * sides[k];
+    }
+    return !index_.any_in(near) && (cells_.is_at_end(place) || domain_.inside({param[0], param[1]}));
+}
+
+// Corners of cells that the border cuts, and what cells inside share with these. Both sides of a seam have the same places.
+void BorderStrip::add_places() {
+    const PlaceTable &table = cells_.table();
+    std::vector<bool> kept(needed_.size(), false), dropped(needed_.size(), false);
+    for (int32_t place = 0; place < table.count(); ++place) {
+        const auto at = static_cast<size_t>(place), point = static_cast<size_t>(table.point_of(place));
+        if (touched_[at]) {
+            kept[point] = kept[point] || needed_[at];
+            dropped[point] = dropped[point] || (!needed_[at] && !is_wanted(place));
+        }
+    }
+    for (int32_t place = 0; place < table.count(); ++place) {
+        const auto point = static_cast<size_t>(table.point_of(place));
+        if (touched_[static_cast<size_t>(place)] && (kept[point] || !dropped[point])) {
+            add_point(cells_.param(place), place);
+        }
+    }
+}
+
+// The border; what cells inside end at; seams, and lines at which the surface may have a kink.
+void BorderStrip::add_walls() {
+    for (size_t i = 0; i < domain_.border.segments.size(); ++i) {
+        const BorderSegment &segment = domain_.border.segments[i];
+        walls_.push_back({segment.from, segment.to, static_cast<int32_t>(i)});
+    }
+    add_staircase();
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        for (size_t i = 0; i < ends.size(); ++i) {
+            const bool inner = i > 0 && i + 1 < ends.size();
+            if (inner || domain_.closed[k]) {
+                add_line_walls(k, ends[i], inner);
+            }
+        }
+    }
+}
+
+int32_t BorderStrip::point_at(int32_t place) const {
+    const auto found = of_param_.find(cells_.param(place));
+    return found == of_param_.end() ? -1 : found->second;
+}
+
+// Sides that a cell inside and one at the border have in opposite directions; both sides of a kink are one line of the plane.
+void BorderStrip::add_staircase() {
+    using Step = std::pair<int32_t, int32_t>;
+    std::vector<Step> of_inside;
+    std::set<Step> of_border;
+    std::vector<int32_t> border;
+    for (const Cell &cell : cells_.tree().cells()) {
+        if (cell.side == Side::outside) {
+            continue;
+        }
+        cells_.table().border(cell, border);
+        for (size_t i = 0; i < border.size(); ++i) {
+            const int32_t a = border[i], b = border[(i + 1) % border.size()];
+            if (!touched_[static_cast<size_t>(a)] || !touched_[static_cast<size_t>(b)]) {
+                continue;
+            }
+            if (cell.side == Side::border) {
+                of_border.insert({point_at(b), point_at(a)});
+            } else {
+                of_inside.emplace_back(point_at(a), point_at(b));
+            }
+        }
+    }
+    for (const Step &step : of_inside) {
+        if (step.first >= 0 && step.second >= 0 && of_border.contains(step)) {
+            walls_.push_back({step.first, step.second});
+        }
+    }
+}
+
+void BorderStrip::add_line_walls(size_t k, double t, bool passable) {
+    std::vector<std::pair<double, int32_t>> on;
+    for (size_t i = 0; i < points_.size(); ++i) {
+        if (points_[i][k] == t) {
+            on.emplace_back(points_[i][1 - k], static_cast<int32_t>(i));
+        }
+    }
+    std::ranges::sort(on);
+    for (size_t i = 0; i + 1 < on.size(); ++i) {
+        walls_.push_back({on[i].second, on[i + 1].second, -1, passable});
+    }
+}
+
+// Over all cells, with lengths as the largest of these have them.
+void BorderStrip::make_strip() {
+    const CellTree &tree = cells_.tree();
+    Rectangle part = tree.rectangle(tree.cells().front());
+    std::array<double, 2> speeds{};
+    for (const Cell &cell : tree.cells()) {
+        const Rectangle own = tree.rectangle(cell);
+        for (size_t k = 0; k < 2; ++k) {
+            part.lower[k] = std::min(part.lower[k], own.lower[k]);
+            part.upper[k] = std::max(part.upper[k], own.upper[k]);
+            const double speed = cell.box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / own.side(k);
+            speeds[k] = std::isfinite(speed) ? std::max(speeds[k], speed) : speeds[k];
+        }
+    }
+    strip_ = std::make_unique<const Strip>(
+        part, std::array<double, 2>{speeds[0] * part.side(0), speeds[1] * part.side(1)}, points_, walls_);
+}
+
+// Lines may cross the border outside of the face.
+std::vector<int32_t> BorderStrip::crossed() const {
+    std::vector<int32_t> result;
+    for (const auto &[one, other] : strip_->crossings()) {
+        const int32_t a = walls_[static_cast<size_t>(one)].border,
+                      b = walls_[static_cast<size_t>(other)].border;
+        if (a >= 0) {
+            result.push_back(a);
+            if (b >= 0) {
+                result.push_back(b);
+            }
+        }
+    }
+    return result;
+}
+
+// By its fattest triangle: those along the border are as thin as what is between curves and segments.
+bool BorderStrip::is_kept(const Strip::Component &component) const {
+    double best = -1;
+    std::array<double, 2> middle{};
+    for (const StripTriangle &triangle : component) {
+        const auto &a = points_[static_cast<size_t>(triangle.corners[0])],
+                   &b = points_[static_cast<size_t>(triangle.corners[1])],
+                   &c = points_[static_cast<size_t>(triangle.corners[2])];
+        const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        if (area > best) {
+            best = area;
+            middle = {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
+        }
+    }
+    bool in_cell = false;
+    cells_.tree().for_each_in({middle, middle},
+                              [&](const Cell &cell) { in_cell = in_cell || cell.side == Side::inside; });
+    return !in_cell && domain_.inside({middle[0], middle[1]});
+}
+
+int32_t BorderStrip::site_of(int32_t point, int32_t block, Sites &sites) const {
+    const auto at = static_cast<size_t>(point);
+    if (places_[at] >= 0) {
+        return sites.of_place(cells_.in_block(places_[at], cells_.tree().block(block)));
+    }
+    const bool of_border = at < domain_.border.points.size();
+    return sites.of_param(points_[at], block, of_border ? domain_.border.points[at].point : -1);
+}
+
+std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
+    std::vector<Piece> result;
+    for (const Strip::Component &component : strip_->components()) {
+        if (!is_kept(component)) {
+            continue;
+        }
+        for (const StripTriangle &triangle : component) {
+            std::array<double, 2> middle{};
+            for (const int32_t corner : triangle.corners) {
+                for (size_t k = 0; k < 2; ++k) {
+                    middle[k] += points_[static_cast<size_t>(corner)][k] / 3;
+                }
+            }
+            const int32_t block = cells_.tree().block_at(middle);
+            Piece piece{{}, triangle.border, triangle.fixed};
+            for (size_t k = 0; k < 3; ++k) {
+                piece.sites[k] = site_of(triangle.corners[k], block, sites);
+            }
+            result.push_back(piece);
+        }
+    }
+    return result;
+}
+
+} // namespace nrb::mesh

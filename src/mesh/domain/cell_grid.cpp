@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/cell_grid.h"
+
+#include <algorithm>
+
+namespace nrb::mesh {
+
+CellGrid::CellGrid(const MeshDomain &domain, const pieces::PieceGrid &grid, const CellRule &rule)
+    : domain_(domain), grid_(grid), tree_(grid, rule) {
+    make_tables();
+}
+
+void CellGrid::make_tables() {
+    auto twins = std::make_unique<LineTwins>(tree_, grid_);
+    for (size_t k = 0; k < 2; ++k) {
+        if (domain_.closed[k]) {
+            twins->close(k);
+        }
+        twins->collapsed[k].front() = domain_.collapsed[k][0] ? 1 : 0;
+        twins->collapsed[k].back() = domain_.collapsed[k][1] ? 1 : 0;
+    }
+    twins_ = std::move(twins);
+    table_ = std::make_unique<const PlaceTable>(tree_, *twins_);
+}
+
+int32_t CellGrid::in_block(int32_t place, const Rectangle &block) const noexcept {
+    auto lines = table_->place(place).lines;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &all = tree_.lines(k);
+        const auto at = static_cast<size_t>(lines[k]);
+        if (all[at].t == block.upper[k] && !all[at].from_left && at > 0 && all[at - 1].t == all[at].t) {
+            --lines[k];
+        } else if (all[at].t == block.lower[k] && all[at].from_left && at + 1 < all.size() &&
+                   all[at + 1].t == all[at].t) {
+            ++lines[k];
+        }
+    }
+    return table_->find(lines[0], lines[1]);
+}
+
+int32_t CellGrid::pole_at(const std::array<double, 2> &param) const {
+    for (size_t k = 0; k < 2; ++k) {
+        for (const size_t end : {size_t{0}, size_t{1}}) {
+            const int32_t line = end == 0 ? 0 : static_cast<int32_t>(tree_.lines(k).size()) - 1;
+            if (domain_.collapsed[k][end] && param[k] == t_of(k, line)) {
+                const std::vector<int32_t> places = table_->on_line(k, line);
+                return places.empty() ? -1 : places.front();
+            }
+        }
+    }
+    return -1;
+}
+
+bool CellGrid::is_at_end(int32_t place) const noexcept {
+    const auto lines = table_->place(place).lines;
+    return lines[0] == 0 || lines[1] == 0 || lines[0] + 1 == std::ssize(tree_.lines(0)) ||
+           lines[1] + 1 == std::ssize(tree_.lines(1));
+}
+
+namespace {
+
+// Of lines that are among others, both rising: their numbers there.
+std::vector<int32_t> numbers_among(const std::vector<CellLine> &old, const std::vector<CellLine> &all) {
+    std::vector<int32_t> result;
+    size_t at = 0;
+    for (const CellLine &line : old) {
+        while (all[at].t != line.t || all[at].from_left != line.from_left) {
+            ++at;
+        }
+        result.push_back(static_cast<int32_t>(at));
+    }
+    return result;
+}
+
+} // namespace
+
+// The order of places stays, so that one pass finds all.
+std::vector<int32_t> CellGrid::cut(const std::vector<int32_t> &cells) {
+    const std::array<std::vector<CellLine>, 2> lines{tree_.lines(0), tree_.lines(1)};
+    const auto old_twins = std::move(twins_);
+    const auto old = std::move(table_);
+    tree_.cut(cells);
+    make_tables();
+    const auto u = numbers_among(lines[0], tree_.lines(0)), v = numbers_among(lines[1], tree_.lines(1));
+    std::vector<int32_t> result;
+    int32_t at = 0;
+    for (int32_t i = 0; i < old->count(); ++i) {
+        const auto place = old->place(i).lines;
+        const std::array<int32_t, 2> wanted{u[static_cast<size_t>(place[0])],
+                                            v[static_cast<size_t>(place[1])]};
+        while (at < table_->count() && table_->place(at).lines < wanted) {
+            ++at;
+        }
+        result.push_back(at);
+    }
+    return result;
+}
+
+} // namespace nrb::mesh

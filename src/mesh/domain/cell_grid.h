@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The cells of a domain with the places where they have corners, while cells are divided.
+#pragma once
+
+#include "mesh/cells/place_table.h"
+#include "mesh/domain/domain_mesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace nrb::mesh {
+
+class CellGrid {
+public:
+    CellGrid(const MeshDomain &domain, const pieces::PieceGrid &grid, const CellRule &rule);
+
+    [[nodiscard]] const CellTree &tree() const noexcept { return tree_; }
+    [[nodiscard]] const PlaceTable &table() const noexcept { return *table_; }
+    [[nodiscard]] double t_of(size_t k, int32_t line) const noexcept {
+        return tree_.lines(k)[static_cast<size_t>(line)].t;
+    }
+    [[nodiscard]] std::array<double, 2> param(int32_t place) const noexcept {
+        const auto lines = table_->place(place).lines;
+        return {t_of(0, lines[0]), t_of(1, lines[1])};
+    }
+    // The same place as seen from a block at whose border it is.
+    [[nodiscard]] int32_t in_block(int32_t place, const Rectangle &block) const noexcept;
+    // A place of an end of the domain that is a single point, if such an end holds these parameters; -1: none.
+    [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param) const;
+    [[nodiscard]] bool is_at_end(int32_t place) const noexcept;
+
+    // Divides cells. Returns the new numbers of places.
+    std::vector<int32_t> cut(const std::vector<int32_t> &cells);
+
+private:
+    void make_tables();
+
+    const MeshDomain &domain_;
+    const pieces::PieceGrid &grid_;
+    CellTree tree_;
+    std::unique_ptr<const LineTwins> twins_;
+    std::unique_ptr<const PlaceTable> table_;
+};
+
+} // namespace nrb::mesh

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/domain_mesh.h"
+
+#include "base/watch.h"
+#include "mesh/cells/cell_triangles.h"
+#include "mesh/domain/triangle_proof.h"
+#include "mesh/proof/mesh_bound.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace nrb::mesh {
+
+namespace {
+
+// What is left for the differences of an estimate and a proof.
+constexpr double share_of_estimate = 0.97;
+constexpr int most_rounds = 16;
+// Multiply-adds of a triangle in a round, estimated.
+constexpr int64_t work_of_triangle = 500;
+
+// Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
+class DomainMesher {
+public:
+    DomainMesher(const MeshDomain &domain, const MeshRule &rule)
+        : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
+          cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
+          proof_(domain, cells_, sites_, grid_.scaled(rule.chord)) {}
+
+    DomainMesh run() {
+        for (int round = 0;; ++round) {
+            make_cells();
+            make_strip();
+            sites_.evaluate();
+            prove();
+            if (round == most_rounds || work_ended() || !improve()) {
+                return output();
+            }
+        }
+    }
+
+private:
+    // Of the triangles of a cell, side by side.
+    struct CellState {
+        size_t places = 0; // on its border
+        size_t first = 0, count = 0;
+    };
+
+    [[nodiscard]] CellRule cell_rule() const;
+    [[nodiscard]] Side side_of(const Rectangle &part) const;
+    void make_cells();
+    void make_strip();
+    void prove();
+    [[nodiscard]] MeshBound mesh_bound() const;
+    void set_borders(MeshBound &bound) const;
+    [[nodiscard]] bool is_border(const Site &site) const noexcept;
+    [[nodiscard]] std::array<int32_t, 3> points_of(const SiteTriangle &triangle) const noexcept {
+        return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
+                sites_[triangle.sites[2]].point};
+    }
+    struct Split {
+        double size = 0;
+        std::array<double, 2> place{};
+        int32_t border = -1; // segment of the border
+    };
+    [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
+    [[nodiscard]] bool is_over(size_t triangle) const noexcept {
+        const bool far = !(distances_[triangle].most() <= rule_.chord);
+        return far || (rule_.longest > 0 && !(longest_side(triangles_[triangle]) <= rule_.longest));
+    }
+    [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] bool improve();
+    [[nodiscard]] DomainMesh output();
+
+    const MeshDomain &domain_;
+    const MeshRule &rule_;
+    const pieces::PieceGrid &grid_;
+    SegmentIndex index_;
+    CellGrid cells_;
+    Sites sites_;
+    TriangleProof proof_;
+    std::vector<std::array<double, 2>> extra_; // places of the strip besides
+    std::vector<CellState> states_;
+    std::vector<SiteTriangle> triangles_; // those of cells first
+    std::vector<ProvenTriangle> proven_;
+    std::vector<Distances> distances_;
+    std::vector<int32_t> crossed_, weak_; // segments of the border
+};
+
+CellRule DomainMesher::cell_rule() const {
+    CellRule rule;
+    rule.chord = grid_.scaled(rule_.chord) * share_of_estimate;
+    rule.longest = grid_.scaled(rule_.longest);
+    if (domain_.inside) {
+        rule.side = [this](const Rectangle &part) { return side_of(part); };
+    }
+    return rule;
+}
+
+Side DomainMesher::side_of(const Rectangle &part) const {
+    Rectangle around = part;
+    for (size_t k = 0; k < 2; ++k) {
+        around.lower[k] -= near_border * part.side(k);
+        around.upper[k] += near_border * part.side(k);
+    }
+    if (index_.any_in(around) || domain_.cut(part)) {
+        return Side::border;
+    }
+    return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2})
+               ? Side::inside
+               : Side::outside;
+}
+
+// Cells with as many places on their border as before have the triangles that they had.
+void DomainMesher::make_cells() {
+    CellTriangles maker(cells_.tree());
+    std::vector<int32_t> border;
+    std::vector<std::array<int32_t, 3>> made;
+    std::vector<SiteTriangle> triangles;
+    std::vector<ProvenTriangle> proven;
+    const auto &all = cells_.tree().cells();
+    states_.resize(all.size());
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (all[i].side != Side::inside) {
+            states_[i] = {};
+            continue;
+        }
+        cells_.table().border(all[i], border);
+        CellState &state = states_[i];
+        const size_t first = triangles.size();
+        if (state.places == border.size()) {
+            triangles.insert(triangles.end(), triangles_.begin() + static_cast<int64_t>(state.first),
+                             triangles_.begin() + static_cast<int64_t>(state.first + state.count));
+            proven.insert(proven.end(), proven_.begin() + static_cast<int64_t>(state.first),
+                          proven_.begin() + static_cast<int64_t>(state.first + state.count));
+        } else {
+            made.clear();
+            maker.make(cells_.table(), all[i], border, made);
+            for (const auto &places : made) {
+                triangles.push_back(
+                    {{sites_.of_place(places[0]), sites_.of_place(places[1]), sites_.of_place(places[2])},
+                     static_cast<int32_t>(i)});
+            }
+        }
+        state = {border.size(), first, triangles.size() - first};
+        proven.resize(triangles.size(), {{}, -1}); // those that are new are not proven yet
+    }
+    triangles_ = std::move(triangles);
+    proven_ = std::move(proven);
+}
+
+void DomainMesher::make_strip() {
+    if (!domain_.inside) {
+        return;
+    }
+    const BorderStrip strip(domain_, index_, cells_, extra_);
+    crossed_ = strip.crossed();
+    for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
+        triangles_.push_back({piece.sites, -1, piece.border, piece.fixed});
+    }
+}
+
+// Whether a site is where the surface ends: at an end of the domain, or where it jumps.
+bool DomainMesher::is_border(const Site &site) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        const auto axis = static_cast<int>(k);
+        if (site.param[k] == ends.front() || site.param[k] == ends.back()) {
+            const bool upper = site.param[k] == ends.back();
+            if (!domain_.closed[k] && !domain_.collapsed[k][upper ? 1 : 0]) {
+                return true;
+            }
+        } else if (std::ranges::binary_search(ends, site.param[k]) &&
+                   grid_.jumps(axis, grid_.find(axis, site.param[k]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void DomainMesher::set_borders(MeshBound &bound) const {
+    for (const BorderPoint &point : domain_.border.points) {
+        bound.set_border(point.point);
+    }
+    for (const Site &site : sites_.all()) {
+        if (is_border(site)) {
+            bound.set_border(site.point);
+        }
+    }
+}
+
+MeshBound DomainMesher::mesh_bound() const {
+    MeshBound all(static_cast<size_t>(sites_.point_count()));
+    set_borders(all);
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        all.add_normal(points_of(triangles_[i]), proven_[i].bound.normal);
+    }
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        all.add(points_of(triangles_[i]), proven_[i].bound);
+    }
+    return all;
+}
+
+void DomainMesher::prove() {
+    proven_.resize(triangles_.size(), {{}, -1});
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (proven_[i].over < 0) {
+            proven_[i] = proof_.of(triangles_[i]);
+            count_work(work_of_triangle);
+        }
+    }
+    const MeshBound all = mesh_bound();
+    const double slack = grid_.moved() + 8 * grid_.value_error() * grid_.radius() + 4 * eps * grid_.size();
+    distances_.clear();
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        const Distances d = all.distances(points_of(triangles_[i]), proven_[i].bound);
+        const double more = proven_[i].over + slack;
+        distances_.push_back({grid_.unscaled(d.from_shape + more) * (1 + 4 * eps),
+                              grid_.unscaled(d.from_mesh + more) * (1 + 4 * eps)});
+    }
+}
+
+double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
+    double longest = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        longest = std::max(longest, length(sites_.position(triangle.sites[k]) -
+                                           sites_.position(triangle.sites[(k + 1) % 3])));
+    }
+    return longest;
+}
+
+// Where a triangle of the strip is best divided: at a pole on that side, else on the longest one that can be.
+DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
+    Split best;
+    for (size_t k = 0; k < 3; ++k) {
+        const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
+        const Site &a = sites_[from], &b = sites_[to];
+        const bool pole = a.point == b.point;
+        const double size = pole ? infinity : length(sites_.position(from) - sites_.position(to));
+        const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
+        if (can && size > best.size) {
+            best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
+        }
+    }
+    return best;
+}
+
+// Cells over the tolerance are cut, triangles of the strip get a new place.
+bool DomainMesher::improve() {
+    std::vector<int32_t> over;
+    std::vector<std::array<double, 2>> more;
+    weak_.clear();
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        const SiteTriangle &triangle = triangles_[i];
+        if (!is_over(i)) {
+            continue;
+        }
+        if (triangle.cell >= 0) {
+            if (over.empty() || over.back() != triangle.cell) {
+                over.push_back(triangle.cell);
+            }
+            continue;
+        }
+        const Split split = split_of(triangle);
+        if (split.border >= 0) {
+            weak_.push_back(split.border);
+        } else if (split.size > rule_.chord / 4) {
+            more.push_back(split.place);
+        }
+    }
+    std::ranges::sort(more);
+    more.erase(std::ranges::unique(more).begin(), more.end());
+    extra_.insert(extra_.end(), more.begin(), more.end());
+    if (!over.empty()) {
+        sites_.renumber(cells_.cut(over));
+        for (const int32_t cell : over) {
+            states_[static_cast<size_t>(cell)] = {};
+        }
+    }
+    return !over.empty() || !more.empty();
+}
+
+// Without sites and points that no triangle has.
+DomainMesh DomainMesher::output() {
+    DomainMesh result;
+    std::vector<int32_t> sites(sites_.all().size(), -1),
+        points(static_cast<size_t>(sites_.point_count()), -1);
+    const auto vertex = [&](int32_t site) {
+        int32_t &own = sites[static_cast<size_t>(site)];
+        if (own < 0) {
+            own = static_cast<int32_t>(result.vertices.size());
+            int32_t point = sites_[site].point;
+            if (point >= sites_.first_point()) {
+                int32_t &number = points[static_cast<size_t>(point)];
+                if (number < 0) {
+                    number = static_cast<int32_t>(result.points.size());
+                    result.points.push_back(sites_.point(point));
+                }
+                point = -1 - number;
+            }
+            result.vertices.push_back({point, sites_[site].param, sites_.normal(site)});
+        }
+        return own;
+    };
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        result.from_shape = std::max(result.from_shape, distances_[i].from_shape);
+        result.from_mesh = std::max(result.from_mesh, distances_[i].from_mesh);
+        const auto p = points_of(triangles_[i]);
+        if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) {
+            const auto &s = triangles_[i].sites;
+            result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
+        }
+    }
+    bool over = false;
+    for (size_t i = 0; i < triangles_.size() && !over; ++i) {
+        over = is_over(i);
+    }
+    result.reached = crossed_.empty() && !result.triangles.empty() && !over;
+    result.weak = std::move(weak_);
+    result.weak.insert(result.weak.end(), crossed_.begin(), crossed_.end());
+    std::ranges::sort(result.weak);
+    result.weak.erase(std::ranges::unique(result.weak).begin(), result.weak.end());
+    return result;
+}
+
+} // namespace
+
+DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule) {
+    return DomainMesher(domain, rule).run();
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/sites.h"
+
+#include "eval/evaluate.h"
+#include "eval/frames/surface_frames.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
+    : domain_(domain), cells_(cells), place_sites_(static_cast<size_t>(cells.table().count()), -1),
+      place_points_(place_sites_.size(), -1),
+      first_point_(domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0),
+      next_point_(first_point_) {
+    for (const BorderPoint &point : domain_.border.points) {
+        border_points_.try_emplace(point.param, point.point);
+    }
+    set_border_points();
+}
+
+void Sites::set_point(int32_t place, int32_t point) {
+    int32_t &own = place_points_[static_cast<size_t>(cells_.table().point_of(place))];
+    own = own < 0 ? point : own;
+}
+
+// Points of the border stand for the places at which they are, and for poles.
+void Sites::set_border_points() {
+    for (const auto &[param, point] : border_points_) {
+        if (const int32_t pole = cells_.pole_at(param); pole >= 0) {
+            set_point(pole, point);
+        }
+    }
+    for (int32_t i = 0; i < cells_.table().count() && !border_points_.empty(); ++i) {
+        const auto found = border_points_.find(cells_.param(i));
+        if (found != border_points_.end()) {
+            set_point(i, found->second);
+        }
+    }
+}
+
+void Sites::renumber(const std::vector<int32_t> &places) {
+    std::vector<int32_t> sites(static_cast<size_t>(cells_.table().count()), -1), points(sites.size(), -1);
+    for (size_t i = 0; i < places.size(); ++i) {
+        const auto at = static_cast<size_t>(places[i]);
+        sites[at] = place_sites_[i];
+        if (place_sites_[i] >= 0) {
+            points[static_cast<size_t>(cells_.table().point_of(places[i]))] =
+                sites_[static_cast<size_t>(place_sites_[i])].point;
+        }
+    }
+    place_sites_ = std::move(sites);
+    place_points_ = std::move(points);
+    set_border_points();
+}
+
+int32_t Sites::of_place(int32_t place) {
+    int32_t &site = place_sites_[static_cast<size_t>(place)];
+    if (site < 0) {
+        const auto lines = cells_.table().place(place).lines;
+        int32_t &point = place_points_[static_cast<size_t>(cells_.table().point_of(place))];
+        point = point < 0 ? next_point_++ : point;
+        Site made;
+        for (size_t k = 0; k < 2; ++k) {
+            const CellLine &line = cells_.tree().lines(k)[static_cast<size_t>(lines[k])];
+            made.param[k] = line.t;
+            made.from_left[k] = line.from_left;
+        }
+        made.point = point;
+        site = static_cast<int32_t>(sites_.size());
+        sites_.push_back(made);
+    }
+    return site;
+}
+
+int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int32_t point) {
+    const auto [known, fresh] = param_sites_.try_emplace({param[0], param[1], static_cast<double>(number)},
+                                                         static_cast<int32_t>(sites_.size()));
+    if (!fresh) {
+        return known->second;
+    }
+    const Rectangle block = cells_.tree().block(number);
+    Site site{param, {}, point};
+    for (size_t k = 0; k < 2; ++k) {
+        site.from_left[k] = param[k] == block.upper[k];
+    }
+    if (const int32_t pole = point < 0 ? cells_.pole_at(param) : -1; pole >= 0) {
+        int32_t &own = place_points_[static_cast<size_t>(cells_.table().point_of(pole))];
+        own = own < 0 ? next_point_++ : own;
+        site.point = own;
+    } else if (point < 0) {
+        const auto [own, none] = param_points_.try_emplace(param, next_point_);
+        next_point_ += none ? 1 : 0;
+        site.point = own->second;
+    }
+    sites_.push_back(site);
+    return known->second;
+}
+
+// In groups of equal sides.
+void Sites::evaluate() {
+    const size_t first = positions_.size();
+    positions_.resize(sites_.size());
+    normals_.resize(sites_.size());
+    std::array<std::vector<size_t>, 4> groups;
+    for (size_t i = first; i < sites_.size(); ++i) {
+        groups[(sites_[i].from_left[0] ? 1U : 0U) + (sites_[i].from_left[1] ? 2U : 0U)].push_back(i);
+    }
+    for (unsigned group = 0; group < 4; ++group) {
+        evaluate_group({(group & 1U) != 0, (group & 2U) != 0}, groups[group]);
+    }
+    points_.resize(static_cast<size_t>(next_point_ - first_point_), {nan_value, 0, 0});
+    for (size_t i = first; i < sites_.size(); ++i) {
+        if (sites_[i].point >= first_point_) {
+            Vector3 &x = points_[static_cast<size_t>(sites_[i].point - first_point_)];
+            x = std::isnan(x.x) ? positions_[i] : x;
+        }
+    }
+}
+
+void Sites::evaluate_group(const std::array<bool, 2> &from_left, const std::vector<size_t> &members) {
+    std::vector<double> params;
+    params.reserve(2 * members.size());
+    for (const size_t i : members) {
+        params.insert(params.end(), sites_[i].param.begin(), sites_[i].param.end());
+    }
+    eval::AxisRules rules{};
+    rules[0].left = from_left[0];
+    rules[1].left = from_left[1];
+    const auto n = static_cast<int64_t>(members.size());
+    const ConstRecords at{params.data(), n, 2, 2, 1};
+    std::vector<double> points(3 * members.size()), normals(points.size());
+    const Spline &surface = *domain_.surface;
+    if (surface.dim() == 3) {
+        eval::surface_frames(surface, rules, at,
+                             {{points.data(), n, 3, 3, 1}, {}, {}, {normals.data(), n, 3, 3, 1}, nullptr});
+    } else {
+        std::vector<double> jets(6 * members.size());
+        eval::evaluate_points(surface, rules, 1, at, {jets.data(), n, 6, 6, 1});
+        for (size_t i = 0; i < members.size(); ++i) {
+            const double *jet = jets.data() + 6 * i;
+            const double area = jet[2] * jet[5] - jet[3] * jet[4];
+            points[3 * i] = jet[0];
+            points[3 * i + 1] = jet[1];
+            normals[3 * i + 2] = area > 0 ? 1 : area < 0 ? -1 : nan_value;
+        }
+    }
+    for (size_t i = 0; i < members.size(); ++i) {
+        positions_[members[i]] = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
+        normals_[members[i]] = {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]};
+    }
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/triangle_proof.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Triangles of the strip over more pieces are bounded by the cells that they meet.
+constexpr int64_t most_pieces = 64;
+
+// How far places between a segment of the border and its curve are from it, in space.
+double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell) noexcept {
+    const double u = segment.over[0] / cell.side(0), v = segment.over[1] / cell.side(1);
+    return segment.across ? box.move(u, v) : box.move(u, 0) + box.move(0, v);
+}
+
+// The part of a rectangle in a block, of a width along both axes.
+Rectangle in_block(const Rectangle &part, const Rectangle &block) noexcept {
+    Rectangle result;
+    for (size_t k = 0; k < 2; ++k) {
+        result.lower[k] = std::max(part.lower[k], block.lower[k]);
+        result.upper[k] = std::min(part.upper[k], block.upper[k]);
+        if (!(result.lower[k] < result.upper[k])) { // along a line
+            const double step = 1e-9 * block.side(k), lower = result.lower[k];
+            result.lower[k] = std::max(block.lower[k], std::min(lower, result.upper[k]) - step);
+            result.upper[k] = std::min(block.upper[k], std::max(lower, result.upper[k]) + step);
+        }
+    }
+    return result;
+}
+
+// Whether a part reaches beyond a line at which the surface may have a kink.
+bool leaves(const Rectangle &part, const Rectangle &block) noexcept {
+    constexpr double room = 1e-6;
+    bool result = false;
+    for (size_t k = 0; k < 2; ++k) {
+        result = result || part.lower[k] < block.lower[k] - room * block.side(k) ||
+                 part.upper[k] > block.upper[k] + room * block.side(k);
+    }
+    return result;
+}
+
+} // namespace
+
+TriangleProof::TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites,
+                             double chord)
+    : domain_(domain), cells_(cells), sites_(sites), grid_(pieces::piece_grid_of(*domain.surface)),
+      chord_(chord), nets_(grid_), by_pieces_(*domain.surface, nets_) {}
+
+size_t TriangleProof::Hash::operator()(const Key &key) const noexcept {
+    uint64_t hash = 0x9e3779b97f4a7c15U;
+    for (const int32_t x : key) {
+        hash = (hash ^ static_cast<uint32_t>(x)) * 0xff51afd7ed558ccdU;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
+ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
+    if (triangle.cell >= 0) {
+        return in_cell(triangle);
+    }
+    const auto &s = triangle.sites, &b = triangle.border;
+    const auto [known, fresh] = known_.try_emplace({s[0], s[1], s[2], b[0], b[1], b[2]});
+    if (fresh) {
+        known->second = in_strip(triangle);
+    }
+    return known->second;
+}
+
+TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const {
+    Placed result;
+    for (size_t k = 0; k < 3; ++k) {
+        const int32_t site = triangle.sites[k];
+        const Vector3 &x = sites_.point(sites_[site].point);
+        const std::array<double, 3> given{x.x, x.y, x.z};
+        std::array<double, 4> in_grid{};
+        grid_.place(given.data(), in_grid.data());
+        TriangleCorner &corner = result.corners[k];
+        corner = {sites_[site].param, {in_grid[0], in_grid[1], domain_.surface->dim() == 3 ? in_grid[2] : 0}};
+        result.moved = std::max(result.moved, grid_.scaled(length(x - sites_.position(site))));
+        for (size_t axis = 0; axis < 2; ++axis) {
+            const double t = corner.param[axis];
+            result.part.lower[axis] = k == 0 ? t : std::min(result.part.lower[axis], t);
+            result.part.upper[axis] = k == 0 ? t : std::max(result.part.upper[axis], t);
+        }
+    }
+    return result;
+}
+
+ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
+    const Placed place = placed(triangle);
+    const Cell &cell = cells_.tree().cells()[static_cast<size_t>(triangle.cell)];
+    const CellPart here{&cell.box, cells_.tree().rectangle(cell)};
+    TriangleBound bound = triangle_bound(place.corners, {&here, 1});
+    if (!(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
+        const PieceRange pieces = nets_.pieces_in(place.part);
+        if (pieces.count() > 1 && pieces.count() <= most_pieces) {
+            bound = by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block));
+        }
+    }
+    return {bound, place.moved};
+}
+
+// By as much as curves are beside their segments.
+void TriangleProof::widen(const SiteTriangle &triangle, Rectangle &part) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        double beside = 0;
+        for (const int32_t border : triangle.border) {
+            beside = border < 0
+                         ? beside
+                         : std::max(beside,
+                                    std::abs(domain_.border.segments[static_cast<size_t>(border)].over[k]));
+        }
+        part.lower[k] -= beside;
+        part.upper[k] += beside;
+    }
+}
+
+ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
+    Placed place = placed(triangle);
+    const auto &corners = place.corners;
+    const int32_t number =
+        cells_.tree().block_at({(corners[0].param[0] + corners[1].param[0] + corners[2].param[0]) / 3,
+                                (corners[0].param[1] + corners[1].param[1] + corners[2].param[1]) / 3});
+    const Rectangle block = cells_.tree().block(number);
+    ProvenTriangle result{{}, leaves(place.part, block) ? infinity : place.moved};
+    widen(triangle, place.part);
+    place.part = in_block(place.part, block);
+    const PieceRange pieces = nets_.pieces_in(place.part);
+    if (pieces.count() > most_pieces) {
+        result.bound = over_cells(place, number, triangle, result.over);
+        return result;
+    }
+    const HessianBox box = nets_.box(place.part, pieces);
+    result.over += moves_over(triangle, box, place.part);
+    const CellPart here{&box, place.part};
+    result.bound =
+        pieces.count() > 1 ? by_pieces_.bound(corners, pieces, block) : triangle_bound(corners, {&here, 1});
+    return result;
+}
+
+double TriangleProof::moves_over(const SiteTriangle &triangle, const HessianBox &box,
+                                 const Rectangle &cell) const {
+    double moves = 0;
+    for (const int32_t border : triangle.border) {
+        moves =
+            border < 0
+                ? moves
+                : std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)], box, cell));
+    }
+    return moves;
+}
+
+TriangleBound TriangleProof::over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
+                                        double &over) const {
+    std::vector<CellPart> cells;
+    double moves = 0;
+    cells_.tree().for_each_in(placed.part, [&](const Cell &cell) {
+        if (cell.block == block) {
+            const Rectangle own = cells_.tree().rectangle(cell);
+            cells.push_back({&cell.box, own});
+            moves = std::max(moves, moves_over(triangle, cell.box, own));
+        }
+    });
+    over += moves;
+    return triangle_bound(placed.corners, cells);
+}
+
+} // namespace nrb::mesh
