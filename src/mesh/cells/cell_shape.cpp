@@ -75,7 +75,7 @@ double over_triangle(const Hessian &h, const std::array<std::array<double, 2>, 3
 double CellBend::slope(double u, double v) const noexcept {
     const double uu = heights.uu.most() * u / speeds[0], uv_u = heights.uv.most() * v / speeds[0],
                  uv_v = heights.uv.most() * u / speeds[1], vv = heights.vv.most() * v / speeds[1];
-    const double most = std::max(std::hypot(uu, uv_v), std::hypot(uv_u, vv));
+    const double most = std::max(diagonal(uu, uv_v), diagonal(uv_u, vv));
     return std::isfinite(most) ? std::min(most, 1.0) : 1.0;
 }
 
@@ -94,7 +94,7 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double other = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {-a, b}}}),
                                   over_triangle(h, {{{a, -b}, {a, b}, {-a, b}}}));
     const double height = std::min(one, other), out = std::max(beside[0] * u * u, beside[1] * v * v);
-    return at_border ? std::hypot(height, out) : height + (out + height) * slope_times * slope(u, v);
+    return at_border ? diagonal(height, out) : height + (out + height) * slope_times * slope(u, v);
 }
 
 Cut best_cut(const CellBend &bend, double chord) noexcept {

@@ -13,8 +13,8 @@ namespace nrb::mesh {
 enum class Side { outside, border, inside };
 
 struct CellRule {
-    double chord = infinity; // in the units of the grid
-    double longest = 0;      // diagonal of a cell; 0: no limit
+    double chord = infinity;                       // in the units of the grid
+    double longest = 0;                            // diagonal of a cell; 0: no limit
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
 };
 

@@ -36,34 +36,70 @@ void LineTwins::close(size_t k) {
 }
 
 PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(twins) {
-    std::array<std::vector<int32_t>, 2> others; // of each line, the other one or itself
-    for (size_t k = 0; k < 2; ++k) {
-        others[k] = twins.first[k];
-        for (size_t i = 0; i < others[k].size(); ++i) {
-            others[k][static_cast<size_t>(twins.first[k][i])] = static_cast<int32_t>(i);
-        }
-    }
+    set_others();
     keys_.reserve(4 * tree.cells().size());
     for (const Cell &cell : tree.cells()) {
-        for (size_t c = 0; c < 4 && cell.side != Side::outside; ++c) {
-            const int32_t u = c % 2 == 0 ? cell.lower[0] : cell.upper[0],
-                          v = c < 2 ? cell.lower[1] : cell.upper[1];
-            const int32_t u2 = others[0][static_cast<size_t>(u)], v2 = others[1][static_cast<size_t>(v)];
-            keys_.push_back(key_of(u, v));
-            if (u2 != u) {
-                keys_.push_back(key_of(u2, v));
-            }
-            if (v2 != v) {
-                keys_.push_back(key_of(u, v2));
-                if (u2 != u) {
-                    keys_.push_back(key_of(u2, v2));
-                }
-            }
-        }
-        count_work(100);
+        add_corners(cell, keys_);
     }
     std::ranges::sort(keys_);
     keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    index(tree);
+}
+
+PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins, const PlaceTable &old,
+                       const std::array<std::vector<int32_t>, 2> &lines, const std::vector<int32_t> &cells)
+    : twins_(twins) {
+    set_others();
+    std::vector<uint64_t> known, fresh;
+    known.reserve(old.keys_.size());
+    for (int32_t i = 0; i < old.count(); ++i) {
+        const auto place = old.place(i).lines;
+        known.push_back(
+            key_of(lines[0][static_cast<size_t>(place[0])], lines[1][static_cast<size_t>(place[1])]));
+    }
+    for (const int32_t cell : cells) {
+        add_corners(tree.cells()[static_cast<size_t>(cell)], fresh);
+    }
+    std::ranges::sort(fresh);
+    keys_.resize(known.size() + fresh.size());
+    std::ranges::merge(known, fresh, keys_.begin());
+    keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    index(tree);
+}
+
+void PlaceTable::set_others() {
+    for (size_t k = 0; k < 2; ++k) {
+        others_[k] = twins_.first[k];
+        for (size_t i = 0; i < others_[k].size(); ++i) {
+            others_[k][static_cast<size_t>(twins_.first[k][i])] = static_cast<int32_t>(i);
+        }
+    }
+}
+
+void PlaceTable::add_corners(const Cell &cell, std::vector<uint64_t> &keys) const {
+    if (cell.side == Side::outside) {
+        return;
+    }
+    for (size_t c = 0; c < 4; ++c) {
+        const int32_t u = c % 2 == 0 ? cell.lower[0] : cell.upper[0],
+                      v = c < 2 ? cell.lower[1] : cell.upper[1];
+        const int32_t u2 = others_[0][static_cast<size_t>(u)], v2 = others_[1][static_cast<size_t>(v)];
+        keys.push_back(key_of(u, v));
+        if (u2 != u) {
+            keys.push_back(key_of(u2, v));
+        }
+        if (v2 != v) {
+            keys.push_back(key_of(u, v2));
+        }
+        if (u2 != u && v2 != v) {
+            keys.push_back(key_of(u2, v2));
+        }
+    }
+    count_work(100);
+}
+
+// By u, and by v, each line from the left to the right: places come in that order already.
+void PlaceTable::index(const CellTree &tree) {
     first_on_u_.resize(tree.lines(0).size() + 1);
     int32_t at = 0;
     for (size_t u = 0; u < first_on_u_.size(); ++u) {
@@ -71,7 +107,6 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
         }
         first_on_u_[u] = at;
     }
-    // By v, each line from the left to the right: places come in that order already.
     std::vector<int32_t> starts(tree.lines(1).size() + 1, 0);
     for (const uint64_t key : keys_) {
         ++starts[(key & 0xffffffffU) + 1];
@@ -115,18 +150,22 @@ std::vector<int32_t> PlaceTable::on_line(size_t k, int32_t line) const {
     return result;
 }
 
-void PlaceTable::border(const Cell &cell, std::vector<int32_t> &places) const {
-    const int32_t a = find(cell.lower[0], cell.lower[1]), b = find(cell.upper[0], cell.lower[1]),
-                  c = find(cell.upper[0], cell.upper[1]), d = find(cell.lower[0], cell.upper[1]);
+int32_t PlaceTable::border_count(const std::array<int32_t, 4> &corners) const noexcept {
     const auto where = [&](int32_t i) { return where_[static_cast<size_t>(i)]; };
+    const auto [a, b, c, d] = corners;
+    return where(b) - where(a) + (c - b) + where(c) - where(d) + (d - a);
+}
+
+void PlaceTable::border(const std::array<int32_t, 4> &corners, std::vector<int32_t> &places) const {
+    const auto [a, b, c, d] = corners;
     places.clear();
-    for (int32_t i = where(a); i < where(b); ++i) {
+    for (int32_t i = where_[static_cast<size_t>(a)]; i < where_[static_cast<size_t>(b)]; ++i) {
         places.push_back(across_[static_cast<size_t>(i)]);
     }
     for (int32_t i = b; i < c; ++i) {
         places.push_back(i);
     }
-    for (int32_t i = where(c); i > where(d); --i) {
+    for (int32_t i = where_[static_cast<size_t>(c)]; i > where_[static_cast<size_t>(d)]; --i) {
         places.push_back(across_[static_cast<size_t>(i)]);
     }
     for (int32_t i = d; i > a; --i) {

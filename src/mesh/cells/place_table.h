@@ -27,6 +27,9 @@ class PlaceTable {
 public:
     // Corners on a line are places on all lines that are one with it.
     PlaceTable(const CellTree &tree, const LineTwins &twins);
+    // Of another table, with other numbers of lines, rising, and the corners of some cells.
+    PlaceTable(const CellTree &tree, const LineTwins &twins, const PlaceTable &old,
+               const std::array<std::vector<int32_t>, 2> &lines, const std::vector<int32_t> &cells);
 
     struct Place {
         std::array<int32_t, 2> lines;
@@ -42,16 +45,28 @@ public:
     [[nodiscard]] int32_t find(int32_t u, int32_t v) const noexcept;
     // Those of a line of an axis, rising.
     [[nodiscard]] std::vector<int32_t> on_line(size_t k, int32_t line) const;
-    // The places on the border of a cell, counterclockwise from its lower left corner on.
-    void border(const Cell &cell, std::vector<int32_t> &places) const;
+    // The corners of a cell, counterclockwise from its lower left one on, and all places on its border.
+    [[nodiscard]] std::array<int32_t, 4> corners(const Cell &cell) const noexcept {
+        return {find(cell.lower[0], cell.lower[1]), find(cell.upper[0], cell.lower[1]),
+                find(cell.upper[0], cell.upper[1]), find(cell.lower[0], cell.upper[1])};
+    }
+    void border(const std::array<int32_t, 4> &corners, std::vector<int32_t> &places) const;
+    void border(const Cell &cell, std::vector<int32_t> &places) const { border(corners(cell), places); }
+    // How many that are.
+    [[nodiscard]] int32_t border_count(const std::array<int32_t, 4> &corners) const noexcept;
 
 private:
+    void add_corners(const Cell &cell, std::vector<uint64_t> &keys) const;
+    void set_others();
+    void index(const CellTree &tree);
+
     const LineTwins &twins_;
-    std::vector<uint64_t> keys_;      // u, then v
-    std::vector<int32_t> across_;     // places by v, then u
-    std::vector<int32_t> where_;      // of places in across_
-    std::vector<int32_t> first_on_u_; // keys of a line of axis 0
-    std::vector<int32_t> first_on_v_; // of across_ of a line of axis 1
+    std::array<std::vector<int32_t>, 2> others_; // of each line, that which is one with it, or itself
+    std::vector<uint64_t> keys_;                 // u, then v
+    std::vector<int32_t> across_;                // places by v, then u
+    std::vector<int32_t> where_;                 // of places in across_
+    std::vector<int32_t> first_on_u_;            // keys of a line of axis 0
+    std::vector<int32_t> first_on_v_;            // of across_ of a line of axis 1
 };
 
 } // namespace nrb::mesh

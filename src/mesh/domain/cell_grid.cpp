@@ -7,10 +7,11 @@ namespace nrb::mesh {
 
 CellGrid::CellGrid(const MeshDomain &domain, const pieces::PieceGrid &grid, const CellRule &rule)
     : domain_(domain), grid_(grid), tree_(grid, rule) {
-    make_tables();
+    make_twins();
+    table_ = std::make_unique<const PlaceTable>(tree_, *twins_);
 }
 
-void CellGrid::make_tables() {
+void CellGrid::make_twins() {
     auto twins = std::make_unique<LineTwins>(tree_, grid_);
     for (size_t k = 0; k < 2; ++k) {
         if (domain_.closed[k]) {
@@ -20,7 +21,6 @@ void CellGrid::make_tables() {
         twins->collapsed[k].back() = domain_.collapsed[k][1] ? 1 : 0;
     }
     twins_ = std::move(twins);
-    table_ = std::make_unique<const PlaceTable>(tree_, *twins_);
 }
 
 int32_t CellGrid::in_block(int32_t place, const Rectangle &block) const noexcept {
@@ -79,15 +79,22 @@ std::vector<int32_t> CellGrid::cut(const std::vector<int32_t> &cells) {
     const std::array<std::vector<CellLine>, 2> lines{tree_.lines(0), tree_.lines(1)};
     const auto old_twins = std::move(twins_);
     const auto old = std::move(table_);
+    const auto first = static_cast<int32_t>(tree_.cells().size());
     tree_.cut(cells);
-    make_tables();
-    const auto u = numbers_among(lines[0], tree_.lines(0)), v = numbers_among(lines[1], tree_.lines(1));
+    make_twins();
+    std::vector<int32_t> changed = cells;
+    for (int32_t i = first; i < static_cast<int32_t>(tree_.cells().size()); ++i) {
+        changed.push_back(i);
+    }
+    const std::array<std::vector<int32_t>, 2> numbers{numbers_among(lines[0], tree_.lines(0)),
+                                                      numbers_among(lines[1], tree_.lines(1))};
+    table_ = std::make_unique<const PlaceTable>(tree_, *twins_, *old, numbers, changed);
     std::vector<int32_t> result;
     int32_t at = 0;
     for (int32_t i = 0; i < old->count(); ++i) {
         const auto place = old->place(i).lines;
-        const std::array<int32_t, 2> wanted{u[static_cast<size_t>(place[0])],
-                                            v[static_cast<size_t>(place[1])]};
+        const std::array<int32_t, 2> wanted{numbers[0][static_cast<size_t>(place[0])],
+                                            numbers[1][static_cast<size_t>(place[1])]};
         while (at < table_->count() && table_->place(at).lines < wanted) {
             ++at;
         }

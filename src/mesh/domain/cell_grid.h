@@ -33,7 +33,7 @@ public:
     std::vector<int32_t> cut(const std::vector<int32_t> &cells);
 
 private:
-    void make_tables();
+    void make_twins();
 
     const MeshDomain &domain_;
     const pieces::PieceGrid &grid_;

@@ -28,12 +28,12 @@ public:
           proof_(domain, cells_, sites_, grid_.scaled(rule.chord)) {}
 
     DomainMesh run() {
-        for (int round = 0;; ++round) {
+        for (;; ++round_) {
             make_cells();
             make_strip();
             sites_.evaluate();
             prove();
-            if (round == most_rounds || work_ended() || !improve()) {
+            if (round_ == most_rounds || work_ended() || !improve()) {
                 return output();
             }
         }
@@ -42,7 +42,8 @@ public:
 private:
     // Of the triangles of a cell, side by side.
     struct CellState {
-        size_t places = 0; // on its border
+        std::array<int32_t, 4> corners{-1, -1, -1, -1}; // places; -1: not known
+        int32_t places = 0;                             // on its border
         size_t first = 0, count = 0;
     };
 
@@ -69,6 +70,7 @@ private:
         return far || (rule_.longest > 0 && !(longest_side(triangles_[triangle]) <= rule_.longest));
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
+    void cut(const std::vector<int32_t> &cells);
     [[nodiscard]] bool improve();
     [[nodiscard]] DomainMesh output();
 
@@ -80,6 +82,7 @@ private:
     Sites sites_;
     TriangleProof proof_;
     std::vector<std::array<double, 2>> extra_; // places of the strip besides
+    int round_ = 0;
     std::vector<CellState> states_;
     std::vector<SiteTriangle> triangles_; // those of cells first
     std::vector<ProvenTriangle> proven_;
@@ -125,15 +128,19 @@ void DomainMesher::make_cells() {
             states_[i] = {};
             continue;
         }
-        cells_.table().border(all[i], border);
         CellState &state = states_[i];
+        if (state.corners[0] < 0) {
+            state.corners = cells_.table().corners(all[i]);
+        }
+        const int32_t count = cells_.table().border_count(state.corners);
         const size_t first = triangles.size();
-        if (state.places == border.size()) {
+        if (state.places == count) {
             triangles.insert(triangles.end(), triangles_.begin() + static_cast<int64_t>(state.first),
                              triangles_.begin() + static_cast<int64_t>(state.first + state.count));
             proven.insert(proven.end(), proven_.begin() + static_cast<int64_t>(state.first),
                           proven_.begin() + static_cast<int64_t>(state.first + state.count));
         } else {
+            cells_.table().border(state.corners, border);
             made.clear();
             maker.make(cells_.table(), all[i], border, made);
             for (const auto &places : made) {
@@ -142,7 +149,7 @@ void DomainMesher::make_cells() {
                      static_cast<int32_t>(i)});
             }
         }
-        state = {border.size(), first, triangles.size() - first};
+        state = {state.corners, count, first, triangles.size() - first};
         proven.resize(triangles.size(), {{}, -1}); // those that are new are not proven yet
     }
     triangles_ = std::move(triangles);
@@ -245,6 +252,24 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     return best;
 }
 
+void DomainMesher::cut(const std::vector<int32_t> &cells) {
+    if (cells.empty()) {
+        return;
+    }
+    const std::vector<int32_t> places = cells_.cut(cells);
+    sites_.renumber(places);
+    for (CellState &state : states_) {
+        for (int32_t &corner : state.corners) {
+            corner = corner < 0 ? corner : places[static_cast<size_t>(corner)];
+        }
+    }
+    for (const int32_t cell : cells) {
+        if (static_cast<size_t>(cell) < states_.size()) {
+            states_[static_cast<size_t>(cell)] = {};
+        }
+    }
+}
+
 // Cells over the tolerance are cut, triangles of the strip get a new place.
 bool DomainMesher::improve() {
     std::vector<int32_t> over;
@@ -271,11 +296,13 @@ bool DomainMesher::improve() {
     std::ranges::sort(more);
     more.erase(std::ranges::unique(more).begin(), more.end());
     extra_.insert(extra_.end(), more.begin(), more.end());
-    if (!over.empty()) {
-        sites_.renumber(cells_.cut(over));
-        for (const int32_t cell : over) {
-            states_[static_cast<size_t>(cell)] = {};
+    const auto before = static_cast<int32_t>(cells_.tree().cells().size());
+    cut(over);
+    if (round_ >= 4 && !over.empty()) { // few are left, and every round takes its time: across both axes
+        for (auto cell = before; cell < static_cast<int32_t>(cells_.tree().cells().size()); ++cell) {
+            over.push_back(cell);
         }
+        cut(over);
     }
     return !over.empty() || !more.empty();
 }

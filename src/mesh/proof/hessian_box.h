@@ -10,6 +10,11 @@
 
 namespace nrb::mesh {
 
+// Of a right angle; numbers here have sizes near 1, since everything is in the units of a grid of pieces.
+inline double diagonal(double a, double b) noexcept {
+    return std::sqrt(a * a + b * b);
+}
+
 // A function over a cell: middle + u x + v y, give or take the radius, where x and y go from -1/2 to 1/2.
 struct Range {
     double middle = 0, u = 0, v = 0, radius = 0;

@@ -181,9 +181,9 @@ double Triangle::beside_segment() const noexcept {
     const Vector3 &from = corner(k + 1).point, &to = corner(k + 2).point, &other = corner(k).point;
     const double off = length(cross(other - from, along)) + 8 * eps * longest_;
     const double beside =
-        std::hypot(bend(across, from).both(), bend(up, from).both()) / least_weight_ + 2 * off;
+        diagonal(bend(across, from).both(), bend(up, from).both()) / least_weight_ + 2 * off;
     const double beyond = std::max(bend(along, to).above(), bend(-1 * along, from).above()) / least_weight_;
-    return lengths_[k] > 0 ? std::hypot(beside, beyond + 8 * eps * longest_) * rounding : infinity;
+    return lengths_[k] > 0 ? diagonal(beside, beyond + 8 * eps * longest_) * rounding : infinity;
 }
 
 TriangleBound Triangle::bound() const noexcept {
@@ -204,9 +204,9 @@ TriangleBound Triangle::bound() const noexcept {
         const Vector3 across = cross((1 / lengths_[k]) * sides_[k], normal);
         const Bend bend_out = bend(across, corner(k + 1).point);
         result.out = std::max(result.out, bend_out.above() / least_weight_ + slack);
-        const double beside =
-            runs_along(k) ? std::hypot(heights.on_side(k), bend_out.on_side(k)) / least_weight_ + slack
-                          : equal_parameters();
+        const double beside = runs_along(k)
+                                  ? diagonal(heights.on_side(k), bend_out.on_side(k)) / least_weight_ + slack
+                                  : equal_parameters();
         result.sides[k] = beside * rounding;
         result.beside = std::max(result.beside, result.sides[k]);
     }

@@ -53,7 +53,7 @@ struct TriangleBound {
 
     // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
     [[nodiscard]] double from_shape() const noexcept {
-        return std::min(std::hypot(height, out) * (1 + 4 * eps), whole);
+        return std::min(diagonal(height, out) * (1 + 4 * eps), whole);
     }
     [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
 };
