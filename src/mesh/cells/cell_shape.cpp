@@ -9,6 +9,8 @@ namespace nrb::mesh {
 
 namespace {
 
+// Where a cell needs more parts, it is halved.
+constexpr double most_parts = 4;
 // What slopes count about, in bounds of meshes.
 constexpr double slope_times = 0.5;
 
@@ -97,14 +99,15 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     return at_border ? diagonal(height, out) : height + (out + height) * slope_times * slope(u, v);
 }
 
+// As many parts as it takes, and then half of them.
 Cut best_cut(const CellBend &bend, double chord) noexcept {
-    const double halved_u = bend.in_parts(2, 1), halved_v = bend.in_parts(1, 2);
-    const size_t axis = halved_u <= halved_v ? 0 : 1;
-    if (std::min(halved_u, halved_v) > chord &&
-        (axis == 0 ? bend.in_parts(3, 1) : bend.in_parts(1, 3)) <= chord) {
-        return {axis, 1.0 / 3};
+    const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
+    double u = 1, v = 1;
+    while (u * v < most_parts && !(bend.in_parts(u, v) <= chord)) {
+        (bend.in_parts(u + 1, v) <= bend.in_parts(u, v + 1) ? u : v) += 1;
     }
-    return {axis, 0.5};
+    const double parts = axis == 0 ? u : v;
+    return {axis, u * v < most_parts && parts > 2 ? std::floor(parts / 2) / parts : 0.5};
 }
 
 } // namespace nrb::mesh
