@@ -12,6 +12,8 @@ namespace {
 
 // Rounds in which edges get more vertices for the sake of faces.
 constexpr int most_rounds = 8;
+// More than a million triangles, and some seconds where no end is near.
+constexpr int64_t usual_work_of_meshes = 6000000000;
 // Of the tolerance, for edges: their segments, and what faces make of them.
 constexpr double share_of_edges = 0.8;
 
@@ -175,6 +177,8 @@ bool ModelMesher::divide_edges(std::vector<bool> &old) {
 
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule) {
     check_surface(surface);
+    const UsualLimit limit(usual_work_of_meshes);
+    const LimitedSearch search;
     std::vector<Interval> box;
     const MeshRule own = settled(rule, extent_of(surface.effective(), box));
     Mesh mesh;
@@ -190,6 +194,8 @@ MeshPtr mesh_of(const model::Model &model, const MeshRule &rule) {
     for (const model::ModelFace &face : model.faces) {
         check_surface(*face.face->surface());
     }
+    const UsualLimit limit(usual_work_of_meshes);
+    const LimitedSearch search;
     return std::make_shared<const Mesh>(ModelMesher(model, settled(model, rule)).mesh());
 }
 

@@ -15,7 +15,10 @@ namespace {
 // Cells of at most so many pieces have their nets; larger ones look at the pieces one after the other.
 constexpr int64_t most_nets = 32;
 // Multiply-adds of looking at a net, estimated, for each of its numbers.
-constexpr int64_t work_for_a_number = 12;
+constexpr int64_t work_for_a_number = 24;
+
+// Where weights may pass through 0 surfaces may have no end.
+constexpr int most_divisions = 16;
 
 } // namespace
 
@@ -132,7 +135,8 @@ void CellTree::Builder::look_at(Item item) {
     bend.at_border = at_border(item);
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
     const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
-    if (flat || side == Side::outside || work_ended() || !divide(item, cut_of(found.box, bend))) {
+    const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
+    if (flat || side == Side::outside || hopeless || work_ended() || !divide(item, cut_of(found.box, bend))) {
         tree_.reached_ = tree_.reached_ && (flat || side == Side::outside);
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }

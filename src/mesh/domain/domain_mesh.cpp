@@ -17,7 +17,7 @@ namespace {
 constexpr double share_of_estimate = 0.97;
 constexpr int most_rounds = 16;
 // Multiply-adds of a triangle in a round, estimated.
-constexpr int64_t work_of_triangle = 500;
+constexpr int64_t work_of_triangle = 1500;
 
 // Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
 class DomainMesher {
@@ -280,8 +280,8 @@ bool DomainMesher::improve() {
         if (!is_over(i)) {
             continue;
         }
-        if (triangle.cell >= 0) {
-            if (over.empty() || over.back() != triangle.cell) {
+        if (triangle.cell >= 0) { // without any bound they are as small as is sensible
+            if (distances_[i].from_shape < infinity && (over.empty() || over.back() != triangle.cell)) {
                 over.push_back(triangle.cell);
             }
             continue;

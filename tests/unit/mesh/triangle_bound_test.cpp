@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// What is proven of triangles over random pieces of surfaces, against samples: both ways, and by parts over several pieces.
+#include "mesh/cells/piece_bound.h"
+
+#include "eval/evaluate.h"
+#include "mesh/proof/distance.h"
+#include "support/generators.h"
+#include "unit/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace triangle_bound_test {
+
+using namespace nrb;
+using namespace nrb::mesh;
+
+namespace {
+
+using Param = std::array<double, 2>;
+
+// A net over a square whose points and weights are moved at random.
+SplinePtr surface(support::Random &random, int degree, int spans, bool rational, double height) {
+    const int count = degree + spans;
+    std::vector<double> knots(static_cast<size_t>(degree) + 1, 0.0), points, weights;
+    for (int i = 1; i < spans; ++i) {
+        knots.push_back(i + random.between(-0.3, 0.3));
+    }
+    knots.insert(knots.end(), static_cast<size_t>(degree) + 1, spans);
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j) {
+            points.insert(points.end(), {i + random.between(-0.3, 0.3), j + random.between(-0.3, 0.3),
+                                         random.between(-height, height)});
+            weights.push_back(random.between(0.6, 1.8));
+        }
+    }
+    const KnotVectorPtr axis = make_knot_vector(degree, knots);
+    return make_spline({axis, axis}, 3, rational ? Form::rational : Form::polynomial, std::move(points),
+                       rational ? std::move(weights) : std::vector<double>{});
+}
+
+class Measured {
+public:
+    explicit Measured(SplinePtr surface)
+        : surface_(std::move(surface)), grid_(pieces::piece_grid_of(*surface_)), nets_(grid_) {}
+
+    // In the units of the grid.
+    [[nodiscard]] Vector3 point(Param x) const {
+        for (size_t k = 0; k < 2; ++k) {
+            const Interval domain = surface_->axis(static_cast<int>(k)).domain();
+            x[k] = std::clamp(x[k], domain.lower, domain.upper);
+        }
+        std::array<double, 3> at{};
+        std::array<double, 4> placed{};
+        eval::evaluate_points(*surface_, {}, 0, {x.data(), 1, 2, 2, 1}, {at.data(), 1, 3, 3, 1});
+        grid_.place(at.data(), placed.data());
+        return {placed[0], placed[1], placed[2]};
+    }
+    [[nodiscard]] std::array<TriangleCorner, 3> corners(const std::array<Param, 3> &params) const {
+        return {
+            {{params[0], point(params[0])}, {params[1], point(params[1])}, {params[2], point(params[2])}}};
+    }
+    // Of a triangle in one piece.
+    TriangleBound bound(const std::array<Param, 3> &params) {
+        Rectangle part{params[0], params[0]};
+        for (const Param &x : params) {
+            for (size_t k = 0; k < 2; ++k) {
+                part.lower[k] = std::min(part.lower[k], x[k]);
+                part.upper[k] = std::max(part.upper[k], x[k]);
+            }
+        }
+        const HessianBox box = nets_.box(part, nets_.pieces_in(part));
+        const CellPart here{&box, part};
+        return triangle_bound(corners(params), {&here, 1});
+    }
+    // By parts.
+    TriangleBound bound_by_pieces(const std::array<Param, 3> &params) {
+        const Interval u = surface_->axis(0).domain(), v = surface_->axis(1).domain();
+        const Rectangle all{{u.lower, v.lower}, {u.upper, v.upper}};
+        return PieceBound(*surface_, nets_).bound(corners(params), nets_.pieces_in(all), all);
+    }
+    // The largest distance of samples of the surface over a triangle of the domain from that in space, and of samples of this from
+    // those of the surface, which are no farther than `step` from any of its points.
+    struct Distances {
+        double from_shape = 0, from_mesh = 0, step = 0;
+    };
+    [[nodiscard]] Distances sampled(const std::array<Param, 3> &params, int n) const {
+        const auto whole = corners(params);
+        const std::array<Vector3, 3> triangle{whole[0].point, whole[1].point, whole[2].point};
+        std::vector<Vector3> samples, flat;
+        for (int i = 0; i <= n; ++i) {
+            for (int j = 0; i + j <= n; ++j) {
+                const double a = static_cast<double>(i) / n, b = static_cast<double>(j) / n, c = 1 - a - b;
+                const Param x{a * params[0][0] + b * params[1][0] + c * params[2][0],
+                              a * params[0][1] + b * params[1][1] + c * params[2][1]};
+                samples.push_back(point(x));
+                flat.push_back(a * triangle[0] + b * triangle[1] + c * triangle[2]);
+            }
+        }
+        Distances result;
+        for (const Vector3 &x : samples) {
+            result.from_shape = std::max(result.from_shape, distance_from_triangle(x, triangle));
+        }
+        for (const Vector3 &p : flat) {
+            double nearest = infinity;
+            for (const Vector3 &x : samples) {
+                nearest = std::min(nearest, length(x - p));
+            }
+            result.from_mesh = std::max(result.from_mesh, nearest);
+        }
+        for (size_t k = 0; k < 3; ++k) {
+            result.step = std::max(result.step, 2 * length(triangle[(k + 1) % 3] - triangle[k]) / n);
+        }
+        return result;
+    }
+
+private:
+    SplinePtr surface_;
+    const pieces::PieceGrid &grid_;
+    CellNets nets_;
+};
+
+std::array<Param, 3> random_triangle(support::Random &random, const Param &low, const Param &high,
+                                     double size) {
+    Param centre{};
+    for (size_t k = 0; k < 2; ++k) {
+        centre[k] = random.between(low[k] + 0.1, high[k] - 0.1);
+    }
+    std::array<Param, 3> result;
+    for (Param &x : result) {
+        for (size_t k = 0; k < 2; ++k) {
+            x[k] = std::clamp(centre[k] + random.between(-size, size), low[k], high[k]);
+        }
+    }
+    if (std::max({result[0][0], result[1][0], result[2][0]}) ==
+        std::min({result[0][0], result[1][0], result[2][0]})) {
+        result[0][0] = centre[0]; // no width
+    }
+    if (std::max({result[0][1], result[1][1], result[2][1]}) ==
+        std::min({result[0][1], result[1][1], result[2][1]})) {
+        result[0][1] = centre[1];
+    }
+    return result;
+}
+
+} // namespace
+
+TEST(TriangleBound, holds_for_samples) {
+    support::Random random(20261129);
+    for (int i = 0; i < 400; ++i) {
+        Measured measured(surface(random, random.whole(1, 5), 1, random.chance(60), random.between(0, 1)));
+        const auto params = random_triangle(random, {0, 0}, {1, 1}, random.magnitude(0.01, 0.5));
+        const TriangleBound bound = measured.bound(params);
+        const auto sampled = measured.sampled(params, 16);
+        EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
+        EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
+    }
+}
+
+// Small triangles of a smooth surface are told from it by little more than they are: else meshes have too many triangles.
+TEST(TriangleBound, is_sharp_for_small_triangles) {
+    support::Random random(7);
+    double told = 0, found = 0;
+    for (int i = 0; i < 200; ++i) {
+        Measured measured(surface(random, 3, 1, false, 1));
+        const double u = random.between(0.1, 0.8), v = random.between(0.1, 0.8), h = 0.05;
+        const std::array<Param, 3> params{{{u, v}, {u + h, v}, {u, v + h}}};
+        told += measured.bound(params).from_shape();
+        found += measured.sampled(params, 24).from_shape;
+    }
+    EXPECT_LE(told, 1.25 * found);
+}
+
+TEST(TriangleBound, of_a_plane_is_rounding) {
+    support::Random random(3);
+    Measured measured(surface(random, 1, 1, false, 0));
+    const double bound = measured.bound({{{0.1, 0.2}, {0.7, 0.3}, {0.4, 0.9}}}).height;
+    EXPECT_LE(bound, 1e-13);
+}
+
+TEST(TriangleBound, by_parts_holds_for_samples) {
+    support::Random random(11);
+    for (int i = 0; i < 100; ++i) {
+        const int spans = random.whole(2, 6);
+        Measured measured(
+            surface(random, random.whole(2, 4), spans, random.chance(50), random.between(0, 1)));
+        const double end = spans;
+        const auto params = random_triangle(random, {0, 0}, {end, end}, random.magnitude(0.1, 2));
+        const TriangleBound bound = measured.bound_by_pieces(params);
+        const auto sampled = measured.sampled(params, 20);
+        EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
+        EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
+    }
+}
+
+// What is cut makes up the whole, and sides stay those of the triangle.
+TEST(CutTriangle, parts_make_up_the_triangle) {
+    support::Random random(5);
+    for (int i = 0; i < 1000; ++i) {
+        const auto params = random_triangle(random, {0, 0}, {4, 4}, 3);
+        const auto area = [](const std::vector<Param> &places) {
+            double sum = 0;
+            for (size_t k = 1; k + 1 < places.size(); ++k) {
+                sum += (places[k][0] - places[0][0]) * (places[k + 1][1] - places[0][1]) -
+                       (places[k][1] - places[0][1]) * (places[k + 1][0] - places[0][0]);
+            }
+            return sum;
+        };
+        double sum = 0;
+        for (int u = 0; u < 4; ++u) {
+            for (int v = 0; v < 4; ++v) {
+                const double a = u, b = v;
+                sum += area(cut_triangle(params, {{a, b}, {a + 1, b + 1}}).places);
+            }
+        }
+        EXPECT_NEAR(sum, area({params.begin(), params.end()}), 1e-12);
+    }
+}
+
+} // namespace triangle_bound_test
