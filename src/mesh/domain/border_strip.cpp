@@ -191,24 +191,27 @@ std::vector<int32_t> BorderStrip::crossed() const {
     return result;
 }
 
-// By its fattest triangle: those along the border are as thin as what is between curves and segments.
-bool BorderStrip::is_kept(const Strip::Component &component) const {
-    double best = -1;
+// Triangles along the border may be as thin as what is between curves and segments, and so may a whole component be.
+BorderStrip::Vote BorderStrip::vote_of(const Strip::Component &component) const {
+    Vote vote;
     std::array<double, 2> middle{};
-    for (const StripTriangle &triangle : component) {
+    for (const StripTriangle &triangle : component.triangles) {
         const auto &a = points_[static_cast<size_t>(triangle.corners[0])],
                    &b = points_[static_cast<size_t>(triangle.corners[1])],
                    &c = points_[static_cast<size_t>(triangle.corners[2])];
         const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        if (area > best) {
-            best = area;
+        if (area > vote.inside) {
+            vote.inside = area;
             middle = {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
         }
     }
-    bool in_cell = false;
-    cells_.tree().for_each_in({middle, middle},
-                              [&](const Cell &cell) { in_cell = in_cell || cell.side == Side::inside; });
-    return !in_cell && domain_.inside({middle[0], middle[1]});
+    cells_.tree().for_each_in({middle, middle}, [&](const Cell &cell) {
+        vote.in_cell = vote.in_cell || cell.side == Side::inside;
+    });
+    if (!vote.in_cell && !domain_.inside({middle[0], middle[1]})) {
+        vote.inside = -vote.inside;
+    }
+    return vote;
 }
 
 int32_t BorderStrip::site_of(int32_t point, int32_t block, Sites &sites) const {
@@ -222,11 +225,18 @@ int32_t BorderStrip::site_of(int32_t point, int32_t block, Sites &sites) const {
 
 std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
     std::vector<Piece> result;
-    for (const Strip::Component &component : strip_->components()) {
-        if (!is_kept(component)) {
+    const auto &components = strip_->components();
+    std::vector<Vote> votes;
+    std::vector<double> sums(components.size(), 0.0); // of groups
+    for (const Strip::Component &component : components) {
+        votes.push_back(vote_of(component));
+        sums[static_cast<size_t>(component.group)] += component.side * votes.back().inside;
+    }
+    for (size_t i = 0; i < components.size(); ++i) {
+        if (votes[i].in_cell || !(components[i].side * sums[static_cast<size_t>(components[i].group)] > 0)) {
             continue;
         }
-        for (const StripTriangle &triangle : component) {
+        for (const StripTriangle &triangle : components[i].triangles) {
             std::array<double, 2> middle{};
             for (const int32_t corner : triangle.corners) {
                 for (size_t k = 0; k < 2; ++k) {

@@ -39,7 +39,11 @@ private:
     void add_line_walls(size_t k, double t, bool passable);
     [[nodiscard]] int32_t point_at(int32_t place) const;
     void make_strip();
-    [[nodiscard]] bool is_kept(const Strip::Component &component) const;
+    struct Vote {
+        bool in_cell = false;
+        double inside = 0; // the area of the fattest triangle, if its middle is inside, else the negative
+    };
+    [[nodiscard]] Vote vote_of(const Strip::Component &component) const;
     [[nodiscard]] int32_t site_of(int32_t point, int32_t block, Sites &sites) const;
 
     const MeshDomain &domain_;

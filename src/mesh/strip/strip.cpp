@@ -50,7 +50,7 @@ void Strip::add_walls(const std::vector<Wall> &walls) {
         const VertexId from = triangulation_.vertex_of(static_cast<size_t>(walls[i].from)),
                        to = triangulation_.vertex_of(static_cast<size_t>(walls[i].to));
         if (from != to) {
-            segments.push_back({from, to, static_cast<int32_t>(i), false});
+            segments.push_back({from, to, static_cast<int32_t>(i), walls[i].border >= 0});
             numbers.push_back(static_cast<int32_t>(i));
         }
     }
@@ -60,41 +60,81 @@ void Strip::add_walls(const std::vector<Wall> &walls) {
 }
 
 void Strip::set_components(const std::vector<Wall> &walls) {
-    std::vector<bool> seen(static_cast<size_t>(triangulation_.size()), false);
+    component_of_.assign(static_cast<size_t>(triangulation_.size()), -1);
+    for (TriangleId start = 0; start < triangulation_.size(); ++start) {
+        if (component_of_[static_cast<size_t>(start)] < 0 && !triangulation_.ghost(start)) {
+            fill_component(start, walls);
+        }
+    }
+    set_sides();
+}
+
+void Strip::fill_component(TriangleId start, const std::vector<Wall> &walls) {
+    const auto number = static_cast<int32_t>(components_.size());
+    components_.emplace_back();
     std::vector<TriangleId> waiting;
     const auto visit = [&](TriangleId t) {
-        if (!seen[static_cast<size_t>(t)] && !triangulation_.ghost(t)) {
-            seen[static_cast<size_t>(t)] = true;
+        int32_t &own = component_of_[static_cast<size_t>(t)];
+        if (own < 0 && !triangulation_.ghost(t)) {
+            own = number;
             waiting.push_back(t);
         }
     };
-    for (TriangleId start = 0; start < triangulation_.size(); ++start) {
-        visit(start);
-        if (waiting.empty()) {
+    visit(start);
+    while (!waiting.empty()) {
+        const TriangleId t = waiting.back();
+        waiting.pop_back();
+        const auto corners = triangulation_.corners(t);
+        StripTriangle triangle{};
+        for (int k = 0; k < 3; ++k) {
+            const auto at = static_cast<size_t>(k);
+            const TriangleId next = triangulation_.neighbour(t, k);
+            triangle.corners[at] = first_[static_cast<size_t>(corners[at])];
+            triangle.fixed[at] = triangulation_.constrained(t, k);
+            triangle.border[at] = -1;
+            if (!triangle.fixed[at]) {
+                visit(next);
+                continue;
+            }
+            const Wall &wall = walls[static_cast<size_t>(triangulation_.label(t, k))];
+            triangle.border[at] = wall.border;
+            if (wall.passable) {
+                visit(next);
+            } else if (const int32_t other = component_of_[static_cast<size_t>(next)];
+                       other >= 0 && other != number) {
+                passages_.push_back({number, other, triangulation_.border(t, k)});
+            }
+        }
+        components_.back().triangles.push_back(triangle);
+    }
+}
+
+// Passages are known from the later component to the earlier one.
+void Strip::set_sides() {
+    std::vector<std::vector<std::pair<int32_t, bool>>> beside(components_.size());
+    for (const Passage &passage : passages_) {
+        beside[static_cast<size_t>(passage.from)].emplace_back(passage.to, passage.over_border);
+        beside[static_cast<size_t>(passage.to)].emplace_back(passage.from, passage.over_border);
+    }
+    std::vector<int32_t> waiting;
+    for (int32_t start = 0; start < static_cast<int32_t>(components_.size()); ++start) {
+        if (components_[static_cast<size_t>(start)].group >= 0) {
             continue;
         }
-        components_.emplace_back();
+        components_[static_cast<size_t>(start)].group = start;
+        waiting.push_back(start);
         while (!waiting.empty()) {
-            const TriangleId t = waiting.back();
+            const int32_t from = waiting.back();
             waiting.pop_back();
-            const auto corners = triangulation_.corners(t);
-            StripTriangle triangle{};
-            for (int k = 0; k < 3; ++k) {
-                const auto at = static_cast<size_t>(k);
-                triangle.corners[at] = first_[static_cast<size_t>(corners[at])];
-                triangle.fixed[at] = triangulation_.constrained(t, k);
-                triangle.border[at] = -1;
-                if (!triangle.fixed[at]) {
-                    visit(triangulation_.neighbour(t, k));
-                    continue;
-                }
-                const Wall &wall = walls[static_cast<size_t>(triangulation_.label(t, k))];
-                triangle.border[at] = wall.border;
-                if (wall.passable) {
-                    visit(triangulation_.neighbour(t, k));
+            for (const auto &[to, over_border] : beside[static_cast<size_t>(from)]) {
+                Component &next = components_[static_cast<size_t>(to)];
+                if (next.group < 0) {
+                    next.group = start;
+                    next.side = over_border ? -components_[static_cast<size_t>(from)].side
+                                            : components_[static_cast<size_t>(from)].side;
+                    waiting.push_back(to);
                 }
             }
-            components_.back().push_back(triangle);
         }
     }
 }

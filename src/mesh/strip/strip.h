@@ -30,8 +30,13 @@ public:
     Strip(const Rectangle &part, const std::array<double, 2> &lengths,
           const std::vector<std::array<double, 2>> &points, const std::vector<Wall> &walls);
 
-    // Triangles that hang together without a wall between them.
-    using Component = std::vector<StripTriangle>;
+    // Triangles that hang together without a wall between them. Of a group the sides are known but for which is which: on the way from one
+    // component to another each segment of a border leads to the other side.
+    struct Component {
+        std::vector<StripTriangle> triangles;
+        int32_t group = -1;
+        int32_t side = 1; // 1 or -1
+    };
     [[nodiscard]] const std::vector<Component> &components() const noexcept { return components_; }
     // The one that stands for a point.
     [[nodiscard]] int32_t first(int32_t point) const noexcept {
@@ -43,11 +48,19 @@ public:
 private:
     void add_walls(const std::vector<Wall> &walls);
     void set_components(const std::vector<Wall> &walls);
+    void fill_component(TriangleId start, const std::vector<Wall> &walls);
+    void set_sides();
 
     Triangulation triangulation_;
     std::vector<int32_t> first_; // points of the vertices
     std::vector<std::array<int32_t, 2>> crossings_;
     std::vector<Component> components_;
+    std::vector<int32_t> component_of_; // triangles, -1: none yet
+    struct Passage {
+        int32_t from, to;
+        bool over_border;
+    };
+    std::vector<Passage> passages_;
 };
 
 } // namespace nrb::mesh
