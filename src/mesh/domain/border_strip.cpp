@@ -72,21 +72,23 @@ bool BorderStrip::is_wanted(int32_t place) const {
     return !index_.any_in(near) && (cells_.is_at_end(place) || domain_.inside({param[0], param[1]}));
 }
 
-// Corners of cells that the border cuts, and what cells inside share with these. Both sides of a seam have the same places.
+// Corners of cells that the border cuts, and what cells inside share with these. Both sides of a seam or a kink have the same places.
 void BorderStrip::add_places() {
     const PlaceTable &table = cells_.table();
     std::vector<bool> kept(needed_.size(), false), dropped(needed_.size(), false);
     for (int32_t place = 0; place < table.count(); ++place) {
         const auto at = static_cast<size_t>(place), point = static_cast<size_t>(table.point_of(place));
-        if (touched_[at]) {
-            kept[point] = kept[point] || needed_[at];
-            dropped[point] = dropped[point] || (!needed_[at] && !is_wanted(place));
-        }
+        kept[point] = kept[point] || needed_[at];
+        dropped[point] = dropped[point] || (touched_[at] && !needed_[at] && !is_wanted(place));
     }
+    shared_.assign(needed_.size(), false);
     for (int32_t place = 0; place < table.count(); ++place) {
         const auto point = static_cast<size_t>(table.point_of(place));
-        if (touched_[static_cast<size_t>(place)] && (kept[point] || !dropped[point])) {
-            add_point(cells_.param(place), place);
+        if (touched_[static_cast<size_t>(place)]) {
+            shared_[point] = true;
+            if (kept[point] || !dropped[point]) {
+                add_point(cells_.param(place), place);
+            }
         }
     }
 }
@@ -109,6 +111,10 @@ void BorderStrip::add_walls() {
     }
 }
 
+bool BorderStrip::is_shared(int32_t place) const {
+    return shared_[static_cast<size_t>(cells_.table().point_of(place))];
+}
+
 int32_t BorderStrip::point_at(int32_t place) const {
     const auto found = of_param_.find(cells_.param(place));
     return found == of_param_.end() ? -1 : found->second;
@@ -127,7 +133,7 @@ void BorderStrip::add_staircase() {
         cells_.table().border(cell, border);
         for (size_t i = 0; i < border.size(); ++i) {
             const int32_t a = border[i], b = border[(i + 1) % border.size()];
-            if (!touched_[static_cast<size_t>(a)] || !touched_[static_cast<size_t>(b)]) {
+            if (!is_shared(a) || !is_shared(b)) {
                 continue;
             }
             if (cell.side == Side::border) {

@@ -38,6 +38,7 @@ private:
     void add_staircase();
     void add_line_walls(size_t k, double t, bool passable);
     [[nodiscard]] int32_t point_at(int32_t place) const;
+    [[nodiscard]] bool is_shared(int32_t place) const;
     void make_strip();
     struct Vote {
         bool in_cell = false;
@@ -55,6 +56,7 @@ private:
     std::vector<Wall> walls_;
     std::vector<bool> needed_;                 // places that cells inside have
     std::vector<bool> touched_;                // places that cells at the border have
+    std::vector<bool> shared_;                 // points in space of these
     std::vector<std::array<double, 2>> sides_; // the least of these cells
     std::unique_ptr<const Strip> strip_;
 };
