@@ -110,7 +110,7 @@ public:
         std::vector<bool> old(parts_.size(), true);
         for (int round = 0; round < most_rounds; ++round) {
             const Phase phase;
-            if (!mesh_faces(old) || !divide_edges(old)) {
+            if (!mesh_faces(old, round + 1 == most_rounds) || !divide_edges(old)) {
                 break;
             }
         }
@@ -125,7 +125,7 @@ public:
 
 private:
     // Those whose edges changed.
-    bool mesh_faces(const std::vector<bool> &old);
+    bool mesh_faces(const std::vector<bool> &old, bool last);
     // Where faces need it. Returns whether there is something new; then `old` tells for whom.
     bool divide_edges(std::vector<bool> &old);
 
@@ -136,7 +136,7 @@ private:
     std::vector<std::pair<int64_t, double>> weak_; // polylines, and where they are to be divided
 };
 
-bool ModelMesher::mesh_faces(const std::vector<bool> &old) {
+bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
     weak_.clear();
     Steps steps(std::ssize(parts_));
     for (size_t i = 0; i < parts_.size(); ++i, steps.next()) {
@@ -147,13 +147,15 @@ bool ModelMesher::mesh_faces(const std::vector<bool> &old) {
         MeshDomain domain = domain_of(*face.surface(), face.covering());
         domain.border = border_of(model_, static_cast<int64_t>(i), edges_);
         domain.points = &edges_.points();
+        domain.border_grows = !last;
         domain.inside = [&face](const face::Point2 &x) { return face.trims().side(x) > 0; };
         domain.cut = [&face](const Rectangle &part) { return face.trims().cuts(part.lower, part.upper); };
         parts_[i] = mesh_of(domain, rule_);
-        for (const int32_t segment : parts_[i].weak) {
+        for (const auto &[segment, count] : parts_[i].weak) {
             const BorderSegment &weak = domain.border.segments[static_cast<size_t>(segment)];
-            if (weak.line >= 0) {
-                weak_.emplace_back(weak.line, weak.middle);
+            for (int part = 1; part < count && weak.line >= 0; ++part) {
+                const double share = static_cast<double>(part) / count;
+                weak_.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
             }
         }
     }

@@ -97,8 +97,9 @@ private:
     FaceBorder result_;
     int32_t first_ = -1, last_ = -1; // points of the loop
     int64_t line_ = -1, last_line_ = -1;
-    double last_edge_param_ = 0, middle_ = nan_value; // of edges
-    std::vector<PolygonPart> hull_;                   // of the curve since the last point
+    double last_edge_param_ = 0; // of an edge
+    std::array<double, 2> span_{nan_value, nan_value};
+    std::vector<PolygonPart> hull_; // of the curve since the last point
 };
 
 // Whether the way from one place to another leads over a seam, or along a pole.
@@ -146,6 +147,10 @@ void BorderWalk::add_behind(const face::TrimPiece &piece) {
         const double share = turned ? (vertices.back().param - vertex.param) / length
                                     : (vertex.param - vertices.front().param) / length;
         hull_.clear();
+        if (vertex.place) {
+            arrive(*vertex.place, vertex);
+            continue;
+        }
         arrive({piece.start[0] * (1 - share) + piece.end[0] * share,
                 piece.start[1] * (1 - share) + piece.end[1] * share},
                vertex);
@@ -197,7 +202,7 @@ void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
     }
     if (last_ >= 0 && last_ != first_ && is_at(first_, x, point)) { // closed
         const bool same = line_ == last_line_ && vertex.edge_param != last_edge_param_;
-        middle_ = same ? vertex.edge_param / 2 + last_edge_param_ / 2 : nan_value;
+        span_ = {same ? last_edge_param_ : nan_value, vertex.edge_param};
         connect(last_, first_);
         last_ = first_;
         last_line_ = line_;
@@ -209,7 +214,7 @@ void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
     const auto number = static_cast<int32_t>(result_.points.size() - 1);
     if (last_ >= 0) {
         const bool same = line_ == last_line_ && vertex.edge_param != last_edge_param_;
-        middle_ = same ? vertex.edge_param / 2 + last_edge_param_ / 2 : nan_value;
+        span_ = {same ? last_edge_param_ : nan_value, vertex.edge_param};
         connect(last_, number);
     } else {
         first_ = number;
@@ -263,9 +268,9 @@ void BorderWalk::add_segment(int32_t from, int32_t to) {
     const Point2 &a = result_.points[static_cast<size_t>(from)].param,
                  &b = result_.points[static_cast<size_t>(to)].param;
     BorderSegment segment{from, to};
-    if (!std::isnan(middle_)) {
+    if (!std::isnan(span_[0])) {
         segment.line = line_;
-        segment.middle = middle_;
+        segment.params = span_;
     }
     const Point2 period{face_.covering().period(0), face_.covering().period(1)};
     const double du = (b[0] - a[0]) / period[0], dv = (b[1] - a[1]) / period[1], squared = du * du + dv * dv;
@@ -299,7 +304,7 @@ void BorderWalk::add_segment(int32_t from, int32_t to) {
 }
 
 void BorderWalk::close() {
-    middle_ = nan_value;
+    span_ = {nan_value, nan_value};
     if (last_ >= 0 && last_ != first_) {
         connect(last_, first_);
     }

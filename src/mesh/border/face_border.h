@@ -16,9 +16,9 @@ struct BorderSegment {
     // No place between it and its curve is farther from it than by such a step, to one side or the other; if not `across`, along each axis.
     face::Point2 over{};
     bool across = true;
-    // The polyline that it is of, and where it is best divided; -1: none.
+    // The polyline that it is of, -1: none, and the parameters of its ends on the edge.
     int64_t line = -1;
-    double middle = 0;
+    std::array<double, 2> params{};
 };
 
 struct FaceBorder {

@@ -150,8 +150,25 @@ void ModelEdges::add_fixed(int64_t number) {
         for (last = first; last < all.size() && all[last].loop == all[first].loop; ++last) {
         }
         for (const LinePassage &passage : passages_of(face, std::span(all).subspan(first, last - first))) {
-            fix(border.place_of(*passage.piece, passage.place), passage.at);
+            if (passage.piece->range.lower == passage.piece->range.upper) {
+                fix_behind(border.place_of(*passage.piece, 0), border.is_turned(*passage.piece), passage);
+            } else {
+                fix(border.place_of(*passage.piece, passage.place), passage.at);
+            }
         }
+    }
+}
+
+// On the segment behind a curve, if it is one that is far from the next.
+void ModelEdges::fix_behind(const face::BorderPlace &place, bool turned, const LinePassage &passage) {
+    const auto count = static_cast<int32_t>(
+        model_.faces[static_cast<size_t>(face_)].face->loops()[static_cast<size_t>(place.loop)].size());
+    const int32_t before = turned ? (place.index + count - 1) % count : place.index;
+    const auto found = gaps_.find(borders_.number(face_, place.loop, before));
+    if (found != gaps_.end()) {
+        Use &use = uses_[found->second];
+        const double param = turned ? 1 - passage.place : passage.place;
+        use.fixed.push_back({param, use.pairing->on_edge(param), passage.at});
     }
 }
 

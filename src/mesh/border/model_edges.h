@@ -4,6 +4,7 @@
 
 #include "face/border_pieces.h"
 #include "mesh/border/curve_pairing.h"
+#include "mesh/border/snap_lines.h"
 #include "mesh/polyline/polyline.h"
 #include "model/model.h"
 #include "model/sections/shared_borders.h"
@@ -79,6 +80,7 @@ private:
     [[nodiscard]] const face::Coedge &coedge_of(const Use &use) const noexcept;
     void set_curves();
     void add_fixed(int64_t face);
+    void fix_behind(const face::BorderPlace &place, bool turned, const LinePassage &passage);
     void fix(const face::BorderPlace &place, const face::Point2 &x);
     void make_line(size_t line, const PolylineRule &rule);
     [[nodiscard]] std::vector<double> fixed_params(size_t line) const;

@@ -7,6 +7,8 @@
 #include "mesh/proof/mesh_bound.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 
 namespace nrb::mesh {
@@ -33,7 +35,7 @@ public:
             make_strip();
             sites_.evaluate();
             prove();
-            if (round_ == most_rounds || work_ended() || !improve()) {
+            if (round_ == most_rounds || work_ended() || !improve() || (domain_.border_grows && is_weak())) {
                 return output();
             }
         }
@@ -70,8 +72,11 @@ private:
         return far || (rule_.longest > 0 && !(longest_side(triangles_[triangle]) <= rule_.longest));
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] int parts_for(double distance) const noexcept;
+    [[nodiscard]] bool is_weak() const;
     void cut(const std::vector<int32_t> &cells);
     [[nodiscard]] bool improve();
+    [[nodiscard]] bool is_whole() const;
     [[nodiscard]] DomainMesh output();
 
     const MeshDomain &domain_;
@@ -87,7 +92,8 @@ private:
     std::vector<SiteTriangle> triangles_; // those of cells first
     std::vector<ProvenTriangle> proven_;
     std::vector<Distances> distances_;
-    std::vector<int32_t> crossed_, weak_; // segments of the border
+    std::vector<int32_t> crossed_; // segments of the border
+    std::map<int32_t, int> weak_;  // these, and into how many parts they are to be divided
 };
 
 CellRule DomainMesher::cell_rule() const {
@@ -252,6 +258,22 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     return best;
 }
 
+// What is beside a segment shrinks with the square of its length.
+int DomainMesher::parts_for(double distance) const noexcept {
+    constexpr double most = 8;
+    const double parts = std::ceil(std::sqrt(distance / rule_.chord));
+    return parts >= 2 && parts <= most ? static_cast<int>(parts) : 2;
+}
+
+// Whether there are segments that can be divided.
+bool DomainMesher::is_weak() const {
+    const auto divides = [&](int32_t segment) {
+        return domain_.border.segments[static_cast<size_t>(segment)].line >= 0;
+    };
+    return std::ranges::any_of(weak_, [&](const auto &weak) { return divides(weak.first); }) ||
+           std::ranges::any_of(crossed_, divides);
+}
+
 void DomainMesher::cut(const std::vector<int32_t> &cells) {
     if (cells.empty()) {
         return;
@@ -288,7 +310,8 @@ bool DomainMesher::improve() {
         }
         const Split split = split_of(triangle);
         if (split.border >= 0) {
-            weak_.push_back(split.border);
+            int &parts = weak_.try_emplace(split.border, 2).first->second;
+            parts = std::max(parts, parts_for(distances_[i].most()));
         } else if (split.size > rule_.chord / 4) {
             more.push_back(split.place);
         }
@@ -305,6 +328,31 @@ bool DomainMesher::improve() {
         cut(over);
     }
     return !over.empty() || !more.empty();
+}
+
+// Whether each side of a triangle is one of two triangles, or at the border.
+bool DomainMesher::is_whole() const {
+    if (!domain_.inside) {
+        return true;
+    }
+    std::vector<std::array<int32_t, 2>> sides;
+    for (const SiteTriangle &triangle : triangles_) {
+        const auto p = points_of(triangle);
+        for (size_t k = 0; k < 3; ++k) {
+            const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
+            const Site &from = sites_[triangle.sites[(k + 1) % 3]], &to = sites_[triangle.sites[(k + 2) % 3]];
+            if (a != b && triangle.border[k] < 0 && !(is_border(from) && is_border(to))) {
+                sides.push_back({std::min(a, b), std::max(a, b)});
+            }
+        }
+    }
+    std::ranges::sort(sides);
+    for (size_t i = 0; i < sides.size(); i += 2) {
+        if (i + 1 == sides.size() || sides[i] != sides[i + 1]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Without sites and points that no triangle has.
@@ -342,11 +390,11 @@ DomainMesh DomainMesher::output() {
     for (size_t i = 0; i < triangles_.size() && !over; ++i) {
         over = is_over(i);
     }
-    result.reached = crossed_.empty() && !result.triangles.empty() && !over;
-    result.weak = std::move(weak_);
-    result.weak.insert(result.weak.end(), crossed_.begin(), crossed_.end());
-    std::ranges::sort(result.weak);
-    result.weak.erase(std::ranges::unique(result.weak).begin(), result.weak.end());
+    result.reached = crossed_.empty() && !result.triangles.empty() && !over && is_whole();
+    for (const int32_t segment : crossed_) {
+        weak_.try_emplace(segment, 2);
+    }
+    result.weak.assign(weak_.begin(), weak_.end());
     return result;
 }
 

@@ -21,6 +21,8 @@ struct MeshDomain {
     // Whether a place is inside, and whether curves of the border come into a rectangle; empty: all of the domain is.
     std::function<bool(const face::Point2 &)> inside{};
     std::function<bool(const Rectangle &)> cut{};
+    // Weak segments of the border are going to be divided; without that, a mesh is not worth being finished.
+    bool border_grows = false;
 };
 
 // Points of vertices are those of the border, or own ones: -1 - i.
@@ -30,8 +32,9 @@ struct DomainMesh {
     std::vector<std::array<int32_t, 3>> triangles;
     double from_shape = 0, from_mesh = 0;
     bool reached = false;
-    std::vector<int32_t>
-        weak{}; // segments of the border at which triangles are too far off, or that cross others
+    // Segments of the border at which triangles are too far off, or that cross others, and into how many parts they
+    // are best divided.
+    std::vector<std::pair<int32_t, int>> weak{};
 };
 
 DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule);
