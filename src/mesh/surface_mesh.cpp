@@ -11,7 +11,7 @@ namespace nrb::mesh {
 namespace {
 
 // Rounds in which edges get more vertices for the sake of faces.
-constexpr int most_rounds = 8;
+constexpr int most_rounds = 12;
 // More than a million triangles, and some seconds where no end is near.
 constexpr int64_t usual_work_of_meshes = 6000000000;
 // Of the tolerance, for edges: their segments, and what faces make of them.

@@ -69,6 +69,9 @@ bool BorderStrip::is_wanted(int32_t place) const {
         near.lower[k] -= near_border * sides[k];
         near.upper[k] += near_border * sides[k];
     }
+    if (cells_.is_crossing(place)) { // two kinks: without it one of the lines would have no wall
+        return domain_.inside({param[0], param[1]});
+    }
     return !index_.any_in(near) && (cells_.is_at_end(place) || domain_.inside({param[0], param[1]}));
 }
 

@@ -57,6 +57,15 @@ bool CellGrid::is_at_end(int32_t place) const noexcept {
            lines[1] + 1 == std::ssize(tree_.lines(1));
 }
 
+bool CellGrid::is_crossing(int32_t place) const noexcept {
+    const std::array<double, 2> x = param(place);
+    bool result = !is_at_end(place);
+    for (size_t k = 0; k < 2; ++k) {
+        result = result && std::ranges::binary_search(tree_.block_ends(k), x[k]);
+    }
+    return result;
+}
+
 namespace {
 
 // Of lines that are among others, both rising: their numbers there.

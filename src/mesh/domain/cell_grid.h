@@ -28,6 +28,8 @@ public:
     // A place of an end of the domain that is a single point, if such an end holds these parameters; -1: none.
     [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param) const;
     [[nodiscard]] bool is_at_end(int32_t place) const noexcept;
+    // Whether it is inside of the domain on two lines at which the surface may have kinks.
+    [[nodiscard]] bool is_crossing(int32_t place) const noexcept;
 
     // Divides cells. Returns the new numbers of places.
     std::vector<int32_t> cut(const std::vector<int32_t> &cells);

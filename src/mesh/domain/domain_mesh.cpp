@@ -262,7 +262,7 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
 int DomainMesher::parts_for(double distance) const noexcept {
     constexpr double most = 8;
     const double parts = std::ceil(std::sqrt(distance / rule_.chord));
-    return parts >= 2 && parts <= most ? static_cast<int>(parts) : 2;
+    return static_cast<int>(parts >= 2 ? std::min(parts, most) : 2);
 }
 
 // Whether there are segments that can be divided.
