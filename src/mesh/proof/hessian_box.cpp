@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/proof/hessian_box.h"
 
-#include "base/limits.h"
+#include "base/scratch.h"
 
 #include <algorithm>
 
@@ -16,14 +16,16 @@ using Ranges = std::array<Range, width>;
 // Bernstein coefficients [u][v] of a derivative.
 class Net {
 public:
+    explicit Net(double *rows) noexcept : rows_(rows) {}
     void resize(int u_count, int v_count) noexcept {
         u_ = u_count;
         v_ = v_count;
     }
     [[nodiscard]] bool empty() const noexcept { return u_ <= 0 || v_ <= 0; }
-    [[nodiscard]] Row &at(int i, int j) noexcept { return rows_[static_cast<size_t>(i * v_ + j)]; }
-    [[nodiscard]] const Row &at(int i, int j) const noexcept {
-        return rows_[static_cast<size_t>(i * v_ + j)];
+    void set(int i, int j, const Row &row) noexcept { std::ranges::copy(row, rows_ + (i * v_ + j) * 4); }
+    [[nodiscard]] Row at(int i, int j) const noexcept {
+        const double *row = rows_ + (i * v_ + j) * 4;
+        return {row[0], row[1], row[2], row[3]};
     }
 
     // Times a factor. The plane is that through the means of the corners; a plane has the coefficients of its values at the places
@@ -37,15 +39,16 @@ public:
 
 private:
     int u_ = 0, v_ = 0;
-    std::array<Row, size_t{max_degree + 1} * (max_degree + 1)> rows_;
+    double *rows_; // [u][v]
 };
 
 Net::Extremes Net::extremes() const noexcept {
     Extremes result{at(0, 0), at(0, 0)};
-    for (size_t i = 0; i < static_cast<size_t>(u_ * v_); ++i) {
+    for (int i = 0; i < u_ * v_; ++i) {
         for (size_t c = 0; c < width; ++c) {
-            result.low[c] = std::min(result.low[c], rows_[i][c]);
-            result.high[c] = std::max(result.high[c], rows_[i][c]);
+            const double x = rows_[static_cast<size_t>(i) * width + c];
+            result.low[c] = std::min(result.low[c], x);
+            result.high[c] = std::max(result.high[c], x);
         }
     }
     return result;
@@ -56,7 +59,7 @@ Ranges Net::ranges(double factor, double noise, bool planes) const noexcept {
     if (empty() || factor == 0) {
         return result;
     }
-    const Row &a = at(0, 0), &b = at(u_ - 1, 0), &c = at(u_ - 1, v_ - 1), &d = at(0, v_ - 1);
+    const Row a = at(0, 0), b = at(u_ - 1, 0), c = at(u_ - 1, v_ - 1), d = at(0, v_ - 1);
     Row low, high, u{}, v{};
     low.fill(infinity);
     high.fill(-infinity);
@@ -68,7 +71,7 @@ Ranges Net::ranges(double factor, double noise, bool planes) const noexcept {
         const double x = u_ > 1 ? i / (u_ - 1.0) - 0.5 : 0;
         for (int j = 0; j < v_; ++j) {
             const double y = v_ > 1 ? j / (v_ - 1.0) - 0.5 : 0;
-            const Row &row = at(i, j);
+            const Row row = at(i, j);
             for (size_t k = 0; k < width; ++k) {
                 const double rest = row[k] - (u[k] * x + v[k] * y);
                 low[k] = std::min(low[k], rest);
@@ -99,7 +102,7 @@ void differentiate_u(const Net &net, int u_count, int v_count, Net &out) noexcep
     out.resize(u_count - 1, v_count);
     for (int i = 0; i + 1 < u_count; ++i) {
         for (int j = 0; j < v_count; ++j) {
-            out.at(i, j) = difference(net.at(i, j), net.at(i + 1, j));
+            out.set(i, j, difference(net.at(i, j), net.at(i + 1, j)));
         }
     }
 }
@@ -108,7 +111,7 @@ void differentiate_v(const Net &net, int u_count, int v_count, Net &out) noexcep
     out.resize(u_count, v_count - 1);
     for (int i = 0; i < u_count; ++i) {
         for (int j = 0; j + 1 < v_count; ++j) {
-            out.at(i, j) = difference(net.at(i, j), net.at(i, j + 1));
+            out.set(i, j, difference(net.at(i, j), net.at(i, j + 1)));
         }
     }
 }
@@ -145,13 +148,15 @@ Hessian Hessian::in_units(double u, double v) const noexcept {
 
 void HessianBox::add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
                      double noise) {
-    static thread_local Net rows, first, second;
     const bool whole = factors[0] == 1 && factors[1] == 1, fresh = largest_weight_ < least_weight_;
     const int m = u_degree + 1, n = v_degree + 1;
+    const auto size = static_cast<size_t>(m * n) * width;
+    Scratch scratch(3 * size);
+    Net rows(scratch.take(size)), first(scratch.take(size)), second(scratch.take(size));
     rows.resize(m, n);
     for (int i = 0; i < m; ++i) {
         for (int j = 0; j < n; ++j, net += width) {
-            rows.at(i, j) = in_axes(net, origin_, axes_);
+            rows.set(i, j, in_axes(net, origin_, axes_));
             least_weight_ = std::min(least_weight_, net[3]);
             largest_weight_ = std::max(largest_weight_, net[3]);
         }
