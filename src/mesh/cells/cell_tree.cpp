@@ -6,6 +6,7 @@
 #include "mesh/cells/cell_shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace nrb::mesh {
@@ -17,6 +18,8 @@ constexpr int64_t most_nets = 32;
 // Multiply-adds of looking at a net, estimated, for each of its numbers.
 constexpr int64_t work_for_a_number = 24;
 
+// Steps of places in a block, as a power of two.
+constexpr int raster = 36;
 // Where weights may pass through 0 surfaces may have no end.
 constexpr int most_divisions = 16;
 
@@ -59,6 +62,7 @@ private:
     [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
     void add_cell(const Item &item, const HessianBox &box, Side side);
     bool divide(Item &item, Cut cut);
+    [[nodiscard]] double on_raster(const Item &item, size_t k, double t) const noexcept;
     [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const noexcept;
     void divide_nets(const Item &item, size_t k, double at, Item &low, Item &high);
     [[nodiscard]] Item item_of(const Cell &cell);
@@ -229,9 +233,18 @@ void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side s
     }
 }
 
+// Cuts of neighbours at one place are at one number, however they were computed.
+double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const noexcept {
+    const Rectangle block = tree_.block(block_);
+    const double place =
+        std::ldexp(std::round(std::ldexp((t - block.lower[k]) / block.side(k), raster)), -raster);
+    const double result = block.lower[k] + place * block.side(k);
+    return result > item.part.lower[k] && result < item.part.upper[k] ? result : t;
+}
+
 // Between two pieces if there are several.
 double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const noexcept {
-    const double wanted = item.part.lower[k] + share * item.part.side(k);
+    const double wanted = on_raster(item, k, item.part.lower[k] + share * item.part.side(k));
     if (item.pieces.count(k) == 1) {
         return wanted;
     }
