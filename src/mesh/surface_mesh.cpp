@@ -11,7 +11,7 @@ namespace nrb::mesh {
 namespace {
 
 // Rounds in which edges get more vertices for the sake of faces.
-constexpr int most_rounds = 12;
+constexpr int most_edge_rounds = 12;
 // More than a million triangles, and some seconds where no end is near.
 constexpr int64_t usual_work_of_meshes = 6000000000;
 // Of the tolerance, for edges: their segments, and what faces make of them.
@@ -108,9 +108,9 @@ public:
 
     Mesh mesh() {
         std::vector<bool> old(parts_.size(), true);
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < most_edge_rounds; ++round) {
             const Phase phase;
-            if (!mesh_faces(old, round + 1 == most_rounds) || !divide_edges(old)) {
+            if (!mesh_faces(old, round + 1 == most_edge_rounds) || !divide_edges(old)) {
                 break;
             }
         }

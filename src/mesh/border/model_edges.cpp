@@ -16,7 +16,7 @@ namespace nrb::mesh {
 namespace {
 
 // Rounds of adding vertices for the sake of faces, each between two others.
-constexpr int most_rounds = 12;
+constexpr int most_polyline_rounds = 12;
 
 } // namespace
 
@@ -240,7 +240,7 @@ std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<dou
 void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
     std::vector<double> fixed = fixed_params(line);
     Polyline polyline = polyline_of(*curves_[line], rule, fixed);
-    for (int round = 0; round < most_rounds && std::isfinite(rule.chord); ++round) {
+    for (int round = 0; round < most_polyline_rounds && std::isfinite(rule.chord); ++round) {
         const std::vector<double> more = places_to_add(line, polyline.params, rule.chord);
         if (more.empty()) {
             break;
