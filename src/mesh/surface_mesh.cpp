@@ -164,7 +164,7 @@ bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
 
 bool ModelMesher::divide_edges(std::vector<bool> &old) {
     std::ranges::sort(weak_);
-    weak_.erase(std::ranges::unique(weak_).begin(), weak_.end());
+    weak_.erase(std::unique(weak_.begin(), weak_.end()), weak_.end());
     old.assign(old.size(), false);
     bool any = false;
     for (const auto &[line, param] : weak_) {

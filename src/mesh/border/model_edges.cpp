@@ -188,7 +188,7 @@ std::vector<double> ModelEdges::fixed_params(size_t line) const {
         }
     }
     std::ranges::sort(result);
-    result.erase(std::ranges::unique(result).begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 
@@ -248,7 +248,7 @@ void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
         fixed = polyline.params;
         fixed.insert(fixed.end(), more.begin(), more.end());
         std::ranges::sort(fixed);
-        fixed.erase(std::ranges::unique(fixed).begin(), fixed.end());
+        fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
         polyline = polyline_of(*curves_[line], rule, fixed);
     }
     set_points(line, polyline);

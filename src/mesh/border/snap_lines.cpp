@@ -19,7 +19,7 @@ std::vector<double> kinks_of(const KnotVector &axis) {
     std::vector<double> result;
     const std::vector<double> breaks = refine::breaks_of(axis);
     for (size_t i = 1; i + 1 < breaks.size(); ++i) {
-        const auto [first, last] = std::ranges::equal_range(axis.knots(), breaks[i]);
+        const auto [first, last] = std::equal_range(axis.knots().begin(), axis.knots().end(), breaks[i]);
         if (last - first >= axis.degree()) {
             result.push_back(breaks[i]);
         }

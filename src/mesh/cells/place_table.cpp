@@ -42,7 +42,7 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
         add_corners(cell, keys_);
     }
     std::ranges::sort(keys_);
-    keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     index(tree);
 }
 
@@ -63,7 +63,7 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins, const Place
     std::ranges::sort(fresh);
     keys_.resize(known.size() + fresh.size());
     std::ranges::merge(known, fresh, keys_.begin());
-    keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     index(tree);
 }
 

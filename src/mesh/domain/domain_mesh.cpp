@@ -317,7 +317,7 @@ bool DomainMesher::improve() {
         }
     }
     std::ranges::sort(more);
-    more.erase(std::ranges::unique(more).begin(), more.end());
+    more.erase(std::unique(more.begin(), more.end()), more.end());
     extra_.insert(extra_.end(), more.begin(), more.end());
     const auto before = static_cast<int32_t>(cells_.tree().cells().size());
     cut(over);
