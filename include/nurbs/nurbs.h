@@ -7890,6 +7890,60 @@ NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64
                                                  const double *offsets, double tolerance,
                                                  const nurbs_call_options *call, nurbs_meet **out);
 
+/** \brief Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+ * \param[in] model a model.
+ * \param[in] relative_tolerance as for nurbs_face_area(), of the faces of each part together.
+ * \param[out] area the area; 0 if there are no faces.
+ * \param[out] error or NULL: estimate of the error.
+ * \return as for nurbs_face_area(), and NURBS_ERROR_MATRIX, _TOO_LARGE as for nurbs_model_rays().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_area(const nurbs_model *model, double relative_tolerance, double *area,
+                                        double *error);
+
+/** \brief nurbs_model_area() as a call that can be watched and ended.
+ * \param[in] model,relative_tolerance as for nurbs_model_area().
+ * \param[out] area,error as for nurbs_model_area().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_area_with(const nurbs_model *model, double relative_tolerance,
+                                             double *area, double *error, const nurbs_call_options *call);
+
+/** \brief Volume, centroid and inertia of the solids of a closed model where they stand in the whole
+ * (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as nurbs_enclosed_volume() has
+ * it of whole surfaces. Solids are those that the file states, voids taken off, as the outer normals of their faces
+ * say (nurbs_model_face()); the faces of a part that bound none of them are taken to bound one together, and those
+ * of them that hang together by edges are seen as the first of them is: shells of a hollow body have to begin with
+ * faces whose normals all point out of the material, or all into it. A solid turned inside out, or mirrored by its
+ * placement, has the volume of what it encloses, too; solids that overlap count each.
+ *
+ * What faces leave open within their tolerances, or beyond (nurbs_face_deviation()), is neither in the volume nor in
+ * the error: the vector area of a solid, the integral of its outer normal, which is 0 if its faces fit together, tells
+ * of it, and of outer normals that point inwards.
+ * \param[in] model a model.
+ * \param[in] relative_tolerance as for nurbs_face_area(), of each solid.
+ * \param[out] volume >= 0.
+ * \param[out] centroid [3] or NULL.
+ * \param[out] inertia [3][3] or NULL: about the centroid, as for nurbs_moments().
+ * \param[out] openness or NULL: sum of the lengths of the vector areas of all solids.
+ * \param[out] error or NULL: estimate of the error of volume.
+ * \return as for nurbs_face_area(); NURBS_ERROR_GAP if the model is not closed, as for nurbs_model_classify(),
+ *   _LENGTH if the volume is 0 and centroid or inertia are wanted, _TOO_LARGE if there are too many instances.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_volume(const nurbs_model *model, double relative_tolerance, double *volume,
+                                          double *centroid, double *inertia, double *openness, double *error);
+
+/** \brief nurbs_model_volume() as a call that can be watched and ended.
+ * \param[in] model,relative_tolerance as for nurbs_model_volume().
+ * \param[out] volume,centroid,inertia,openness,error as for nurbs_model_volume().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_volume_with(const nurbs_model *model, double relative_tolerance,
+                                               double *volume, double *centroid, double *inertia,
+                                               double *openness, double *error,
+                                               const nurbs_call_options *call);
+
 /** \brief The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
  * notes on all that was not read.
  * \param[in] model a model.

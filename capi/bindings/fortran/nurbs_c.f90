@@ -4312,6 +4312,48 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sections_with
+        !> Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+        function nurbs_model_area(model, relative_tolerance, area, error) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            integer(c_int32_t) :: r
+        end function nurbs_model_area
+        !> nurbs_model_area() as a call that can be watched and ended.
+        function nurbs_model_area_with(model, relative_tolerance, area, error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_area_with
+        !> Volume, centroid and inertia of the solids of a closed model where they stand in the whole
+        !> (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as
+        !> nurbs_enclosed_volume() has it of whole surfaces.
+        function nurbs_model_volume(model, relative_tolerance, volume, centroid, inertia, openness, error) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: volume
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
+            integer(c_int32_t) :: r
+        end function nurbs_model_volume
+        !> nurbs_model_volume() as a call that can be watched and ended.
+        function nurbs_model_volume_with(model, relative_tolerance, volume, centroid, inertia, openness, &
+                error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: volume
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_volume_with
         !> The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
         !> notes on all that was not read.
         function nurbs_model_splines(model, out) bind(c) result(r)

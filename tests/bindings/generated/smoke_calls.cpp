@@ -2589,6 +2589,42 @@ void query(const Inputs &in) {
         show("sides", found);
     }
     {
+        begin("model_area");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.area(1e-06);
+        show("area", found.value);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06);
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume alone");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06);
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
+    }
+    {
         begin("curve_self_intersections");
         const auto found = n::self_intersections(in.curve, 1e-09);
         show("params_a", found.params_a);
@@ -3175,6 +3211,42 @@ void query(const Inputs &in) {
         const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
         const auto found = ball.classify({0.1, 0.2, 0.3, 0.0, 0.6, 0.8}, 0.001, watched());
         show("sides", found);
+    }
+    {
+        begin("model_area_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.area(1e-06, watched());
+        show("area", found.value);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06, watched());
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume_with alone");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06, watched());
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
     }
     {
         begin("curve_self_intersections_with");

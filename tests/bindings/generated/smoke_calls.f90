@@ -4465,6 +4465,63 @@ contains
                 sides=sides_found, tolerance=0.001d0)
             call show('sides', sides_found)
         end block
+        call begin('model_area')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: area_found
+            real(c_double) :: error_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_area(area=area_found, error=error_found, tolerance=1d-06)
+            call show('area', area_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double), allocatable :: centroid_found(:)
+            real(c_double), allocatable :: inertia_found(:, :)
+            real(c_double) :: openness_found
+            real(c_double) :: error_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (centroid_found(3))
+            allocate (inertia_found(3, 3))
+            call ball%get_volume(volume=volume_found, centroid=centroid_found, inertia=inertia_found, &
+                openness=openness_found, error=error_found, tolerance=1d-06)
+            call show('volume', volume_found)
+            call show('centroid', centroid_found)
+            call show('inertia', flat(inertia_found))
+            call show('openness', openness_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume alone')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double) :: error_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_volume(volume=volume_found, error=error_found, tolerance=1d-06)
+            call show('volume', volume_found)
+            call show('error', error_found)
+        end block
         call begin('curve_self_intersections')
         block
             real(c_double), allocatable :: params_a_found(:)
@@ -5467,6 +5524,66 @@ contains
             call ball%classify(points=reshape([0.1d0, 0.2d0, 0.3d0, 0.0d0, 0.6d0, 0.8d0], [2, 3], order=[2, 1]), &
                 sides=sides_found, tolerance=0.001d0, call=watching)
             call show('sides', sides_found)
+        end block
+        call begin('model_area_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: area_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_area(area=area_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('area', area_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double), allocatable :: centroid_found(:)
+            real(c_double), allocatable :: inertia_found(:, :)
+            real(c_double) :: openness_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (centroid_found(3))
+            allocate (inertia_found(3, 3))
+            call ball%get_volume(volume=volume_found, centroid=centroid_found, inertia=inertia_found, &
+                openness=openness_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('volume', volume_found)
+            call show('centroid', centroid_found)
+            call show('inertia', flat(inertia_found))
+            call show('openness', openness_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume_with alone')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_volume(volume=volume_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('volume', volume_found)
+            call show('error', error_found)
         end block
         call begin('curve_self_intersections_with')
         block

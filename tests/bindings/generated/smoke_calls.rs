@@ -3696,6 +3696,57 @@ fn query(given: &Given) -> nurbs::Result<()> {
         let found = ball.classify(&[0.1, 0.2, 0.3, 0.0, 0.6, 0.8], 0.001)?;
         show("sides", &found);
     }
+    begin("model_area");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.area(1e-06)?;
+        show("area", &found.value);
+        show("error", &found.error);
+    }
+    begin("model_volume");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume(1e-06)?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
+    }
+    begin("model_volume alone");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume(1e-06)?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
+    }
     begin("curve_self_intersections");
     {
         let found = given.curve.self_intersections(1e-09)?;
@@ -4504,6 +4555,57 @@ fn query(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("sides", &found);
+    }
+    begin("model_area_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.area_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("area", &found.value);
+        show("error", &found.error);
+    }
+    begin("model_volume_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
+    }
+    begin("model_volume_with alone");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
     }
     begin("curve_self_intersections_with");
     {

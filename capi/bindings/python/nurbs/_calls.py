@@ -239,6 +239,8 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_model_rays, lib.nurbs_model_rays_with),
         (lib.nurbs_model_ray_hits, lib.nurbs_model_ray_hits_with),
         (lib.nurbs_model_classify, lib.nurbs_model_classify_with),
+        (lib.nurbs_model_area, lib.nurbs_model_area_with),
+        (lib.nurbs_model_volume, lib.nurbs_model_volume_with),
         (lib.nurbs_fit_errors, lib.nurbs_fit_errors_with),
         (lib.nurbs_fit_criteria, lib.nurbs_fit_criteria_with),
         (lib.nurbs_face_classify, lib.nurbs_face_classify_with),

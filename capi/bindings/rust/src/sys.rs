@@ -5151,6 +5151,52 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+    ///
+    /// May be null: `error`.
+    pub fn nurbs_model_area(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_model_area() as a call that can be watched and ended.
+    ///
+    /// May be null: `error`, `call`.
+    pub fn nurbs_model_area_with(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Volume, centroid and inertia of the solids of a closed model where they stand in the whole
+    /// (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as
+    /// nurbs_enclosed_volume() has it of whole surfaces.
+    ///
+    /// May be null: `centroid`, `inertia`, `openness`, `error`.
+    pub fn nurbs_model_volume(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        volume: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        openness: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_model_volume() as a call that can be watched and ended.
+    ///
+    /// May be null: `centroid`, `inertia`, `openness`, `error`, `call`.
+    pub fn nurbs_model_volume_with(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        volume: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        openness: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
     /// notes on all that was not read.
     pub fn nurbs_model_splines(model: *const nurbs_model, out: *mut *mut nurbs_list) -> nurbs_status;
