@@ -1154,6 +1154,29 @@ NURBS_API nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const dou
                                             int64_t param_stride, int64_t param_component_stride,
                                             int64_t *spans, double *values, int64_t value_stride,
                                             int64_t value_component_stride, uint32_t flags);
+
+/** \brief Gradients in space of the rational basis functions of nurbs_rational_basis(): of R_i as a function of the
+ * point, J (J^T J)^-1 dR_i/dt with J [dim][axes] the derivatives of the spline. Where there are as many axes as
+ * coordinates this is J^-T dR_i/dt; on a curve or a surface in space the gradient runs along it. They sum to 0, and
+ * the sum of P_i grad R_i^T is the identity (the projection onto the tangents), so that those of the coordinates
+ * are unit vectors: with nurbs_quadrature(), what the element matrices of isogeometric analysis are made of.
+ *
+ * Errors are those of first derivatives of a spline near its origin, wherever it lies, times the condition of J.
+ * \param[in] g a spline of no more axes than coordinates.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] spans [n][axes] or NULL: span on each axis, packed; NURBS_NAN gives span -1 on all of them.
+ * \param[out] gradients [n][M][dim], M as of nurbs_rational_basis(). NaN where the derivatives of the spline are
+ *   dependent to rounding, as at poles.
+ * \param[in] gradient_stride,gradient_component_stride layout of gradients, 0 = packed.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_hull_size(), and NURBS_ERROR_DIMENSION if there are more axes than coordinates.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_basis_gradients(const nurbs *g, int64_t n, const double *params,
+                                             int64_t param_stride, int64_t param_component_stride,
+                                             int64_t *spans, double *gradients, int64_t gradient_stride,
+                                             int64_t gradient_component_stride, uint32_t flags);
 /** @} */
 
 /** \defgroup eval Evaluation
@@ -4964,6 +4987,28 @@ NURBS_API nurbs_status nurbs_enclosed_volume_with(int64_t count, const nurbs *co
                                                   double relative_tolerance, double *volume, double *centroid,
                                                   double *inertia, double *openness, double *error,
                                                   const nurbs_call_options *call);
+
+/** \brief Points and weights for integrals of any function over a spline: tensor products of rules of Gauss and
+ * Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2 nodes - 1 on each
+ * span. The points come span by span, the last axis fastest, and within a span, of which each has nodes^axes, the
+ * last axis fastest; all lie inside of their spans, which nurbs_rational_basis() and nurbs_basis_gradients() tell. The
+ * sum of measures[i] f(point i) approximates the integral of f over the shape, the sum of weights[i] f(params[i])
+ * that over the domain:
+ *
+ *     measures[i] = weights[i] sqrt(det J^T J),  J the derivatives of g at params[i].
+ * \param[in] g a spline.
+ * \param[in] nodes number of nodes along each axis of a span, 1 to 64; 0: on each axis one more than its degree.
+ * \param[in] cap length of the arrays in points; 0 asks for the number only.
+ * \param[out] params [cap][axes] or NULL: receives the parameters, packed.
+ * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the domain.
+ * \param[out] measures [cap] or NULL: receives the weights of lengths, areas or volumes; 0 where g has more axes than
+ *   coordinates.
+ * \param[out] count or NULL: receives the number of points.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap is
+ *   neither 0 nor enough, _NOT_REPRESENTABLE if weights or measures overflow.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_quadrature(const nurbs *g, int32_t nodes, int64_t cap, double *params,
+                                        double *weights, double *measures, int64_t *count);
 /** @} */
 
 /** \defgroup bounds Boxes and cones

@@ -617,6 +617,20 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_rational_basis
+        !> Gradients in space of the rational basis functions of nurbs_rational_basis(): of R_i as a function
+        !> of the point, J (J^T J)^-1 dR_i/dt with J [dim][axes] the derivatives of the spline.
+        function nurbs_basis_gradients(g, n, params, param_stride, param_component_stride, spans, gradients, &
+                gradient_stride, gradient_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, gradient_stride, &
+                gradient_component_stride
+            real(c_double), intent(in) :: params(*)
+            integer(c_int64_t), intent(inout), optional :: spans(*)
+            real(c_double), intent(inout) :: gradients(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_basis_gradients
         ! --- Evaluation
         !> Points at parameters.
         function nurbs_eval(g, n, params, param_stride, param_component_stride, points, point_stride, &
@@ -2637,6 +2651,18 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume_with
+        !> Points and weights for integrals of any function over a spline: tensor products of rules of Gauss
+        !> and Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2
+        !> nodes - 1 on each span.
+        function nurbs_quadrature(g, nodes, cap, params, weights, measures, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: nodes
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), weights(*), measures(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_quadrature
         ! --- Boxes and cones
         !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
         !> homogeneous ones, whose rounding has no such bound).

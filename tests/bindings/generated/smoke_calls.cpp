@@ -1578,6 +1578,18 @@ void evaluation(const Inputs &in) {
         show("values", found.values);
     }
     {
+        begin("basis_gradients");
+        const auto found = in.curve.basis_gradients({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0u);
+        show("spans", found.spans);
+        show("gradients", found.gradients);
+    }
+    {
+        begin("basis_gradients surface");
+        const auto found = in.surface.basis_gradients({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0u);
+        show("spans", found.spans);
+        show("gradients", found.gradients);
+    }
+    {
         begin("eval");
         const auto found = in.curve.eval({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0u);
         show("points", found);
@@ -2780,6 +2792,20 @@ void query(const Inputs &in) {
         show("inertia", found.inertia);
         show("openness", found.openness);
         show("error", found.error);
+    }
+    {
+        begin("quadrature");
+        const auto found = n::quadrature(in.curve, 2);
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
+    }
+    {
+        begin("quadrature surface");
+        const auto found = n::quadrature(in.surface, 1);
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
     }
     {
         begin("coons_gaps");

@@ -2783,6 +2783,32 @@ contains
             call show('values', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
                 1])))
         end block
+        call begin('basis_gradients')
+        block
+            integer(c_int64_t), allocatable :: spans_found(:, :)
+            real(c_double), allocatable :: gradients_found(:, :, :)
+            allocate (spans_found(6, 1))
+            allocate (gradients_found(6, 2, 3))
+            call curve%basis_gradients(params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], [6, 1], order=[2, &
+                1]), spans=spans_found, gradients=gradients_found, flags=0)
+            call show('spans', flat(reshape(spans_found, [size(spans_found, 2), size(spans_found, 1)], order=[2, 1])) &
+                - 1)
+            call show('gradients', flat(reshape(gradients_found, [size(gradients_found, 2), size(gradients_found, 3), &
+                size(gradients_found, 1)], order=[3, 1, 2])))
+        end block
+        call begin('basis_gradients surface')
+        block
+            integer(c_int64_t), allocatable :: spans_found(:, :)
+            real(c_double), allocatable :: gradients_found(:, :, :)
+            allocate (spans_found(3, 2))
+            allocate (gradients_found(3, 3, 6))
+            call surface%basis_gradients(params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], [3, 2], order=[2, &
+                1]), spans=spans_found, gradients=gradients_found, flags=0)
+            call show('spans', flat(reshape(spans_found, [size(spans_found, 2), size(spans_found, 1)], order=[2, 1])) &
+                - 1)
+            call show('gradients', flat(reshape(gradients_found, [size(gradients_found, 2), size(gradients_found, 3), &
+                size(gradients_found, 1)], order=[3, 1, 2])))
+        end block
         call begin('eval')
         block
             real(c_double), allocatable :: points_found(:, :)
@@ -4779,6 +4805,28 @@ contains
             call show('inertia', flat(inertia_found))
             call show('openness', openness_found)
             call show('error', error_found)
+        end block
+        call begin('quadrature')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            call quadrature(g=curve, params=params_found, weights=weights_found, measures=measures_found, nodes=2)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
+        end block
+        call begin('quadrature surface')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            call quadrature(g=surface, params=params_found, weights=weights_found, measures=measures_found, nodes=1)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
         end block
         call begin('coons_gaps')
         block

@@ -2465,6 +2465,22 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
         show("spans", &found.spans);
         show("values", &found.values);
     }
+    begin("basis_gradients");
+    {
+        let found = given
+            .curve
+            .basis_gradients(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        show("spans", &found.spans);
+        show("gradients", &found.gradients);
+    }
+    begin("basis_gradients surface");
+    {
+        let found = given
+            .surface
+            .basis_gradients(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        show("spans", &found.spans);
+        show("gradients", &found.gradients);
+    }
     begin("eval");
     {
         let found = given.curve.eval(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
@@ -3910,6 +3926,20 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("inertia", &found.inertia);
         show("openness", &found.openness);
         show("error", &found.error);
+    }
+    begin("quadrature");
+    {
+        let found = given.curve.quadrature(2)?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
+    }
+    begin("quadrature surface");
+    {
+        let found = given.surface.quadrature(1)?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
     }
     begin("coons_gaps");
     {

@@ -1316,6 +1316,22 @@ extern "C" {
         value_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Gradients in space of the rational basis functions of nurbs_rational_basis(): of R_i as a function of
+    /// the point, J (J^T J)^-1 dR_i/dt with J \[dim\]\[axes\] the derivatives of the spline.
+    ///
+    /// May be null: `spans`.
+    pub fn nurbs_basis_gradients(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        spans: *mut i64,
+        gradients: *mut f64,
+        gradient_stride: i64,
+        gradient_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
     // --- Evaluation
     /// Points at parameters.
     pub fn nurbs_eval(
@@ -3370,6 +3386,20 @@ extern "C" {
         openness: *mut f64,
         error: *mut f64,
         call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Points and weights for integrals of any function over a spline: tensor products of rules of Gauss and
+    /// Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2 nodes - 1
+    /// on each span.
+    ///
+    /// May be null: `params`, `weights`, `measures`, `count`.
+    pub fn nurbs_quadrature(
+        g: *const nurbs,
+        nodes: i32,
+        cap: i64,
+        params: *mut f64,
+        weights: *mut f64,
+        measures: *mut f64,
+        count: *mut i64,
     ) -> nurbs_status;
     // --- Boxes and cones
     /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
