@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace nrb::measure {
 
@@ -81,22 +82,22 @@ void SpanQuadrature::add_axis(const KnotVector &axis, int nodes) {
 // visit(nodes): one of each axis, the constant 1 on those that the spline lacks.
 template <class Visit>
 void SpanQuadrature::for_each(Visit &&visit) const {
-    static const std::vector<Node> none{{0, 1, 1}};
-    std::array<const std::vector<Node> *, max_axes> all{&none, &none, &none};
+    static constexpr Node none{0, 1, 1};
+    std::array<std::span<const Node>, max_axes> all;
+    all.fill({&none, 1});
     std::array<size_t, max_axes> per{1, 1, 1};
     for (size_t k = 0; k < nodes_.size(); ++k) {
-        all[k] = &nodes_[k];
+        all[k] = nodes_[k];
         per[k] = per_span_[k];
     }
-    const auto spans = [&](size_t k) { return all[k]->size() / per[k]; };
+    const auto spans = [&](size_t k) { return all[k].size() / per[k]; };
     for (size_t span = 0; span < spans(0) * spans(1) * spans(2); ++span) {
         const std::array<size_t, max_axes> first{span / (spans(1) * spans(2)) * per[0],
                                                  span / spans(2) % spans(1) * per[1],
                                                  span % spans(2) * per[2]};
         for (size_t node = 0; node < per[0] * per[1] * per[2]; ++node) {
-            visit(std::array{&(*all[0])[first[0] + node / (per[1] * per[2])],
-                             &(*all[1])[first[1] + node / per[2] % per[1]],
-                             &(*all[2])[first[2] + node % per[2]]});
+            visit(std::array{&all[0][first[0] + node / (per[1] * per[2])],
+                             &all[1][first[1] + node / per[2] % per[1]], &all[2][first[2] + node % per[2]]});
         }
         count_work(static_cast<int64_t>(per[0] * per[1] * per[2]));
     }

@@ -247,6 +247,7 @@ TEST(Quadrature, measures_of_bodies_do_not_know_the_space_around) {
     });
 }
 
+// To rounding: what far larger numbers are evaluated by may be other sums.
 TEST(Quadrature, is_scale_free) {
     for_each_case(4240000, 40, [](Random &random, uint64_t seed) {
         Recipe recipe = any_recipe(random, 3);

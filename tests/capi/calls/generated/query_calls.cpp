@@ -586,11 +586,11 @@ const Call group[] = {
     {"quadrature",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_quadrature(in.curve, 2, 64, o.values, o.values + 64, o.values + 128, o.spans);
-     }, true},
+     }},
     {"quadrature surface",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_quadrature(in.surface, 1, 24, o.values, o.values + 48, o.values + 72, o.spans);
-     }, true},
+     }},
     {"coons_gaps",
      [](const Inputs &in, Output &o) -> nurbs_status {
          const nurbs *const boundaries[] = {in.curve, in.curve, in.loop, in.loop};
