@@ -3,9 +3,14 @@
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
+#include "watched.h"
 
+#include "face/integrals/face_quadrature.h"
 #include "measure/span_quadrature.h"
 #include "numeric/gauss_rule.h"
+
+#include <algorithm>
+#include <vector>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -41,4 +46,34 @@ nurbs_status nurbs_quadrature(const nurbs *g, int32_t nodes, int64_t cap, double
         }
         put(count, rule.size());
     });
+}
+
+nurbs_status nurbs_face_quadrature(const nurbs_face *face, int32_t nodes, int64_t cap, double *params,
+                                   double *weights, double *measures, int64_t *count) {
+    return guard([&] {
+        const face::Face &own = face_of(face);
+        check_nodes(nodes);
+        const Spline &surface = *own.surface();
+        const int most = std::max(surface.axis(0).degree(), surface.axis(1).degree()) + 1;
+        const face::FaceQuadrature rule = face::face_quadrature(own, nodes == 0 ? most : nodes);
+        const int64_t filled = checked_cap(cap, rule.size());
+        check_apart({memory("params", params, 2 * filled), memory("weights", weights, filled),
+                     memory("measures", measures, filled), memory("count", count, 1)},
+                    {});
+        if (filled > 0) {
+            const std::vector<double> areas =
+                measures != nullptr ? face::measures_of(own, rule) : std::vector<double>();
+            put_all(params, rule.params);
+            put_all(weights, rule.weights);
+            put_all(measures, areas);
+        }
+        put(count, rule.size());
+    });
+}
+
+nurbs_status nurbs_face_quadrature_with(const nurbs_face *face, int32_t nodes, int64_t cap, double *params,
+                                        double *weights, double *measures, int64_t *count,
+                                        const nurbs_call_options *call) {
+    return watched(call,
+                   [&] { return nurbs_face_quadrature(face, nodes, cap, params, weights, measures, count); });
 }

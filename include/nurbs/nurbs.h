@@ -7080,6 +7080,39 @@ NURBS_API nurbs_status nurbs_face_moments_with(const nurbs_face *face, double re
                                                double *content, double *centroid, double *inertia,
                                                double *error, const nurbs_call_options *call);
 
+/** \brief Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a whole
+ * surface: rules of Gauss on cells of which the face consists, each between two lines across the first axis and
+ * between two curves, or knots, that stay in one span of the surface. All points are in the face, to rounding, and no
+ * weight is negative. Beside curved loops the rule follows them through u = 3 x^2 - 2 x^3, which makes it converge
+ * fast for bounds that stand upright at an end, like circles, slower for those that are nearly upright within, and
+ * exact for none: more nodes, and nurbs_face_area(), tell how good it is. Between straight bounds it is exact for
+ * polynomials in the parameters of degree 2 nodes - 2 in all.
+ * \param[in] face a face.
+ * \param[in] nodes number of nodes along each axis of a cell, 1 to 64; 0: one more than the larger degree of the
+ *   surface.
+ * \param[in] cap length of the arrays in points; 0 asks for the number only.
+ * \param[out] params [cap][2] or NULL: receives the parameters, packed.
+ * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the face in its
+ *   domain.
+ * \param[out] measures [cap] or NULL: receives the weights of areas.
+ * \param[out] count or NULL: receives the number of points.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap is
+ *   neither 0 nor enough, _ORIENTATION if loops cross or coincide, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_quadrature(const nurbs_face *face, int32_t nodes, int64_t cap,
+                                             double *params, double *weights, double *measures,
+                                             int64_t *count);
+
+/** \brief nurbs_face_quadrature() as a call that can be watched and ended.
+ * \param[in] face,nodes,cap as for nurbs_face_quadrature().
+ * \param[out] params,weights,measures,count as for nurbs_face_quadrature().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_quadrature(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_quadrature_with(const nurbs_face *face, int32_t nodes, int64_t cap,
+                                                  double *params, double *weights, double *measures,
+                                                  int64_t *count, const nurbs_call_options *call);
+
 /** \brief An axis-aligned box that contains a face; dim is the dimension of its surface. Edges that are
  * composed are bounded as splines are; inside, parts of the surface on which a coordinate may be extreme are
  * halved.

@@ -6,8 +6,8 @@
 #include "base/watch.h"
 #include "eval/evaluate.h"
 #include "measure/elements.h"
+#include "measure/spanned.h"
 #include "numeric/gauss_rule.h"
-#include "numeric/norm.h"
 
 #include <algorithm>
 #include <array>
@@ -19,34 +19,6 @@ namespace nrb::measure {
 namespace {
 
 constexpr int64_t work_of_a_point = 100;
-
-// Takes off what it has of a vector of length 1.
-void take_off(const double *unit, int dim, double *x) noexcept {
-    double product = 0;
-    for (int c = 0; c < dim; ++c) {
-        product += unit[c] * x[c];
-    }
-    for (int c = 0; c < dim; ++c) {
-        x[c] -= product * unit[c];
-    }
-}
-
-// The length, area or volume that derivatives [axes][dim] span: the product of how far each is from those before it.
-double spanned(std::vector<double> &derivatives, int axes, int dim) noexcept {
-    double product = 1;
-    for (int k = 0; k < axes; ++k) {
-        double *own = derivatives.data() + k * dim;
-        for (int pass = 0; pass < 2; ++pass) { // twice is enough
-            for (int j = 0; j < k; ++j) {
-                take_off(derivatives.data() + j * dim, dim, own);
-            }
-        }
-        const double rest = norm(own, dim);
-        product *= rest;
-        std::for_each(own, own + dim, [rest](double &x) { x = rest > 0 ? x / rest : 0; });
-    }
-    return axes <= dim ? product : 0;
-}
 
 } // namespace
 

@@ -3841,6 +3841,30 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_moments_with
+        !> Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a
+        !> whole surface: rules of Gauss on cells of which the face consists, each between two lines across
+        !> the first axis and between two curves, or knots, that stay in one span of the surface.
+        function nurbs_face_quadrature(face, nodes, cap, params, weights, measures, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int32_t), value :: nodes
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), weights(*), measures(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_face_quadrature
+        !> nurbs_face_quadrature() as a call that can be watched and ended.
+        function nurbs_face_quadrature_with(face, nodes, cap, params, weights, measures, count, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int32_t), value :: nodes
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), weights(*), measures(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_quadrature_with
         !> An axis-aligned box that contains a face; dim is the dimension of its surface.
         function nurbs_face_box(face, tolerance, lower, upper, gap) bind(c) result(r)
             import

@@ -727,6 +727,13 @@ void data(const Inputs &in) {
         show("error", found.error);
     }
     {
+        begin("face_quadrature");
+        const auto found = in.face.quadrature(1);
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
+    }
+    {
         begin("face_box");
         const auto found = in.face.box(0.001);
         show("lower", found.lower);
@@ -1086,6 +1093,13 @@ void data(const Inputs &in) {
         show("centroid", found.centroid);
         show("inertia", found.inertia);
         show("error", found.error);
+    }
+    {
+        begin("face_quadrature_with");
+        const auto found = in.face.quadrature(1, watched());
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
     }
     {
         begin("face_box_with");

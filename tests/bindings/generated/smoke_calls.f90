@@ -1562,6 +1562,17 @@ contains
             call show('inertia', flat(inertia_found))
             call show('error', error_found)
         end block
+        call begin('face_quadrature')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            call face%quadrature(params=params_found, weights=weights_found, measures=measures_found, nodes=1)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
+        end block
         call begin('face_box')
         block
             real(c_double), allocatable :: lower_found(:)
@@ -2116,6 +2127,19 @@ contains
             call show('centroid', centroid_found)
             call show('inertia', flat(inertia_found))
             call show('error', error_found)
+        end block
+        call begin('face_quadrature_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            type(nurbs_call) :: watching
+            call face%quadrature(params=params_found, weights=weights_found, measures=measures_found, nodes=1, &
+                call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
         end block
         call begin('face_box_with')
         block

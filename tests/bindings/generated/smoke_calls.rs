@@ -1292,6 +1292,13 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("inertia", &found.inertia);
         show("error", &found.error);
     }
+    begin("face_quadrature");
+    {
+        let found = given.face.quadrature(1)?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
+    }
     begin("face_box");
     {
         let found = given.face.bounding_box(0.001)?;
@@ -1783,6 +1790,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("centroid", &found.centroid);
         show("inertia", &found.inertia);
         show("error", &found.error);
+    }
+    begin("face_quadrature_with");
+    {
+        let found = given
+            .face
+            .quadrature_with(1, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
     }
     begin("face_box_with");
     {

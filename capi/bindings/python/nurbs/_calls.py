@@ -246,6 +246,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_face_classify, lib.nurbs_face_classify_with),
         (lib.nurbs_face_area, lib.nurbs_face_area_with),
         (lib.nurbs_face_moments, lib.nurbs_face_moments_with),
+        (lib.nurbs_face_quadrature, lib.nurbs_face_quadrature_with),
         (lib.nurbs_face_box, lib.nurbs_face_box_with),
         (lib.nurbs_model_write, lib.nurbs_model_write_with),
         (lib.nurbs_model_write_file, lib.nurbs_model_write_file_with),

@@ -336,6 +336,8 @@ PROTOTYPES = {
     "nurbs_face_area_with": "i pdppp",
     "nurbs_face_moments": "i pdpppp",
     "nurbs_face_moments_with": "i pdppppp",
+    "nurbs_face_quadrature": "i pilpppp",
+    "nurbs_face_quadrature_with": "i pilppppp",
     "nurbs_face_box": "i pdppp",
     "nurbs_face_box_with": "i pdpppp",
     "nurbs_read_options_init": "i pl",

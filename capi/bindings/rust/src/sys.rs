@@ -4711,6 +4711,33 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a
+    /// whole surface: rules of Gauss on cells of which the face consists, each between two lines across the
+    /// first axis and between two curves, or knots, that stay in one span of the surface.
+    ///
+    /// May be null: `params`, `weights`, `measures`, `count`.
+    pub fn nurbs_face_quadrature(
+        face: *const nurbs_face,
+        nodes: i32,
+        cap: i64,
+        params: *mut f64,
+        weights: *mut f64,
+        measures: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_face_quadrature() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `weights`, `measures`, `count`, `call`.
+    pub fn nurbs_face_quadrature_with(
+        face: *const nurbs_face,
+        nodes: i32,
+        cap: i64,
+        params: *mut f64,
+        weights: *mut f64,
+        measures: *mut f64,
+        count: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// An axis-aligned box that contains a face; dim is the dimension of its surface.
     ///
     /// May be null: `gap`.
