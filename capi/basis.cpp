@@ -5,6 +5,7 @@
 
 #include "eval/active.h"
 #include "eval/functions/basis_batch.h"
+#include "eval/functions/basis_gradients.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -97,5 +98,29 @@ nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const double *param
         }
         check_values(batch);
         eval::rational_basis(batch.spline, batch.rules, batch.params, spans, out);
+    });
+}
+
+nurbs_status nurbs_basis_gradients(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                                   int64_t param_component_stride, int64_t *spans, double *gradients,
+                                   int64_t gradient_stride, int64_t gradient_component_stride,
+                                   uint32_t flags) {
+    return guard([&] {
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
+        const Spline &spline = batch.spline;
+        if (spline.axes() > spline.dim()) {
+            fail(Status::dimension, "g has %d axes and dimension %d, expected at least as many coordinates",
+                 spline.axes(), spline.dim());
+        }
+        const int64_t width = active_points(spline) * spline.dim();
+        const Records out =
+            output("gradients", gradients, n, width, gradient_stride, gradient_component_stride);
+        check_overlap("gradients", out, "params", batch.params);
+        if (spans != nullptr) {
+            check_spans_overlap(spans, n * spline.axes(), "params", batch.params);
+            check_spans_overlap(spans, n * spline.axes(), "gradients", read_only(out));
+        }
+        check_values(batch);
+        eval::basis_gradients(spline, batch.rules, batch.params, spans, out);
     });
 }

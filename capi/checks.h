@@ -31,6 +31,10 @@ inline const Spline &spline_of(const ::nurbs *g) {
     require(g, "g");
     return *g->spline;
 }
+inline const face::Face &face_of(const ::nurbs_face *face) {
+    require(face, "face");
+    return *face->face;
+}
 inline const model::Model &model_of(const ::nurbs_model *model) {
     require(model, "model");
     return *model->model;

@@ -20,11 +20,6 @@ using namespace nrb::capi;
 
 namespace {
 
-const face::Face &face_of(const nurbs_face *face) {
-    require(face, "face");
-    return *face->face;
-}
-
 // The arrays that describe loops, and which of them the next curve is in.
 struct LoopArrays {
     const Spline &surface;

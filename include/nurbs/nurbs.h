@@ -1154,6 +1154,29 @@ NURBS_API nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const dou
                                             int64_t param_stride, int64_t param_component_stride,
                                             int64_t *spans, double *values, int64_t value_stride,
                                             int64_t value_component_stride, uint32_t flags);
+
+/** \brief Gradients in space of the rational basis functions of nurbs_rational_basis(): of R_i as a function of the
+ * point, J (J^T J)^-1 dR_i/dt with J [dim][axes] the derivatives of the spline. Where there are as many axes as
+ * coordinates this is J^-T dR_i/dt; on a curve or a surface in space the gradient runs along it. They sum to 0, and
+ * the sum of P_i grad R_i^T is the identity (the projection onto the tangents), so that those of the coordinates
+ * are unit vectors: with nurbs_quadrature(), what the element matrices of isogeometric analysis are made of.
+ *
+ * Errors are those of first derivatives of a spline near its origin, wherever it lies, times the condition of J.
+ * \param[in] g a spline of no more axes than coordinates.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] spans [n][axes] or NULL: span on each axis, packed; NURBS_NAN gives span -1 on all of them.
+ * \param[out] gradients [n][M][dim], M as of nurbs_rational_basis(). NaN where the derivatives of the spline are
+ *   dependent to rounding, as at poles.
+ * \param[in] gradient_stride,gradient_component_stride layout of gradients, 0 = packed.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_hull_size(), and NURBS_ERROR_DIMENSION if there are more axes than coordinates.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_basis_gradients(const nurbs *g, int64_t n, const double *params,
+                                             int64_t param_stride, int64_t param_component_stride,
+                                             int64_t *spans, double *gradients, int64_t gradient_stride,
+                                             int64_t gradient_component_stride, uint32_t flags);
 /** @} */
 
 /** \defgroup eval Evaluation
@@ -4964,6 +4987,28 @@ NURBS_API nurbs_status nurbs_enclosed_volume_with(int64_t count, const nurbs *co
                                                   double relative_tolerance, double *volume, double *centroid,
                                                   double *inertia, double *openness, double *error,
                                                   const nurbs_call_options *call);
+
+/** \brief Points and weights for integrals of any function over a spline: tensor products of rules of Gauss and
+ * Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2 nodes - 1 on each
+ * span. The points come span by span, the last axis fastest, and within a span, of which each has nodes^axes, the
+ * last axis fastest; all lie inside of their spans, which nurbs_rational_basis() and nurbs_basis_gradients() tell. The
+ * sum of measures[i] f(point i) approximates the integral of f over the shape, the sum of weights[i] f(params[i])
+ * that over the domain:
+ *
+ *     measures[i] = weights[i] sqrt(det J^T J),  J the derivatives of g at params[i].
+ * \param[in] g a spline.
+ * \param[in] nodes number of nodes along each axis of a span, 1 to 64; 0: on each axis one more than its degree.
+ * \param[in] cap length of the arrays in points; 0 asks for the number only.
+ * \param[out] params [cap][axes] or NULL: receives the parameters, packed.
+ * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the domain.
+ * \param[out] measures [cap] or NULL: receives the weights of lengths, areas or volumes; 0 where g has more axes than
+ *   coordinates.
+ * \param[out] count or NULL: receives the number of points.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap is
+ *   neither 0 nor enough, _NOT_REPRESENTABLE if weights or measures overflow.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_quadrature(const nurbs *g, int32_t nodes, int64_t cap, double *params,
+                                        double *weights, double *measures, int64_t *count);
 /** @} */
 
 /** \defgroup bounds Boxes and cones
@@ -7035,6 +7080,39 @@ NURBS_API nurbs_status nurbs_face_moments_with(const nurbs_face *face, double re
                                                double *content, double *centroid, double *inertia,
                                                double *error, const nurbs_call_options *call);
 
+/** \brief Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a whole
+ * surface: rules of Gauss on cells of which the face consists, each between two lines across the first axis and
+ * between two curves, or knots, that stay in one span of the surface. All points are in the face, to rounding, and no
+ * weight is negative. Beside curved loops the rule follows them through u = 3 x^2 - 2 x^3, which makes it converge
+ * fast for bounds that stand upright at an end, like circles, slower for those that are nearly upright within, and
+ * exact for none: more nodes, and nurbs_face_area(), tell how good it is. Between straight bounds it is exact for
+ * polynomials in the parameters of degree 2 nodes - 2 in all.
+ * \param[in] face a face.
+ * \param[in] nodes number of nodes along each axis of a cell, 1 to 64; 0: one more than the larger degree of the
+ *   surface.
+ * \param[in] cap length of the arrays in points; 0 asks for the number only.
+ * \param[out] params [cap][2] or NULL: receives the parameters, packed.
+ * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the face in its
+ *   domain.
+ * \param[out] measures [cap] or NULL: receives the weights of areas.
+ * \param[out] count or NULL: receives the number of points.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap is
+ *   neither 0 nor enough, _ORIENTATION if loops cross or coincide, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_quadrature(const nurbs_face *face, int32_t nodes, int64_t cap,
+                                             double *params, double *weights, double *measures,
+                                             int64_t *count);
+
+/** \brief nurbs_face_quadrature() as a call that can be watched and ended.
+ * \param[in] face,nodes,cap as for nurbs_face_quadrature().
+ * \param[out] params,weights,measures,count as for nurbs_face_quadrature().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_face_quadrature(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_quadrature_with(const nurbs_face *face, int32_t nodes, int64_t cap,
+                                                  double *params, double *weights, double *measures,
+                                                  int64_t *count, const nurbs_call_options *call);
+
 /** \brief An axis-aligned box that contains a face; dim is the dimension of its surface. Edges that are
  * composed are bounded as splines are; inside, parts of the surface on which a coordinate may be extreme are
  * halved.
@@ -7889,6 +7967,60 @@ NURBS_API nurbs_status nurbs_model_sections(const nurbs_model *model, int64_t n,
 NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64_t n, const double *normals,
                                                  const double *offsets, double tolerance,
                                                  const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+ * \param[in] model a model.
+ * \param[in] relative_tolerance as for nurbs_face_area(), of the faces of each part together.
+ * \param[out] area the area; 0 if there are no faces.
+ * \param[out] error or NULL: estimate of the error.
+ * \return as for nurbs_face_area(), and NURBS_ERROR_MATRIX, _TOO_LARGE as for nurbs_model_rays().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_area(const nurbs_model *model, double relative_tolerance, double *area,
+                                        double *error);
+
+/** \brief nurbs_model_area() as a call that can be watched and ended.
+ * \param[in] model,relative_tolerance as for nurbs_model_area().
+ * \param[out] area,error as for nurbs_model_area().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_area_with(const nurbs_model *model, double relative_tolerance,
+                                             double *area, double *error, const nurbs_call_options *call);
+
+/** \brief Volume, centroid and inertia of the solids of a closed model where they stand in the whole
+ * (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as nurbs_enclosed_volume() has
+ * it of whole surfaces. Solids are those that the file states, voids taken off, as the outer normals of their faces
+ * say (nurbs_model_face()); the faces of a part that bound none of them are taken to bound one together, and those
+ * of them that hang together by edges are seen as the first of them is: shells of a hollow body have to begin with
+ * faces whose normals all point out of the material, or all into it. A solid turned inside out, or mirrored by its
+ * placement, has the volume of what it encloses, too; solids that overlap count each.
+ *
+ * What faces leave open within their tolerances, or beyond (nurbs_face_deviation()), is neither in the volume nor in
+ * the error: the vector area of a solid, the integral of its outer normal, which is 0 if its faces fit together, tells
+ * of it, and of outer normals that point inwards.
+ * \param[in] model a model.
+ * \param[in] relative_tolerance as for nurbs_face_area(), of each solid.
+ * \param[out] volume >= 0.
+ * \param[out] centroid [3] or NULL.
+ * \param[out] inertia [3][3] or NULL: about the centroid, as for nurbs_moments().
+ * \param[out] openness or NULL: sum of the lengths of the vector areas of all solids.
+ * \param[out] error or NULL: estimate of the error of volume.
+ * \return as for nurbs_face_area(); NURBS_ERROR_GAP if the model is not closed, as for nurbs_model_classify(),
+ *   _LENGTH if the volume is 0 and centroid or inertia are wanted, _TOO_LARGE if there are too many instances.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_volume(const nurbs_model *model, double relative_tolerance, double *volume,
+                                          double *centroid, double *inertia, double *openness, double *error);
+
+/** \brief nurbs_model_volume() as a call that can be watched and ended.
+ * \param[in] model,relative_tolerance as for nurbs_model_volume().
+ * \param[out] volume,centroid,inertia,openness,error as for nurbs_model_volume().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_model_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_volume_with(const nurbs_model *model, double relative_tolerance,
+                                               double *volume, double *centroid, double *inertia,
+                                               double *openness, double *error,
+                                               const nurbs_call_options *call);
 
 /** \brief The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
  * notes on all that was not read.

@@ -115,6 +115,20 @@ double MomentIntegrand::density(const double *, const double *d) const noexcept 
     return std::sqrt(square);
 }
 
+void BoundaryIntegrand::operator()(const double *x, const double *d, double *out) const noexcept {
+    MomentIntegrand::operator()(x, d, out);
+    if (dim() == 3) {
+        out += MomentIntegrand::values();
+        out[0] = d[1] * d[5] - d[2] * d[4];
+        out[1] = d[2] * d[3] - d[0] * d[5];
+        out[2] = d[0] * d[4] - d[1] * d[3];
+    }
+}
+
+double BoundaryIntegrand::density(const double *x, const double *d) const noexcept {
+    return dim() == 2 ? x[0] * d[1] - x[1] * d[0] : determinant(x, d, d + 3);
+}
+
 Moments moments_from(const Integrals &sums, int independent, const Factors &factors,
                      const pieces::Frame &frame, MomentOrder order, double relative_tolerance) {
     const int power = frame.exponent * factors.dimension;

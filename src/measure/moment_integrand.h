@@ -32,6 +32,24 @@ private:
     MomentOrder order_;
 };
 
+// x . n on the boundary of a region times the same, and the normal itself of surfaces.
+class BoundaryIntegrand : public MomentIntegrand {
+public:
+    BoundaryIntegrand(int dim, MomentOrder order) : MomentIntegrand(dim - 1, dim, order) {}
+
+    [[nodiscard]] bool absolute() const noexcept override { return false; }
+    [[nodiscard]] bool metric() const noexcept override { return false; }
+    [[nodiscard]] int degree(int places) const noexcept override {
+        return (dim() + static_cast<int>(order())) * places;
+    }
+    [[nodiscard]] int independent() const noexcept override { return dim() == 3 ? 3 : 0; }
+    [[nodiscard]] int values() const noexcept override { return MomentIntegrand::values() + independent(); }
+    void operator()(const double *place, const double *derivatives, double *out) const noexcept override;
+
+protected:
+    [[nodiscard]] double density(const double *x, const double *d) const noexcept override;
+};
+
 double determinant(const double *u, const double *v, const double *w) noexcept;
 
 // What the integrals of the density times functions of degree 0, 1 and 2 are multiplied by, and the dimension
@@ -40,6 +58,12 @@ struct Factors {
     double content = 1, first = 1, second = 1;
     int dimension;
 };
+
+// Of what a boundary in n dimensions encloses: a cone over an element of it with its tip at the origin has 1 / (n + k) of x . n as
+// its integral of a function of degree k.
+constexpr Factors enclosed_factors(int n) noexcept {
+    return {1.0 / n, 1.0 / (n + 1), 1.0 / (n + 2), n};
+}
 
 // From integrals in the frame of the model, of which the last `independent` ones are a vector area. Throws as moments().
 Moments moments_from(const Integrals &sums, int independent, const Factors &factors,

@@ -14,34 +14,6 @@ namespace nrb::measure {
 
 namespace {
 
-// x . n on the boundary of a region, and the normal itself of surfaces.
-class BoundaryIntegrand : public MomentIntegrand {
-public:
-    using MomentIntegrand::MomentIntegrand;
-
-    [[nodiscard]] bool absolute() const noexcept override { return false; }
-    [[nodiscard]] bool metric() const noexcept override { return false; }
-    [[nodiscard]] int degree(int places) const noexcept override {
-        return (dim() + static_cast<int>(order())) * places;
-    }
-    [[nodiscard]] int independent() const noexcept override { return dim() == 3 ? 3 : 0; }
-    [[nodiscard]] int values() const noexcept override { return MomentIntegrand::values() + independent(); }
-    void operator()(const double *x, const double *d, double *out) const noexcept override {
-        MomentIntegrand::operator()(x, d, out);
-        if (dim() == 3) {
-            out += MomentIntegrand::values();
-            out[0] = d[1] * d[5] - d[2] * d[4];
-            out[1] = d[2] * d[3] - d[0] * d[5];
-            out[2] = d[0] * d[4] - d[1] * d[3];
-        }
-    }
-
-protected:
-    [[nodiscard]] double density(const double *x, const double *d) const noexcept override {
-        return dim() == 2 ? x[0] * d[1] - x[1] * d[0] : determinant(x, d, d + 3);
-    }
-};
-
 Moments moments_of(const std::vector<Elements> &splines, const Integrand &integrand, const Factors &factors,
                    const pieces::Frame &frame, MomentOrder order, double relative_tolerance) {
     return moments_from(integrate(splines, integrand, relative_tolerance), integrand.independent(), factors,
@@ -97,8 +69,8 @@ Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder ord
         elements.emplace_back(*one, frame, whole_domain(*one));
     }
     const int n = parts.front()->dim();
-    return moments_of(elements, BoundaryIntegrand(n - 1, n, order),
-                      {1.0 / n, 1.0 / (n + 1), 1.0 / (n + 2), n}, frame, order, relative_tolerance);
+    return moments_of(elements, BoundaryIntegrand(n, order), enclosed_factors(n), frame, order,
+                      relative_tolerance);
 }
 
 void check_closed(const std::vector<SplinePtr> &curves, double tolerance) {

@@ -23,9 +23,7 @@ struct Moments {
 // Status::length, not_converged, not_representable.
 Moments moments(const Spline &spline, const Part &part, MomentOrder order, double relative_tolerance);
 
-// Of what curves of dimension 2 or surfaces of dimension 3 enclose. A cone over an element of the boundary
-// with its tip at the origin has 1 / (n + k) of x . n as its integral of a function of degree k, n the
-// dimension. Throws as moments().
+// Of what curves of dimension 2 or surfaces of dimension 3 enclose. Throws as moments().
 Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder order,
                          double relative_tolerance);
 

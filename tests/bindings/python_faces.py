@@ -133,6 +133,15 @@ class Answers(unittest.TestCase):
         with self.assertRaises(TypeError):
             self.face.distance(other.surface)
 
+    def test_quadrature(self):
+        params, weights, measures = self.face.quadrature(2)
+        self.assertEqual((params.shape, weights.shape), ((len(measures), 2), measures.shape))
+        self.assertAlmostEqual(measures.sum(), 1.5, 11)
+        self.assertEqual(set(self.face.classify(params)), {1})
+        np.testing.assert_allclose(measures @ self.face.surface.eval(params) / 1.5, [1, 1.5, 0], atol=1e-11)
+        self.assertEqual(status_of(lambda: self.face.quadrature(-1)), nurbs.NURBS_ERROR_COUNT)
+        self.assertEqual(status_of(lambda: self.face.quadrature(work=1)), nurbs.NURBS_ERROR_WORK)
+
     def test_moments_and_boxes(self):
         moments, box = self.face.moments(1e-12), self.face.box(1e-9)
         self.assertAlmostEqual(moments.content, 1.5, 11)

@@ -146,6 +146,18 @@ class Models(unittest.TestCase):
         with self.assertRaises(nurbs.NurbsError):
             self.model.sections([0, 0, 0], 1, 1e-6)
 
+    def test_area_and_volume(self):
+        area, volume = self.model.area(1e-12), self.model.volume(1e-12)
+        self.assertAlmostEqual(area.value, 96 * math.pi, 9)
+        self.assertAlmostEqual(volume.volume, 64 * math.pi, 9)
+        np.testing.assert_allclose(volume.centroid, [0, 0, 2], atol=1e-12)
+        self.assertAlmostEqual(volume.inertia[2, 2], 64 * math.pi * (25 + 9) / 2, 7)
+        self.assertTrue(0 <= volume.openness < 1e-10 and 0 <= volume.error < 1e-9 and 0 <= area.error < 1e-9)
+        self.assertEqual(nurbs.Model().volume().volume, 0)
+        self.assertTrue(np.all(np.isnan(nurbs.Model().volume().centroid)))
+        self.assertEqual(status_of(lambda: nurbs.Model(self.model.faces[:2]).volume()), nurbs.NURBS_ERROR_GAP)
+        self.assertEqual(status_of(lambda: self.model.volume(work=1)), nurbs.NURBS_ERROR_WORK)
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))

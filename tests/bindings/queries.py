@@ -134,6 +134,24 @@ class Measures(unittest.TestCase):
         near(ball.openness, 0, by=1e-11)
         self.assertEqual(status_of(nurbs.enclosed_area, [base()]), nurbs.NURBS_ERROR_GAP)
 
+    def test_quadrature(self):
+        sphere = nurbs.sphere(2, center=[1, 2, 3])
+        params, weights, measures = sphere.quadrature(20)
+        self.assertEqual((params.shape, weights.shape), ((len(measures), 2), measures.shape))
+        self.assertAlmostEqual(measures.sum(), 16 * np.pi, 9)
+        self.assertAlmostEqual(weights.sum(), np.prod([b - a for a, b in sphere.domain]), 12)
+        np.testing.assert_allclose(measures @ sphere.eval(params) / measures.sum(), [1, 2, 3], atol=1e-9)
+        wire = base().quadrature()
+        self.assertEqual(wire.params.shape, wire.weights.shape)
+        self.assertEqual(status_of(sphere.quadrature, 65), nurbs.NURBS_ERROR_COUNT)
+        spans, gradients = sphere.basis_gradients(params[:4])
+        self.assertEqual((spans.shape, gradients.shape), ((4, 2), (4, 3, 3, 3)))
+        np.testing.assert_allclose(gradients.sum(axis=(1, 2)), 0, atol=1e-12)
+        normals = sphere.eval(params[:4]) - [1, 2, 3]
+        np.testing.assert_allclose(np.einsum("nijc,nc->nij", gradients, normals), 0, atol=1e-12)
+        out = np.empty((3, 3, 3))
+        self.assertIs(sphere.basis_gradients(params[0], out=out).gradients, out)
+
     def test_moments_that_do_not_exist_are_nan(self):
         eight = nurbs.polyline([[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]])
         flat = [nurbs.bilinear([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]])]

@@ -206,7 +206,12 @@ static void watched(void) {
     CHECK_OK(nurbs_face_moments_with(face, 1e-9, a + 1, centroid, inertia, NULL, &call));
     CHECK_DOUBLE(a[0], a[1]);
     CHECK_OK(nurbs_face_box_with(face, 1e-9, lower, upper, &gap, &call));
+    int64_t count = -1;
+    CHECK_OK(nurbs_face_quadrature_with(face, 2, 0, NULL, NULL, NULL, &count, &call));
+    CHECK(count > 0 && count % 4 == 0);
     call.struct_size = -1;
+    CHECK_FAILS(nurbs_face_quadrature_with(face, 2, 0, NULL, NULL, NULL, &count, &call), NURBS_ERROR_OPTIONS,
+                "struct_size");
     CHECK_FAILS(nurbs_face_area_with(face, 1e-9, a, NULL, &call), NURBS_ERROR_OPTIONS, "struct_size");
     CHECK_FAILS(nurbs_face_box_with(face, 1e-9, lower, upper, NULL, &call), NURBS_ERROR_OPTIONS,
                 "struct_size");
@@ -223,7 +228,42 @@ static void watched(void) {
     nurbs_destroy(outline);
 }
 
+/* A square with sides along the axes: one cell, or a few, and a sum that is exact. */
+static void quadrature(void) {
+    nurbs *surface = plane(), *outline = square(0.125, 0.875);
+    nurbs_face *face = NULL;
+    double params[2 * 64], weights[64], measures[64], area = 0, sum = 0, parameters = 0;
+    int64_t count = -1;
+    CHECK_OK(nurbs_face_create(surface, 1, SIZES(1), CURVES(outline), NULL, NULL, 1e-9, 0, NULL, &face));
+    CHECK_OK(nurbs_face_quadrature(face, 0, 64, params, weights, measures, &count));
+    CHECK_OK(nurbs_face_area(face, 1e-12, &area, NULL));
+    for (int i = 0; i < count; ++i) {
+        CHECK(params[2 * i] > 0.125 && params[2 * i] < 0.875 && weights[i] >= 0);
+        parameters += weights[i];
+        sum += measures[i];
+    }
+    CHECK(fabs(parameters - 0.5625) < 1e-14 && fabs(sum - area) < 1e-13 * area);
+    FILL(params);
+    FILL(weights);
+    CHECK_FAILS(nurbs_face_quadrature(NULL, -1, -1, params, weights, NULL, NULL), NURBS_ERROR_NULL, "face");
+    CHECK_FAILS(nurbs_face_quadrature(face, -1, 64, params, weights, NULL, NULL), NURBS_ERROR_COUNT,
+                "nodes = -1");
+    CHECK_FAILS(nurbs_face_quadrature(face, 65, 64, params, weights, NULL, NULL), NURBS_ERROR_COUNT,
+                "nodes = 65");
+    CHECK_FAILS(nurbs_face_quadrature(face, 0, -1, params, weights, NULL, NULL), NURBS_ERROR_COUNT,
+                "cap = -1");
+    CHECK_FAILS(nurbs_face_quadrature(face, 0, 1, params, weights, NULL, NULL), NURBS_ERROR_SIZE, "cap = 1");
+    CHECK_FAILS(nurbs_face_quadrature(face, 0, 64, params, params, NULL, NULL), NURBS_ERROR_OVERLAP,
+                "weights|params");
+    CHECK_UNTOUCHED(params);
+    CHECK_UNTOUCHED(weights);
+    nurbs_face_destroy(face);
+    nurbs_destroy(surface);
+    nurbs_destroy(outline);
+}
+
 int main(void) {
+    quadrature();
     whole_surfaces();
     loops_are_turned();
     sides();

@@ -10,7 +10,7 @@ import sys
 
 import made_calls
 
-WIDTH, ROWS = 32, 64  # room for each array in a row
+WIDTH, ROWS = 96, 64  # room for each array in a row
 
 
 def strided(found):

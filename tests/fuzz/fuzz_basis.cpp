@@ -145,6 +145,34 @@ void rational(Input &in) {
     }
 }
 
+// Vectors are numbers, or none of a parameter is.
+void gradients(Input &in) {
+    const fuzz::Spline s = fuzz::any_spline(in);
+    const fuzz::Handle g(fuzz::create(s));
+    if (!g) {
+        return;
+    }
+    int64_t width = s.dim;
+    for (const int32_t p : s.degrees) {
+        width *= p + 1;
+    }
+    const int64_t n = in.below(3);
+    const bool inside = in.coin();
+    const std::vector<double> params = fuzz::any_params(in, g.get(), s.axes(), n, inside);
+    std::vector<double> values(static_cast<size_t>(n * width), -7);
+    std::vector<int64_t> spans(params.size(), -7);
+    const uint32_t flags = inside ? 0 : fuzz::any_flags(in, s.axes());
+    const bool ok = FUZZ_OK(
+        nurbs_basis_gradients(g.get(), n, params.data(), 0, 0, spans.data(), values.data(), 0, 0, flags));
+    FUZZ_REQUIRE(ok || !inside || s.axes() > s.dim);
+    FUZZ_REQUIRE(ok || std::all_of(values.begin(), values.end(), [](double v) { return v == -7; }));
+    for (int64_t i = 0; ok && i < n; ++i) {
+        const auto first = values.begin() + i * width;
+        FUZZ_REQUIRE(!std::isnan(*first) ||
+                     std::all_of(first, first + width, [](double v) { return std::isnan(v); }));
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -153,5 +181,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bspline(in);
     broken_knots(in);
     rational(in);
+    gradients(in);
     return 0;
 }

@@ -298,6 +298,25 @@ void areas(const nurbs_face *face) {
     FUZZ_OK(nurbs_face_moments_with(face, 1e-3, &content, centroid, inertia, nullptr, &call));
 }
 
+// Weights are not negative, and points lie in the domain.
+void rules(const nurbs_face *face) {
+    const nurbs_call_options call = limited(3'000'000);
+    int64_t count = -1;
+    if (!FUZZ_OK(nurbs_face_quadrature_with(face, 2, 0, nullptr, nullptr, nullptr, &count, &call)) ||
+        count > 4000) {
+        return;
+    }
+    const auto n = static_cast<size_t>(count);
+    std::vector<double> params(2 * n), weights(n), measures(n);
+    if (FUZZ_OK(
+            nurbs_face_quadrature(face, 2, count, params.data(), weights.data(), measures.data(), nullptr))) {
+        for (size_t i = 0; i < n; ++i) {
+            FUZZ_REQUIRE(weights[i] >= 0 && measures[i] >= 0);
+            FUZZ_REQUIRE(std::isfinite(params[2 * i]) && std::isfinite(params[2 * i + 1]));
+        }
+    }
+}
+
 // From all of the same surface, or of one that is moved. What is inside is no nearer than the bound from below.
 void distances(Input &in, const nurbs *surface, const nurbs_face *face) {
     int32_t dim = 0;
@@ -372,6 +391,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         nearest(in, surface.get(), face.get());
         distances(in, surface.get(), face.get());
         areas(face.get());
+        rules(face.get());
     }
     plainly();
     return 0;

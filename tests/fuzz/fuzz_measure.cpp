@@ -98,6 +98,37 @@ void bodies(Input &in, const nurbs *g, int dim) {
     }
 }
 
+// Points lie in the domain, and their weights add up to its size.
+void rules(Input &in, const nurbs *g, int axes) {
+    const int32_t nodes = in.rarely() ? in.bad_int() : in.below(5);
+    int64_t count = -1;
+    if (!FUZZ_OK(nurbs_quadrature(g, nodes, 0, nullptr, nullptr, nullptr, &count)) || count > 4000) {
+        return;
+    }
+    FUZZ_REQUIRE(nodes >= 0 && nodes <= 64 && count > 0);
+    const auto n = static_cast<size_t>(count);
+    std::vector<double> params(n * static_cast<size_t>(axes)), weights(n), measures(n);
+    if (!FUZZ_OK(
+            nurbs_quadrature(g, nodes, count, params.data(), weights.data(), measures.data(), nullptr))) {
+        return;
+    }
+    double sum = 0, size = 1;
+    for (size_t i = 0; i < n; ++i) {
+        FUZZ_REQUIRE(weights[i] >= 0 && measures[i] >= 0);
+        sum += weights[i];
+    }
+    for (int k = 0; k < axes; ++k) {
+        double domain[2];
+        FUZZ_REQUIRE(nurbs_domain(g, k, domain) == NURBS_OK);
+        size *= domain[1] - domain[0];
+        for (size_t i = 0; i < n; ++i) {
+            const double t = params[i * static_cast<size_t>(axes) + static_cast<size_t>(k)];
+            FUZZ_REQUIRE(domain[0] <= t && t < domain[1]);
+        }
+    }
+    FUZZ_REQUIRE(!(size < 1e300 && size > 1e-280) || std::fabs(sum - size) <= 1e-9 * size);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -112,5 +143,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     divisions(in, g.get());
     areas(in, g.get(), s.axes());
     bodies(in, g.get(), s.dim);
+    rules(in, g.get(), s.axes());
     return 0;
 }

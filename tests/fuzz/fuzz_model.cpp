@@ -261,6 +261,24 @@ void use_rays(const nurbs_model *model, const Counts &n) {
     }
 }
 
+// What is held has a surface around it.
+void use_volume(const nurbs_model *model, const Counts &n) {
+    const int64_t instances = use_instances(model, n);
+    if (instances < 0 || instances > 16 || n.faces > 8) {
+        return;
+    }
+    const nurbs_call_options call = limited(3'000'000);
+    double area = -1, again = -1, volume = -1, centroid[3], inertia[9], openness = -1, error = -1;
+    const bool measured = FUZZ_OK(nurbs_model_area_with(model, 1e-3, &area, &error, &call));
+    FUZZ_REQUIRE(!measured || (area >= 0 && error >= 0));
+    FUZZ_REQUIRE(!measured || (nurbs_model_area(model, 1e-3, &again, nullptr) == NURBS_OK && again == area));
+    if (FUZZ_OK(nurbs_model_volume_with(model, 1e-3, &volume, nullptr, nullptr, &openness, &error, &call))) {
+        FUZZ_REQUIRE(volume >= 0 && error >= 0 && openness >= 0);
+        FUZZ_REQUIRE(!measured || area > 0 || volume == 0);
+        FUZZ_OK(nurbs_model_volume(model, 1e-3, &volume, centroid, inertia, nullptr, nullptr));
+    }
+}
+
 // Ways are made of all branches, and what goes on in another comes back; more work tells no less.
 void look_at_sections(const nurbs_meet *meet, const Counts &n, int64_t instances) {
     int64_t branches = -1, nodes = -1, count = -1, sum = 0;
@@ -326,6 +344,7 @@ void use(const nurbs_model *model, bool all_edges) {
     use_parts(model, n);
     use_rays(model, n);
     use_nearest(model, n);
+    use_volume(model, n);
     use_sections(model, n);
     nurbs_list *list = nullptr;
     FUZZ_REQUIRE(nurbs_model_splines(model, &list) == NURBS_OK && list != nullptr);

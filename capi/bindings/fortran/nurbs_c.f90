@@ -617,6 +617,20 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_rational_basis
+        !> Gradients in space of the rational basis functions of nurbs_rational_basis(): of R_i as a function
+        !> of the point, J (J^T J)^-1 dR_i/dt with J [dim][axes] the derivatives of the spline.
+        function nurbs_basis_gradients(g, n, params, param_stride, param_component_stride, spans, gradients, &
+                gradient_stride, gradient_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, gradient_stride, &
+                gradient_component_stride
+            real(c_double), intent(in) :: params(*)
+            integer(c_int64_t), intent(inout), optional :: spans(*)
+            real(c_double), intent(inout) :: gradients(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_basis_gradients
         ! --- Evaluation
         !> Points at parameters.
         function nurbs_eval(g, n, params, param_stride, param_component_stride, points, point_stride, &
@@ -2637,6 +2651,18 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume_with
+        !> Points and weights for integrals of any function over a spline: tensor products of rules of Gauss
+        !> and Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2
+        !> nodes - 1 on each span.
+        function nurbs_quadrature(g, nodes, cap, params, weights, measures, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: nodes
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), weights(*), measures(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_quadrature
         ! --- Boxes and cones
         !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
         !> homogeneous ones, whose rounding has no such bound).
@@ -3815,6 +3841,30 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_moments_with
+        !> Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a
+        !> whole surface: rules of Gauss on cells of which the face consists, each between two lines across
+        !> the first axis and between two curves, or knots, that stay in one span of the surface.
+        function nurbs_face_quadrature(face, nodes, cap, params, weights, measures, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int32_t), value :: nodes
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), weights(*), measures(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_face_quadrature
+        !> nurbs_face_quadrature() as a call that can be watched and ended.
+        function nurbs_face_quadrature_with(face, nodes, cap, params, weights, measures, count, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int32_t), value :: nodes
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), weights(*), measures(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_face_quadrature_with
         !> An axis-aligned box that contains a face; dim is the dimension of its surface.
         function nurbs_face_box(face, tolerance, lower, upper, gap) bind(c) result(r)
             import
@@ -4312,6 +4362,48 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sections_with
+        !> Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+        function nurbs_model_area(model, relative_tolerance, area, error) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            integer(c_int32_t) :: r
+        end function nurbs_model_area
+        !> nurbs_model_area() as a call that can be watched and ended.
+        function nurbs_model_area_with(model, relative_tolerance, area, error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_area_with
+        !> Volume, centroid and inertia of the solids of a closed model where they stand in the whole
+        !> (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as
+        !> nurbs_enclosed_volume() has it of whole surfaces.
+        function nurbs_model_volume(model, relative_tolerance, volume, centroid, inertia, openness, error) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: volume
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
+            integer(c_int32_t) :: r
+        end function nurbs_model_volume
+        !> nurbs_model_volume() as a call that can be watched and ended.
+        function nurbs_model_volume_with(model, relative_tolerance, volume, centroid, inertia, openness, &
+                error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: volume
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_model_volume_with
         !> The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
         !> notes on all that was not read.
         function nurbs_model_splines(model, out) bind(c) result(r)

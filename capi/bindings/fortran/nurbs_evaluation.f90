@@ -6,9 +6,9 @@ module nurbs_evaluation
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_hull_size, nurbs_derivative_slots, nurbs_eval, nurbs_eval_derivs, nurbs_eval_grid, &
-        nurbs_eval_grid_derivs, nurbs_eval_f32, nurbs_eval_grid_f32, nurbs_rational_basis, nurbs_rational_collocation, &
-        nurbs_bezier_extraction, nurbs_eval_adjoint, nurbs_eval_adjoint_knots, nurbs_closest_adjoint, &
-        nurbs_length_adjoint
+        nurbs_eval_grid_derivs, nurbs_eval_f32, nurbs_eval_grid_f32, nurbs_rational_basis, nurbs_basis_gradients, &
+        nurbs_rational_collocation, nurbs_bezier_extraction, nurbs_eval_adjoint, nurbs_eval_adjoint_knots, &
+        nurbs_closest_adjoint, nurbs_length_adjoint
     use nurbs_support
     use nurbs_inspection
     implicit none
@@ -18,8 +18,8 @@ module nurbs_evaluation
     !> A handle that can be evaluated.
     type, extends(nurbs_inspected), public :: nurbs_shape
     contains
-        procedure :: eval_grid, eval_grid_derivs, eval_grid_f32, rational_basis, rational_collocation, bezier_extraction
-        procedure :: eval_adjoint, eval_adjoint_knots, closest_adjoint, length_adjoint
+        procedure :: eval_grid, eval_grid_derivs, eval_grid_f32, rational_basis, basis_gradients, rational_collocation
+        procedure :: bezier_extraction, eval_adjoint, eval_adjoint_knots, closest_adjoint, length_adjoint
         procedure, private :: hull_size_1, hull_size_n, eval_1, eval_n, eval_derivs_1, eval_derivs_n, eval_f32_1
         procedure, private :: eval_f32_n
         generic :: hull_size => hull_size_1, hull_size_n
@@ -261,6 +261,29 @@ contains
         if (code == NURBS_OK) spans = transpose(spans_c) + 1
         call settle(code, status)
     end subroutine rational_basis
+
+    !> gradients(n, dim, product of degree + 1) of the active points, which on axis k start at spans(:, k) - degree(k).
+    subroutine basis_gradients(this, params, spans, gradients, flags, status)
+        class(nurbs_shape), intent(in) :: this
+        real(c_double), intent(in) :: params(:, :)
+        integer(c_int64_t), intent(inout) :: spans(:, :)
+        real(c_double), intent(inout) :: gradients(:, :, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n, axes
+        integer(c_int64_t), allocatable :: spans_c(:, :)
+        n = size(params, 1, c_int64_t)
+        axes = axes_of(this%handle)
+        allocate (spans_c(axes, n))
+        code = held(this%handle)
+        if (code == NURBS_OK) code = fitting([fits(params, n, axes), fits(spans, n, axes), &
+            fits(gradients, n, dim_of(this%handle), active_of(this%handle))])
+        if (code == NURBS_OK) code = nurbs_basis_gradients(this%handle, n, params, step(params), column(params), &
+            spans_c, gradients, step(gradients), column(gradients), given(flags, 0))
+        if (code == NURBS_OK) spans = transpose(spans_c) + 1
+        call settle(code, status)
+    end subroutine basis_gradients
 
     ! Derivatives with respect to data: collocation matrices, Bezier extraction, gradients
 

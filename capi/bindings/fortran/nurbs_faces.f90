@@ -6,10 +6,11 @@ module nurbs_faces
     use nurbs_constants
     use nurbs_c, only: nurbs_face_create, nurbs_face_surface, nurbs_face_loops, nurbs_face_curve, nurbs_face_edge, &
         nurbs_face_deviation, nurbs_face_tolerance, nurbs_face_classify, nurbs_face_rays, nurbs_face_closest_points, &
-        nurbs_face_distance, nurbs_face_hausdorff_distance, nurbs_face_area, nurbs_face_moments, nurbs_face_box, &
-        nurbs_face_from_bytes, nurbs_face_create_with, nurbs_face_classify_with, nurbs_face_rays_with, &
-        nurbs_face_closest_points_with, nurbs_face_distance_with, nurbs_face_hausdorff_distance_with, &
-        nurbs_face_area_with, nurbs_face_moments_with, nurbs_face_box_with
+        nurbs_face_distance, nurbs_face_hausdorff_distance, nurbs_face_area, nurbs_face_moments, &
+        nurbs_face_quadrature, nurbs_face_box, nurbs_face_from_bytes, nurbs_face_create_with, &
+        nurbs_face_classify_with, nurbs_face_rays_with, nurbs_face_closest_points_with, nurbs_face_distance_with, &
+        nurbs_face_hausdorff_distance_with, nurbs_face_area_with, nurbs_face_moments_with, nurbs_face_quadrature_with, &
+        nurbs_face_box_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -21,7 +22,7 @@ module nurbs_faces
     type, extends(nurbs_face_handle), public :: nurbs_face
     contains
         procedure :: create, surface, loops, curve, edge, deviation, get_tolerance, classify, rays, closest_points
-        procedure :: distance, hausdorff_distance, get_area, moments, box, from_bytes
+        procedure :: distance, hausdorff_distance, get_area, moments, quadrature, box, from_bytes
     end type nurbs_face
 
 contains
@@ -308,6 +309,38 @@ contains
         end if
         call settle(code, status)
     end subroutine moments
+
+    !> Points and weights for integrals of any function over it: so many nodes along each axis of a cell, 0 for one more
+    !> than the degree.
+    subroutine quadrature(this, params, weights, measures, nodes, status, call)
+        class(nurbs_face), intent(in) :: this
+        real(c_double), allocatable, intent(inout) :: params(:, :), weights(:), measures(:)
+        integer(c_int32_t), intent(in), optional :: nodes
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        n = 0
+        if (present(call)) then
+            code = nurbs_face_quadrature_with(this%handle, given(nodes, 0), 0_c_int64_t, count=n, call=watched(call))
+        else
+            code = nurbs_face_quadrature(this%handle, given(nodes, 0), 0_c_int64_t, count=n)
+        end if
+        if (allocated(weights)) deallocate (weights)
+        if (allocated(measures)) deallocate (measures)
+        allocate (params_c(2, n), weights(n), measures(n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_face_quadrature_with(this%handle, given(nodes, 0), n, params_c, weights, measures, &
+                    call=watched(call))
+            else
+                code = nurbs_face_quadrature(this%handle, given(nodes, 0), n, params_c, weights, measures)
+            end if
+        end if
+        params = transpose(params_c)
+        call settle(code, status)
+    end subroutine quadrature
 
     !> An axis-aligned box that contains it; no side is farther from it than the tolerance.
     subroutine box(this, lower, upper, gap, tolerance, status, call)

@@ -6,9 +6,10 @@ module nurbs_measures
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_curve_length, nurbs_curve_lengths, nurbs_curve_params_at_lengths, nurbs_curve_divide, &
-        nurbs_surface_area, nurbs_moments, nurbs_enclosed_area, nurbs_enclosed_volume, nurbs_curve_length_with, &
-        nurbs_curve_lengths_with, nurbs_curve_params_at_lengths_with, nurbs_curve_divide_with, &
-        nurbs_surface_area_with, nurbs_moments_with, nurbs_enclosed_area_with, nurbs_enclosed_volume_with
+        nurbs_surface_area, nurbs_moments, nurbs_enclosed_area, nurbs_enclosed_volume, nurbs_quadrature, &
+        nurbs_curve_length_with, nurbs_curve_lengths_with, nurbs_curve_params_at_lengths_with, &
+        nurbs_curve_divide_with, nurbs_surface_area_with, nurbs_moments_with, nurbs_enclosed_area_with, &
+        nurbs_enclosed_volume_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -16,7 +17,7 @@ module nurbs_measures
     implicit none
     private
     public :: curve_length, curve_lengths, params_at_lengths, divide_curve, surface_area, spline_moments, enclosed_area
-    public :: enclosed_volume
+    public :: enclosed_volume, quadrature
 
 contains
 
@@ -193,4 +194,24 @@ contains
         end if
         call settle(code, status)
     end subroutine enclosed_volume
+
+    !> params(n, axes), weights(n) of the parameters and measures(n) of the shape, span by span, for integrals of any
+    !> function; nodes along each axis of a span, 0 for one more than the degree.
+    subroutine quadrature(g, params, weights, measures, nodes, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), allocatable, intent(inout) :: params(:, :), weights(:), measures(:)
+        integer(c_int32_t), intent(in), optional :: nodes
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :)
+        n = 0
+        code = nurbs_quadrature(g%handle, given(nodes, 0), 0_c_int64_t, count=n)
+        if (allocated(weights)) deallocate (weights)
+        if (allocated(measures)) deallocate (measures)
+        allocate (params_c(axes_of(g%handle), n), weights(n), measures(n))
+        if (code == NURBS_OK) code = nurbs_quadrature(g%handle, given(nodes, 0), n, params_c, weights, measures)
+        params = transpose(params_c)
+        call settle(code, status)
+    end subroutine quadrature
 end module nurbs_measures

@@ -8,11 +8,12 @@ module nurbs_models
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
         nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
         nurbs_model_edge_uses, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, nurbs_model_instances, &
-        nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, nurbs_model_classify, nurbs_model_splines, &
-        nurbs_model_spline_layers, nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, &
-        nurbs_model_from_bytes, nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_rays_with, &
-        nurbs_model_ray_hits_with, nurbs_model_closest_points_with, nurbs_model_classify_with, &
-        nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
+        nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, nurbs_model_classify, nurbs_model_area, &
+        nurbs_model_volume, nurbs_model_splines, nurbs_model_spline_layers, nurbs_model_layer_count, &
+        nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, nurbs_read_model_with, &
+        nurbs_read_model_file_with, nurbs_model_rays_with, nurbs_model_ray_hits_with, nurbs_model_closest_points_with, &
+        nurbs_model_classify_with, nurbs_model_area_with, nurbs_model_volume_with, nurbs_model_write_file_with, &
+        nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -26,8 +27,8 @@ module nurbs_models
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
         procedure :: read, read_file, create, counts, face, face_name, face_solid, face_layers, edge, edge_uses, vertex
-        procedure :: part, get_use, instances, rays, ray_hits, closest_points, classify, splines, spline_layers
-        procedure :: layer_count, layer, write_file, from_bytes
+        procedure :: part, get_use, instances, rays, ray_hits, closest_points, classify, get_area, get_volume, splines
+        procedure :: spline_layers, layer_count, layer, write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -400,6 +401,41 @@ contains
         end if
         call settle(code, status)
     end subroutine classify
+
+    !> The area of all its faces where they stand.
+    subroutine get_area(this, area, error, tolerance, status, call)
+        class(nurbs_model), intent(in) :: this
+        real(c_double), intent(inout) :: area
+        real(c_double), intent(inout), optional :: error
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_model_area_with(this%handle, given(tolerance, 0d0), area, error, watched(call))
+        else
+            code = nurbs_model_area(this%handle, given(tolerance, 0d0), area, error)
+        end if
+        call settle(code, status)
+    end subroutine get_area
+
+    !> The volume that its solids hold where they stand, with centroid and inertia.
+    subroutine get_volume(this, volume, centroid, inertia, openness, error, tolerance, status, call)
+        class(nurbs_model), intent(in) :: this
+        real(c_double), intent(inout) :: volume
+        real(c_double), intent(inout), optional :: centroid(3), inertia(3, 3), openness, error
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_model_volume_with(this%handle, given(tolerance, 0d0), volume, centroid, inertia, openness, &
+                error, watched(call))
+        else
+            code = nurbs_model_volume(this%handle, given(tolerance, 0d0), volume, centroid, inertia, openness, error)
+        end if
+        call settle(code, status)
+    end subroutine get_volume
 
     !> The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what was not
     !> read.

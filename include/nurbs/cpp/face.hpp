@@ -269,6 +269,38 @@ public:
             found.centroid, found.inertia);
         return found;
     }
+    /// Points and weights for integrals of any function over it: so many nodes along each axis of a cell, 0 for
+    /// one more than the degree.
+    [[nodiscard]] Returned<Quadrature> quadrature(std::int32_t nodes = 0) const {
+        Quadrature found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_face_quadrature, get(), nodes, cap, found.params.data(), found.weights.data(),
+                         found.measures.data(), &count);
+        };
+        ask(0);
+        found.params = detail::room(count, 2);
+        found.weights = detail::room(count);
+        found.measures = detail::room(count);
+        ask(count);
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<Quadrature> quadrature(std::int32_t nodes, const CallOptions &call) const {
+        Quadrature found{};
+        const detail::Watch watch(call);
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_face_quadrature_with, get(), nodes, cap, found.params.data(),
+                         found.weights.data(), found.measures.data(), &count, watch.get());
+        };
+        ask(0);
+        found.params = detail::room(count, 2);
+        found.weights = detail::room(count);
+        found.measures = detail::room(count);
+        ask(count);
+        return found;
+    }
     /// An axis-aligned box that contains it; no side is farther from it than the tolerance.
     [[nodiscard]] Returned<Box> box(double tolerance = 0) const {
         const std::int64_t dim = detail::dimension(get());

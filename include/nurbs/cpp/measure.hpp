@@ -263,6 +263,30 @@ inline Returned<EnclosedVolume> enclosed_volume(std::span<const Spline> surfaces
     return found;
 }
 
+/// Points and weights of rules on the spans of a spline.
+struct Quadrature {
+    std::vector<double> params;   ///< Parameters [axes] of the points, packed.
+    std::vector<double> weights;  ///< Weights of the parameters.
+    std::vector<double> measures; ///< Weights of lengths, areas or volumes.
+};
+
+/// Points and weights for integrals of any function: so many nodes along each axis of a span, 0 for one more
+/// than the degree.
+inline Returned<Quadrature> quadrature(const Spline &g, std::int32_t nodes = 0) {
+    Quadrature found{};
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_quadrature, g.get(), nodes, cap, found.params.data(), found.weights.data(),
+                     found.measures.data(), &count);
+    };
+    ask(0);
+    found.params = detail::room(count, detail::axes(g.get()));
+    found.weights = detail::room(count);
+    found.measures = detail::room(count);
+    ask(count);
+    return found;
+}
+
 } // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 

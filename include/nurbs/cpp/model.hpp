@@ -7,6 +7,7 @@
 
 #include <nurbs/cpp/face.hpp>
 #include <nurbs/cpp/list.hpp>
+#include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <array>
@@ -339,6 +340,43 @@ public:
         detail::call(nurbs_model_classify_with, get(), n, points.data(), points.stride(),
                      points.component_stride(), tolerance, values.data(), watch.get());
         return values;
+    }
+    /// The area of all its faces where they stand.
+    [[nodiscard]] Returned<Measured> area(double relative_tolerance = 0) const {
+        Measured found{};
+        detail::call(nurbs_model_area, get(), relative_tolerance, &found.value, &found.error);
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<Measured> area(double relative_tolerance, const CallOptions &call) const {
+        Measured found{};
+        const detail::Watch watch(call);
+        detail::call(nurbs_model_area_with, get(), relative_tolerance, &found.value, &found.error,
+                     watch.get());
+        return found;
+    }
+    /// The volume that its solids hold where they stand, with centroid and inertia.
+    [[nodiscard]] Returned<EnclosedVolume> volume(double relative_tolerance = 0) const {
+        EnclosedVolume found{};
+        detail::call_moments(
+            [&](double *centroid, double *inertia) {
+                return nurbs_model_volume(get(), relative_tolerance, &found.volume, centroid, inertia,
+                                          &found.openness, &found.error);
+            },
+            found.centroid, {detail::flat(found.inertia), 9});
+        return found;
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] Returned<EnclosedVolume> volume(double relative_tolerance, const CallOptions &call) const {
+        EnclosedVolume found{};
+        const detail::Watch watch(call);
+        detail::call_moments(
+            [&](double *centroid, double *inertia) {
+                return nurbs_model_volume_with(get(), relative_tolerance, &found.volume, centroid, inertia,
+                                               &found.openness, &found.error, watch.get());
+            },
+            found.centroid, {detail::flat(found.inertia), 9});
+        return found;
     }
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on what
     /// was not read.

@@ -41,6 +41,12 @@ struct Basis {
     std::vector<double> values;      ///< Of the functions that are active there.
 };
 
+/// The gradients of active basis functions at parameters: where they start, and the vectors.
+struct BasisGradients {
+    std::vector<std::int64_t> spans; ///< The span of each parameter.
+    std::vector<double> gradients;   ///< Of the functions that are active there.
+};
+
 /// A curve, surface or volume: a handle that is copied in constant time and freed by its destructor.
 class Spline : public detail::SplineHandle {
 public:
@@ -421,6 +427,16 @@ public:
         Basis found{detail::room<std::int64_t>(n, axes), detail::room(n, detail::active(get()))};
         detail::call(nurbs_rational_basis, get(), n, params.data(), params.stride(),
                      params.component_stride(), found.spans.data(), found.values.data(), 0, 0, flags);
+        return found;
+    }
+    /// The gradients in space of the R_i at each parameter, [n][M][dim]; the spans are [n][axes].
+    [[nodiscard]] Returned<BasisGradients> basis_gradients(Input params, std::uint32_t flags = 0) const {
+        const std::int64_t axes = detail::axes(get());
+        const std::int64_t n = detail::records(params, axes, "params");
+        BasisGradients found{detail::room<std::int64_t>(n, axes),
+                             detail::room(n, detail::active(get()), detail::dimension(get()))};
+        detail::call(nurbs_basis_gradients, get(), n, params.data(), params.stride(),
+                     params.component_stride(), found.spans.data(), found.gradients.data(), 0, 0, flags);
         return found;
     }
 

@@ -7,10 +7,7 @@
 
 namespace nrb::face {
 
-// By Gauss rules on the rectangles and curved trapezoids of which the face consists (D. Gunderman, K. Weiss, J. A. Evans,
-// "Spectral mesh-free quadrature for planar regions bounded by rational parametric curves", CAD 130 (2021)), those with the
-// largest error first, by higher rules or halved. Throws as measure::moments(). A tolerance of 0 asks for the best that rounding
-// and a limit of work allow.
+// By integrate(). Throws as measure::moments(), and Status::orientation for loops that cross.
 measure::Moments moments(const Face &face, measure::MomentOrder order, double relative_tolerance);
 
 } // namespace nrb::face

@@ -66,7 +66,7 @@ void PanelRule::visit_nodes() {
     for (size_t i = 0; i < nodes_.size(); ++i) {
         const double *jet = derivatives_.data() + i * static_cast<size_t>(width);
         const Panel::Jet &by = jets_[i];
-        const double part = by.by_x[0] * by.by_y[1] - by.by_x[1] * by.by_y[0]; // of the domain
+        const double part = std::abs(by.by_x[0] * by.by_y[1] - by.by_x[1] * by.by_y[0]); // of the domain
         double u = 0, v = 0;
         for (size_t c = 0; c < dim_; ++c) {
             place[c] = frame_.coordinate(c, jet[c]);
@@ -78,7 +78,7 @@ void PanelRule::visit_nodes() {
         spreads_[i] = std::sqrt(u * v);
         double *out = out_.data() + i * values_;
         integrand_(place.data(), along.data(), out);
-        if (out[0] < 0) {
+        if (integrand_.absolute() && out[0] < 0) {
             std::transform(out, out + values_, out, [](double x) { return -x; });
         }
     }

@@ -727,6 +727,13 @@ void data(const Inputs &in) {
         show("error", found.error);
     }
     {
+        begin("face_quadrature");
+        const auto found = in.face.quadrature(1);
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
+    }
+    {
         begin("face_box");
         const auto found = in.face.box(0.001);
         show("lower", found.lower);
@@ -1086,6 +1093,13 @@ void data(const Inputs &in) {
         show("centroid", found.centroid);
         show("inertia", found.inertia);
         show("error", found.error);
+    }
+    {
+        begin("face_quadrature_with");
+        const auto found = in.face.quadrature(1, watched());
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
     }
     {
         begin("face_box_with");
@@ -1576,6 +1590,18 @@ void evaluation(const Inputs &in) {
         const auto found = in.surface.rational_basis({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0u);
         show("spans", found.spans);
         show("values", found.values);
+    }
+    {
+        begin("basis_gradients");
+        const auto found = in.curve.basis_gradients({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0u);
+        show("spans", found.spans);
+        show("gradients", found.gradients);
+    }
+    {
+        begin("basis_gradients surface");
+        const auto found = in.surface.basis_gradients({0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, 0u);
+        show("spans", found.spans);
+        show("gradients", found.gradients);
     }
     {
         begin("eval");
@@ -2605,6 +2631,42 @@ void query(const Inputs &in) {
         show("sides", found);
     }
     {
+        begin("model_area");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.area(1e-06);
+        show("area", found.value);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06);
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume alone");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06);
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
+    }
+    {
         begin("curve_self_intersections");
         const auto found = n::self_intersections(in.curve, 1e-09);
         show("params_a", found.params_a);
@@ -2760,6 +2822,20 @@ void query(const Inputs &in) {
         show("inertia", found.inertia);
         show("openness", found.openness);
         show("error", found.error);
+    }
+    {
+        begin("quadrature");
+        const auto found = n::quadrature(in.curve, 2);
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
+    }
+    {
+        begin("quadrature surface");
+        const auto found = n::quadrature(in.surface, 1);
+        show("params", found.params);
+        show("weights", found.weights);
+        show("measures", found.measures);
     }
     {
         begin("coons_gaps");
@@ -3207,6 +3283,42 @@ void query(const Inputs &in) {
         const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
         const auto found = ball.classify({0.1, 0.2, 0.3, 0.0, 0.6, 0.8}, 0.001, watched());
         show("sides", found);
+    }
+    {
+        begin("model_area_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.area(1e-06, watched());
+        show("area", found.value);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06, watched());
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
+    }
+    {
+        begin("model_volume_with alone");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = ball.volume(1e-06, watched());
+        show("volume", found.volume);
+        show("centroid", found.centroid);
+        show("inertia", found.inertia);
+        show("openness", found.openness);
+        show("error", found.error);
     }
     {
         begin("curve_self_intersections_with");

@@ -1562,6 +1562,17 @@ contains
             call show('inertia', flat(inertia_found))
             call show('error', error_found)
         end block
+        call begin('face_quadrature')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            call face%quadrature(params=params_found, weights=weights_found, measures=measures_found, nodes=1)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
+        end block
         call begin('face_box')
         block
             real(c_double), allocatable :: lower_found(:)
@@ -2116,6 +2127,19 @@ contains
             call show('centroid', centroid_found)
             call show('inertia', flat(inertia_found))
             call show('error', error_found)
+        end block
+        call begin('face_quadrature_with')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            type(nurbs_call) :: watching
+            call face%quadrature(params=params_found, weights=weights_found, measures=measures_found, nodes=1, &
+                call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
         end block
         call begin('face_box_with')
         block
@@ -2782,6 +2806,32 @@ contains
                 - 1)
             call show('values', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
                 1])))
+        end block
+        call begin('basis_gradients')
+        block
+            integer(c_int64_t), allocatable :: spans_found(:, :)
+            real(c_double), allocatable :: gradients_found(:, :, :)
+            allocate (spans_found(6, 1))
+            allocate (gradients_found(6, 2, 3))
+            call curve%basis_gradients(params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], [6, 1], order=[2, &
+                1]), spans=spans_found, gradients=gradients_found, flags=0)
+            call show('spans', flat(reshape(spans_found, [size(spans_found, 2), size(spans_found, 1)], order=[2, 1])) &
+                - 1)
+            call show('gradients', flat(reshape(gradients_found, [size(gradients_found, 2), size(gradients_found, 3), &
+                size(gradients_found, 1)], order=[3, 1, 2])))
+        end block
+        call begin('basis_gradients surface')
+        block
+            integer(c_int64_t), allocatable :: spans_found(:, :)
+            real(c_double), allocatable :: gradients_found(:, :, :)
+            allocate (spans_found(3, 2))
+            allocate (gradients_found(3, 3, 6))
+            call surface%basis_gradients(params=reshape([0.1d0, 0.9d0, 0.3d0, 0.7d0, 0.2d0, 0.6d0], [3, 2], order=[2, &
+                1]), spans=spans_found, gradients=gradients_found, flags=0)
+            call show('spans', flat(reshape(spans_found, [size(spans_found, 2), size(spans_found, 1)], order=[2, 1])) &
+                - 1)
+            call show('gradients', flat(reshape(gradients_found, [size(gradients_found, 2), size(gradients_found, 3), &
+                size(gradients_found, 1)], order=[3, 1, 2])))
         end block
         call begin('eval')
         block
@@ -4493,6 +4543,63 @@ contains
                 sides=sides_found, tolerance=0.001d0)
             call show('sides', sides_found)
         end block
+        call begin('model_area')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: area_found
+            real(c_double) :: error_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_area(area=area_found, error=error_found, tolerance=1d-06)
+            call show('area', area_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double), allocatable :: centroid_found(:)
+            real(c_double), allocatable :: inertia_found(:, :)
+            real(c_double) :: openness_found
+            real(c_double) :: error_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (centroid_found(3))
+            allocate (inertia_found(3, 3))
+            call ball%get_volume(volume=volume_found, centroid=centroid_found, inertia=inertia_found, &
+                openness=openness_found, error=error_found, tolerance=1d-06)
+            call show('volume', volume_found)
+            call show('centroid', centroid_found)
+            call show('inertia', flat(inertia_found))
+            call show('openness', openness_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume alone')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double) :: error_found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_volume(volume=volume_found, error=error_found, tolerance=1d-06)
+            call show('volume', volume_found)
+            call show('error', error_found)
+        end block
         call begin('curve_self_intersections')
         block
             real(c_double), allocatable :: params_a_found(:)
@@ -4750,6 +4857,28 @@ contains
             call show('inertia', flat(inertia_found))
             call show('openness', openness_found)
             call show('error', error_found)
+        end block
+        call begin('quadrature')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            call quadrature(g=curve, params=params_found, weights=weights_found, measures=measures_found, nodes=2)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
+        end block
+        call begin('quadrature surface')
+        block
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            real(c_double), allocatable :: measures_found(:)
+            call quadrature(g=surface, params=params_found, weights=weights_found, measures=measures_found, nodes=1)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+            call show('measures', measures_found)
         end block
         call begin('coons_gaps')
         block
@@ -5525,6 +5654,66 @@ contains
             call ball%classify(points=reshape([0.1d0, 0.2d0, 0.3d0, 0.0d0, 0.6d0, 0.8d0], [2, 3], order=[2, 1]), &
                 sides=sides_found, tolerance=0.001d0, call=watching)
             call show('sides', sides_found)
+        end block
+        call begin('model_area_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: area_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_area(area=area_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('area', area_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double), allocatable :: centroid_found(:)
+            real(c_double), allocatable :: inertia_found(:, :)
+            real(c_double) :: openness_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            allocate (centroid_found(3))
+            allocate (inertia_found(3, 3))
+            call ball%get_volume(volume=volume_found, centroid=centroid_found, inertia=inertia_found, &
+                openness=openness_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('volume', volume_found)
+            call show('centroid', centroid_found)
+            call show('inertia', flat(inertia_found))
+            call show('openness', openness_found)
+            call show('error', error_found)
+        end block
+        call begin('model_volume_with alone')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            real(c_double) :: volume_found
+            real(c_double) :: error_found
+            type(nurbs_call) :: watching
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call ball%get_volume(volume=volume_found, error=error_found, tolerance=1d-06, call=watching)
+            call show('volume', volume_found)
+            call show('error', error_found)
         end block
         call begin('curve_self_intersections_with')
         block

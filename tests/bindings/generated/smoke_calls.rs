@@ -1292,6 +1292,13 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("inertia", &found.inertia);
         show("error", &found.error);
     }
+    begin("face_quadrature");
+    {
+        let found = given.face.quadrature(1)?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
+    }
     begin("face_box");
     {
         let found = given.face.bounding_box(0.001)?;
@@ -1783,6 +1790,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("centroid", &found.centroid);
         show("inertia", &found.inertia);
         show("error", &found.error);
+    }
+    begin("face_quadrature_with");
+    {
+        let found = given
+            .face
+            .quadrature_with(1, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
     }
     begin("face_box_with");
     {
@@ -2464,6 +2480,22 @@ fn evaluation(given: &Given) -> nurbs::Result<()> {
             .rational_basis(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
         show("spans", &found.spans);
         show("values", &found.values);
+    }
+    begin("basis_gradients");
+    {
+        let found = given
+            .curve
+            .basis_gradients(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        show("spans", &found.spans);
+        show("gradients", &found.gradients);
+    }
+    begin("basis_gradients surface");
+    {
+        let found = given
+            .surface
+            .basis_gradients(&[0.1, 0.9, 0.3, 0.7, 0.2, 0.6], 0)?;
+        show("spans", &found.spans);
+        show("gradients", &found.gradients);
     }
     begin("eval");
     {
@@ -3712,6 +3744,57 @@ fn query(given: &Given) -> nurbs::Result<()> {
         let found = ball.classify(&[0.1, 0.2, 0.3, 0.0, 0.6, 0.8], 0.001)?;
         show("sides", &found);
     }
+    begin("model_area");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.area(1e-06)?;
+        show("area", &found.value);
+        show("error", &found.error);
+    }
+    begin("model_volume");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume(1e-06)?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
+    }
+    begin("model_volume alone");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume(1e-06)?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
+    }
     begin("curve_self_intersections");
     {
         let found = given.curve.self_intersections(1e-09)?;
@@ -3875,6 +3958,20 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("inertia", &found.inertia);
         show("openness", &found.openness);
         show("error", &found.error);
+    }
+    begin("quadrature");
+    {
+        let found = given.curve.quadrature(2)?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
+    }
+    begin("quadrature surface");
+    {
+        let found = given.surface.quadrature(1)?;
+        show("params", &found.params);
+        show("weights", &found.weights);
+        show("measures", &found.measures);
     }
     begin("coons_gaps");
     {
@@ -4542,6 +4639,57 @@ fn query(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("sides", &found);
+    }
+    begin("model_area_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.area_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("area", &found.value);
+        show("error", &found.error);
+    }
+    begin("model_volume_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
+    }
+    begin("model_volume_with alone");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = ball.volume_with(1e-06, &mut Call::new().progress(|_| true))?;
+        show("volume", &found.volume);
+        show("centroid", &found.centroid);
+        show("inertia", &found.inertia);
+        show("openness", &found.openness);
+        show("error", &found.error);
     }
     begin("curve_self_intersections_with");
     {

@@ -20,7 +20,15 @@ if TYPE_CHECKING:
     from ._arrays import Floats, Int64s, Singles
     from ._spline import Spline
 
-__all__ = ["RationalBasis", "derivative_slot", "derivative_slots"]
+__all__ = ["BasisGradients", "RationalBasis", "derivative_slot", "derivative_slots"]
+
+
+class BasisGradients(NamedTuple):
+    """Spans S + (axes,), and the gradients of the functions of the active control points there, S + (degree + 1 of each
+    axis) + (dimension,)."""
+
+    spans: Int64s
+    gradients: Floats
 
 
 class RationalBasis(NamedTuple):
@@ -139,6 +147,16 @@ class Evaluation(SplineBase):
         spans = numpy.empty((*shape, self.axes), numpy.int64)
         call(lib.nurbs_rational_basis, self._handle, given.n, *given.layout, spans.ctypes.data, *output.layout, flags)
         return RationalBasis(spans, output.finish())
+
+    def basis_gradients(self, params: ArrayLike, flags: int = 0, out: Optional[Floats] = None) -> BasisGradients:
+        """The gradients in space of the functions of rational_basis(), on a curve or a surface along it; NaN where the
+        derivatives of the spline are dependent."""
+        given, shape = self._params(params)
+        inner = (*(degree + 1 for degree in self.degrees), self.dimension)
+        output = Output(out, shape + inner, prod(inner))
+        spans = numpy.empty((*shape, self.axes), numpy.int64)
+        call(lib.nurbs_basis_gradients, self._handle, given.n, *given.layout, spans.ctypes.data, *output.layout, flags)
+        return BasisGradients(spans, output.finish())
 
     # --- Grids ---
 

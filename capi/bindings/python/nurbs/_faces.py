@@ -9,7 +9,7 @@ from typing import TypeVar, Union
 
 import numpy
 
-from ._arrays import address, if_given, parameters, vector
+from ._arrays import address, addresses, if_given, parameters, vector
 from ._base import handle_of
 from ._bounds import Box
 from ._bytes import given as given_bytes, pickled, written
@@ -18,7 +18,7 @@ from ._closest import ClosestPoints, largest_distances, smallest_distance
 from ._errors import NurbsError
 from ._intersections import cast
 from ._library import call, get, lib
-from ._measure import Measured, Moments, moments_of
+from ._measure import Measured, Moments, Quadrature, moments_of
 from ._spline import Spline
 from .constants import NURBS_AS_ORIENTED, NURBS_CHECK_CROSSINGS, NURBS_KEEP_GAPS
 
@@ -294,6 +294,15 @@ class Face:
         centroid, inertia = moments_of(self.surface.dimension, watched(lib.nurbs_face_moments, progress, work),
                                        (self._handle, relative_tolerance, ctypes.byref(content)), (ctypes.byref(error),))
         return Moments(content.value, centroid, inertia, error.value)
+
+    def quadrature(self, nodes: int = 0, *, progress: Progress = None, work: Optional[int] = None) -> Quadrature:
+        """Points and weights for integrals of any function over it: rules of Gauss on cells, of so many nodes along each axis,
+        0 for one more than the degree. The sum of measures * f(points) is that over the face."""
+        function = watched(lib.nurbs_face_quadrature, progress, work)
+        n = get(ctypes.c_int64, function, self._handle, nodes, 0, None, None, None)
+        found = Quadrature(numpy.empty((n, 2)), numpy.empty(n), numpy.empty(n))
+        get(ctypes.c_int64, function, self._handle, nodes, n, *addresses(*found))
+        return found
 
     def box(self, tolerance: float = 0.0, *, progress: Progress = None, work: Optional[int] = None) -> Box:
         """An axis-aligned box that contains it; no side is farther from it than the tolerance."""

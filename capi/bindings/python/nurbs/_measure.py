@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Tuple
 
 import numpy
 
-from ._arrays import Output, address, records
+from ._arrays import Output, address, addresses, records
 from ._base import SplineBase, handles
 from ._calls import watched
 from ._errors import NurbsError
-from ._library import call, lib
+from ._library import call, get, lib
 from .constants import NURBS_CLAMP, NURBS_EQUAL_CHORDS, NURBS_ERROR_LENGTH, NURBS_ERROR_NOT_REPRESENTABLE
 
 if TYPE_CHECKING:
@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from ._arrays import Floats
     from ._calls import Progress
 
-__all__ = ["Measured", "Division", "Moments", "EnclosedArea", "EnclosedVolume", "enclosed_area", "enclosed_volume"]
+__all__ = ["Measured", "Division", "Moments", "EnclosedArea", "EnclosedVolume", "Quadrature", "enclosed_area",
+           "enclosed_volume"]
 
 
 class Measured(NamedTuple):
@@ -67,6 +68,15 @@ class EnclosedVolume(NamedTuple):
     inertia: Floats
     openness: float
     error: float
+
+
+class Quadrature(NamedTuple):
+    """Parameters (n, axes), of a curve (n,), span by span, their weights (n,), and the weights (n,) of lengths, areas or
+    volumes."""
+
+    params: Floats
+    weights: Floats
+    measures: Floats
 
 
 def moments_of(dim: int, function: Any, before: Tuple[Any, ...], after: Tuple[Any, ...]) -> Tuple[Floats, Floats]:
@@ -144,6 +154,14 @@ class Measures(SplineBase):
         centroid, inertia = moments_of(self.dimension, watched(lib.nurbs_moments, progress, work),
                                      (self._handle, relative_tolerance, ctypes.byref(content)), (ctypes.byref(error),))
         return Moments(content.value, centroid, inertia, error.value)
+
+    def quadrature(self, nodes: int = 0) -> Quadrature:
+        """Points and weights for integrals of any function: rules of Gauss on each span, of so many nodes along each axis, 0
+        for one more than its degree. The sum of measures * f(points) is that over the shape."""
+        n = get(ctypes.c_int64, lib.nurbs_quadrature, self._handle, nodes, 0, None, None, None)
+        found = Quadrature(numpy.empty((n, self.axes) if self.axes > 1 else n), numpy.empty(n), numpy.empty(n))
+        get(ctypes.c_int64, lib.nurbs_quadrature, self._handle, nodes, n, *addresses(*found))
+        return found
 
 
 def enclosed_area(curves: Iterable[SplineBase], tolerance: float = 0.0, relative_tolerance: float = 0.0, *,

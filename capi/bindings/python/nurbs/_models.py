@@ -17,6 +17,7 @@ from ._calls import listed, watched
 from ._faces import Face
 from ._files import Note, SplineList, _options
 from ._library import call, get, lib, text
+from ._measure import EnclosedVolume, Measured, moments_of
 from ._meets import Meet
 from ._spline import Spline
 from ._write import file_bytes, to_file
@@ -483,6 +484,23 @@ class Model:
         call(watched(lib.nurbs_model_classify, progress, work), self._handle, given.n, *given.layout, tolerance,
              sides.ctypes.data)
         return sides
+
+    def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
+             work: Optional[int] = None) -> Measured:
+        """The area of all its faces where they stand; a tolerance of 0 asks for the best that there is."""
+        area = ctypes.c_double()
+        error = get(ctypes.c_double, watched(lib.nurbs_model_area, progress, work), self._handle, relative_tolerance,
+                    ctypes.byref(area))
+        return Measured(area.value, error)
+
+    def volume(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
+               work: Optional[int] = None) -> EnclosedVolume:
+        """What its solids hold where they stand. Raises ArgumentError if it is not closed."""
+        volume, openness, error = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
+        centroid, inertia = moments_of(3, watched(lib.nurbs_model_volume, progress, work),
+                                       (self._handle, relative_tolerance, ctypes.byref(volume)),
+                                       (ctypes.byref(openness), ctypes.byref(error)))
+        return EnclosedVolume(volume.value, centroid, inertia, openness.value, error.value)
 
     # --- Sections ---
 

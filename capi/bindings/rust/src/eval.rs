@@ -18,6 +18,16 @@ pub struct Basis {
     pub values: Vec<f64>,
 }
 
+/// The gradients of active basis functions at parameters: where they start, and the vectors.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct BasisGradients {
+    /// The span of each parameter.
+    pub spans: Vec<i64>,
+    /// Of the functions that are active there.
+    pub gradients: Vec<f64>,
+}
+
 /// Number of partial derivatives of orders 0 to `order`: binomial(order + axes, axes).
 pub fn derivative_slots(axes: i32, order: i32) -> Result<usize> {
     let mut slots = 0;
@@ -325,5 +335,30 @@ impl Spline {
             )
         })?;
         Ok(Basis { spans, values })
+    }
+
+    /// The gradients in space of the R_i of the active control points at each parameter; the spans are
+    /// `[n][axes]`.
+    pub fn basis_gradients<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<BasisGradients> {
+        let params = params.into();
+        let axes = self.axes()? as usize;
+        let n = params.count(axes, "params")?;
+        let mut spans = vec![0; n * axes];
+        let mut gradients = vec![0.0; n * self.active()? * self.dimension()? as usize];
+        check(unsafe {
+            sys::nurbs_basis_gradients(
+                self.raw(),
+                n as i64,
+                params.pointer(),
+                params.stride(),
+                params.component_stride(),
+                spans.as_mut_ptr(),
+                gradients.as_mut_ptr(),
+                0,
+                0,
+                flags,
+            )
+        })?;
+        Ok(BasisGradients { spans, gradients })
     }
 }

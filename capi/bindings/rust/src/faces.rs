@@ -8,7 +8,7 @@ use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::Face;
 use crate::intersections::Rays;
-use crate::measure::{Measured, Moments};
+use crate::measure::{Measured, Moments, Quadrature};
 use crate::moments::moments_of;
 use crate::sizes::sum;
 use crate::spline::{some_handles, Spline};
@@ -516,6 +516,58 @@ impl Face {
             )
         })?;
         Ok(Moments { content, centroid, inertia, error })
+    }
+
+    /// Points and weights for integrals of any function over it: so many nodes along each axis of a cell, 0
+    /// for one more than the degree.
+    pub fn quadrature(&self, nodes: i32) -> Result<Quadrature> {
+        let fill = |cap, params, weights, measures, count| unsafe {
+            sys::nurbs_face_quadrature(self.raw(), nodes, cap, params, weights, measures, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 2]; n];
+        let mut weights = vec![0.0; n];
+        let mut measures = vec![0.0; n];
+        check(fill(
+            count,
+            params.as_mut_ptr().cast(),
+            weights.as_mut_ptr(),
+            measures.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok(Quadrature { params, weights, measures })
+    }
+
+    /// The same as `quadrature`; it can be watched and stopped.
+    pub fn quadrature_with(&self, nodes: i32, call: &mut Call) -> Result<Quadrature> {
+        let mut fill = |cap, params, weights, measures, count| unsafe {
+            sys::nurbs_face_quadrature_with(
+                self.raw(),
+                nodes,
+                cap,
+                params,
+                weights,
+                measures,
+                count,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 2]; n];
+        let mut weights = vec![0.0; n];
+        let mut measures = vec![0.0; n];
+        check(fill(
+            count,
+            params.as_mut_ptr().cast(),
+            weights.as_mut_ptr(),
+            measures.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok(Quadrature { params, weights, measures })
     }
 
     /// An axis-aligned box that contains it; no side is farther from it than the tolerance.

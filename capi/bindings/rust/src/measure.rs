@@ -9,6 +9,7 @@ use crate::moments::moments_of;
 use crate::sizes::positive;
 use crate::spline::{handles, Spline};
 use crate::sys;
+use std::ptr::null_mut;
 
 /// An integral, and an estimate of its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -74,6 +75,18 @@ pub struct EnclosedVolume {
     pub openness: f64,
     /// An estimate of the error of the volume.
     pub error: f64,
+}
+
+/// Points and weights of rules on the spans of a spline.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Quadrature {
+    /// Parameters `[axes]` of the points, packed.
+    pub params: Vec<f64>,
+    /// Weights of the parameters.
+    pub weights: Vec<f64>,
+    /// Weights of lengths, areas or volumes.
+    pub measures: Vec<f64>,
 }
 
 /// The area of the region that closed chains of curves enclose; counterclockwise counts positive.
@@ -411,5 +424,21 @@ impl Spline {
             )
         })?;
         Ok(Moments { content, centroid, inertia, error })
+    }
+
+    /// Points and weights for integrals of any function: so many nodes along each axis of a span, 0 for one
+    /// more than the degree.
+    pub fn quadrature(&self, nodes: i32) -> Result<Quadrature> {
+        let fill = |cap, params, weights, measures, count| unsafe {
+            sys::nurbs_quadrature(self.raw(), nodes, cap, params, weights, measures, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![0.0; n * self.axes()? as usize];
+        let mut weights = vec![0.0; n];
+        let mut measures = vec![0.0; n];
+        check(fill(count, params.as_mut_ptr(), weights.as_mut_ptr(), measures.as_mut_ptr(), &mut count))?;
+        Ok(Quadrature { params, weights, measures })
     }
 }

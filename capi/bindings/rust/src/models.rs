@@ -3,14 +3,16 @@
 //! Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
 //! they belong.
 
-use crate::arrays::{exactly, if_given, rows, Records};
+use crate::arrays::{exactly, flat, if_given, rows, Records};
 use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::{face_handles, Face};
 use crate::list::{
     options_pointer, path_text, write_options_pointer, written, List, ReadOptions, WriteOptions,
 };
+use crate::measure::{EnclosedVolume, Measured};
 use crate::model::Model;
+use crate::moments::moments_of;
 use crate::spline::Spline;
 use crate::sys;
 use std::path::Path;
@@ -565,6 +567,67 @@ impl Model {
             )
         })?;
         Ok(sides)
+    }
+
+    /// The area of all its faces where they stand.
+    pub fn area(&self, relative_tolerance: f64) -> Result<Measured> {
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe { sys::nurbs_model_area(self.raw(), relative_tolerance, &mut value, &mut error) })?;
+        Ok(Measured { value, error })
+    }
+
+    /// The same as `area`; it can be watched and stopped.
+    pub fn area_with(&self, relative_tolerance: f64, call: &mut Call) -> Result<Measured> {
+        let mut value = 0.0;
+        let mut error = 0.0;
+        check(unsafe {
+            sys::nurbs_model_area_with(self.raw(), relative_tolerance, &mut value, &mut error, call.options())
+        })?;
+        Ok(Measured { value, error })
+    }
+
+    /// The volume that its solids hold where they stand, with centroid and inertia.
+    pub fn volume(&self, relative_tolerance: f64) -> Result<EnclosedVolume> {
+        let mut volume = 0.0;
+        let mut centroid = [0.0; 3];
+        let mut inertia = [[0.0; 3]; 3];
+        let mut openness = 0.0;
+        let mut error = 0.0;
+        moments_of(&mut centroid, flat(&mut inertia), |centroid, inertia| unsafe {
+            sys::nurbs_model_volume(
+                self.raw(),
+                relative_tolerance,
+                &mut volume,
+                centroid,
+                inertia,
+                &mut openness,
+                &mut error,
+            )
+        })?;
+        Ok(EnclosedVolume { volume, centroid, inertia, openness, error })
+    }
+
+    /// The same as `volume`; it can be watched and stopped.
+    pub fn volume_with(&self, relative_tolerance: f64, call: &mut Call) -> Result<EnclosedVolume> {
+        let mut volume = 0.0;
+        let mut centroid = [0.0; 3];
+        let mut inertia = [[0.0; 3]; 3];
+        let mut openness = 0.0;
+        let mut error = 0.0;
+        moments_of(&mut centroid, flat(&mut inertia), |centroid, inertia| unsafe {
+            sys::nurbs_model_volume_with(
+                self.raw(),
+                relative_tolerance,
+                &mut volume,
+                centroid,
+                inertia,
+                &mut openness,
+                &mut error,
+                call.options(),
+            )
+        })?;
+        Ok(EnclosedVolume { volume, centroid, inertia, openness, error })
     }
 
     /// The curves and surfaces of a file that no face or edge consists of, with its unit and the notes on

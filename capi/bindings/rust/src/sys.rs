@@ -1316,6 +1316,22 @@ extern "C" {
         value_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Gradients in space of the rational basis functions of nurbs_rational_basis(): of R_i as a function of
+    /// the point, J (J^T J)^-1 dR_i/dt with J \[dim\]\[axes\] the derivatives of the spline.
+    ///
+    /// May be null: `spans`.
+    pub fn nurbs_basis_gradients(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        spans: *mut i64,
+        gradients: *mut f64,
+        gradient_stride: i64,
+        gradient_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
     // --- Evaluation
     /// Points at parameters.
     pub fn nurbs_eval(
@@ -3371,6 +3387,20 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// Points and weights for integrals of any function over a spline: tensor products of rules of Gauss and
+    /// Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2 nodes - 1
+    /// on each span.
+    ///
+    /// May be null: `params`, `weights`, `measures`, `count`.
+    pub fn nurbs_quadrature(
+        g: *const nurbs,
+        nodes: i32,
+        cap: i64,
+        params: *mut f64,
+        weights: *mut f64,
+        measures: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
     // --- Boxes and cones
     /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
     /// homogeneous ones, whose rounding has no such bound).
@@ -4681,6 +4711,33 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a
+    /// whole surface: rules of Gauss on cells of which the face consists, each between two lines across the
+    /// first axis and between two curves, or knots, that stay in one span of the surface.
+    ///
+    /// May be null: `params`, `weights`, `measures`, `count`.
+    pub fn nurbs_face_quadrature(
+        face: *const nurbs_face,
+        nodes: i32,
+        cap: i64,
+        params: *mut f64,
+        weights: *mut f64,
+        measures: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_face_quadrature() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `weights`, `measures`, `count`, `call`.
+    pub fn nurbs_face_quadrature_with(
+        face: *const nurbs_face,
+        nodes: i32,
+        cap: i64,
+        params: *mut f64,
+        weights: *mut f64,
+        measures: *mut f64,
+        count: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// An axis-aligned box that contains a face; dim is the dimension of its surface.
     ///
     /// May be null: `gap`.
@@ -5150,6 +5207,52 @@ extern "C" {
         tolerance: f64,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+    ///
+    /// May be null: `error`.
+    pub fn nurbs_model_area(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_model_area() as a call that can be watched and ended.
+    ///
+    /// May be null: `error`, `call`.
+    pub fn nurbs_model_area_with(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Volume, centroid and inertia of the solids of a closed model where they stand in the whole
+    /// (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as
+    /// nurbs_enclosed_volume() has it of whole surfaces.
+    ///
+    /// May be null: `centroid`, `inertia`, `openness`, `error`.
+    pub fn nurbs_model_volume(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        volume: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        openness: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_model_volume() as a call that can be watched and ended.
+    ///
+    /// May be null: `centroid`, `inertia`, `openness`, `error`, `call`.
+    pub fn nurbs_model_volume_with(
+        model: *const nurbs_model,
+        relative_tolerance: f64,
+        volume: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        openness: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
     /// notes on all that was not read.

@@ -751,6 +751,10 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_face_moments(in.face, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13);
      }},
+    {"face_quadrature",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_face_quadrature(in.face, 1, 64, o.values, o.values + 128, o.values + 192, o.spans);
+     }},
     {"face_box",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_face_box(in.face, 0.001, o.values, o.values + 3, o.values + 6);
@@ -1246,6 +1250,13 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_moments_with(in.face, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13,
+             &call);
+     }},
+    {"face_quadrature_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_quadrature_with(in.face, 1, 64, o.values, o.values + 128, o.values + 192, o.spans,
              &call);
      }},
     {"face_box_with",

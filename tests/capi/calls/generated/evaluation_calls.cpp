@@ -30,6 +30,14 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_rational_basis(in.surface, 3, arrays::params, 0, 0, o.spans, o.values, 0, 0, 0);
      }},
+    {"basis_gradients",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_basis_gradients(in.curve, 6, arrays::params, 0, 0, o.spans, o.values, 0, 0, 0);
+     }},
+    {"basis_gradients surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_basis_gradients(in.surface, 3, arrays::params, 0, 0, o.spans, o.values, 0, 0, 0);
+     }},
     {"eval",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_eval(in.curve, 6, arrays::params, 0, 0, o.values, 0, 0, 0);

@@ -440,6 +440,55 @@ const Call group[] = {
          static constexpr double points[] = {0.1, 0.2, 0.3, 0, 0.6, 0.8};
          return nurbs_model_classify(made_ball, 2, points, 0, 0, 0.001, o.states);
      }},
+    {"model_area",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         return nurbs_model_area(made_ball, 1e-06, o.values, o.values + 1);
+     }},
+    {"model_volume",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         return nurbs_model_volume(made_ball, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13,
+             o.values + 14);
+     }},
+    {"model_volume alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         return nurbs_model_volume(made_ball, 1e-06, o.values, nullptr, nullptr, nullptr, o.values + 1);
+     }},
     {"curve_self_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_curve_self_intersections(in.curve, 1e-09, 16, o.values, o.values + 16, o.states, o.values
@@ -542,6 +591,14 @@ const Call group[] = {
          const nurbs *const surfaces[] = {made_sphere};
          return nurbs_enclosed_volume(1, surfaces, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13,
              o.values + 14);
+     }},
+    {"quadrature",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_quadrature(in.curve, 2, 64, o.values, o.values + 64, o.values + 128, o.spans);
+     }},
+    {"quadrature surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_quadrature(in.surface, 1, 24, o.values, o.values + 48, o.values + 72, o.spans);
      }},
     {"coons_gaps",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1048,6 +1105,62 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_model_classify_with(made_ball, 2, points, 0, 0, 0.001, o.states, &call);
+     }},
+    {"model_area_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_area_with(made_ball, 1e-06, o.values, o.values + 1, &call);
+     }},
+    {"model_volume_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_volume_with(made_ball, 1e-06, o.values, o.values + 1, o.values + 4, o.values + 13,
+             o.values + 14, &call);
+     }},
+    {"model_volume_with alone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_volume_with(made_ball, 1e-06, o.values, nullptr, nullptr, nullptr, o.values + 1,
+             &call);
      }},
     {"curve_self_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

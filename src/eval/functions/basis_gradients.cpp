@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "eval/functions/basis_gradients.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "eval/active_points.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace nrb::eval {
+
+namespace {
+
+// Of the derivatives of a spline, [axes][dim], an orthonormal basis of what they span, and by how much of it each consists. Gram
+// and Schmidt's method, each vector twice ("twice is enough", L. Giraud, J. Langou, M. Rozloznik, 2005).
+class Tangents {
+public:
+    Tangents(int axes, int dim)
+        : axes_(static_cast<size_t>(axes)), dim_(static_cast<size_t>(dim)), across_(axes_ * dim_) {}
+
+    // Whether they are independent. noise: how far each may be off by rounding.
+    bool set(const std::vector<double> &derivatives, const std::array<double, max_axes> &noise) noexcept {
+        across_ = derivatives;
+        parts_ = {};
+        for (size_t k = 0; k < axes_; ++k) {
+            double *own = across_.data() + k * dim_;
+            const double size = length(own);
+            if (!(size > 0) || !std::isfinite(size)) {
+                return false;
+            }
+            sizes_[k] = size;
+            std::for_each(own, own + dim_, [size](double &x) { x /= size; });
+            for (int pass = 0; pass < 2; ++pass) {
+                take_off(k, own);
+            }
+            const double rest = length(own);
+            if (!(rest * size > noise[k])) {
+                return false;
+            }
+            parts_[k][k] = rest;
+            std::for_each(own, own + dim_, [rest](double &x) { x /= rest; });
+        }
+        return true;
+    }
+
+    // The vector along them whose product with derivative k is slopes[k].
+    template <class Put>
+    void gradient(std::array<double, max_axes> slopes, Put &&put) const noexcept {
+        for (size_t k = 0; k < axes_; ++k) {
+            slopes[k] /= sizes_[k];
+            for (size_t j = 0; j < k; ++j) {
+                slopes[k] -= parts_[k][j] * slopes[j];
+            }
+            slopes[k] /= parts_[k][k];
+        }
+        for (size_t c = 0; c < dim_; ++c) {
+            double sum = 0;
+            for (size_t k = 0; k < axes_; ++k) {
+                sum += slopes[k] * across_[k * dim_ + c];
+            }
+            put(c, sum);
+        }
+    }
+
+private:
+    [[nodiscard]] double length(const double *x) const noexcept { return norm(x, static_cast<int>(dim_)); }
+    void take_off(size_t k, double *own) noexcept {
+        for (size_t j = 0; j < k; ++j) {
+            const double *other = across_.data() + j * dim_;
+            double product = 0;
+            for (size_t c = 0; c < dim_; ++c) {
+                product += own[c] * other[c];
+            }
+            parts_[k][j] += product;
+            for (size_t c = 0; c < dim_; ++c) {
+                own[c] -= product * other[c];
+            }
+        }
+    }
+
+    size_t axes_, dim_;
+    std::vector<double> across_;
+    std::array<double, max_axes> sizes_{};
+    std::array<std::array<double, max_axes>, max_axes> parts_{}; // lower triangle, of vectors of length 1
+};
+
+class GradientBatch {
+public:
+    GradientBatch(const Spline &spline, const AxisRules &rules)
+        : spline_(spline), axes_(static_cast<size_t>(spline.axes())), dim_(static_cast<size_t>(spline.dim())),
+          active_(spline.knot_vectors(), rules, highest(spline.axes())),
+          tangents_(spline.axes(), spline.dim()), slopes_(axes_ * static_cast<size_t>(active_.size())),
+          points_(static_cast<size_t>(active_.size())), values_(points_.size()), derivatives_(axes_ * dim_) {}
+
+    [[nodiscard]] int64_t work() const noexcept {
+        return active_.size() * static_cast<int64_t>(8 * axes_ * dim_);
+    }
+
+    void evaluate(const ConstRecords &params, int64_t i, int64_t *spans, const Records &out) {
+        const bool valid = active_.locate(params, i);
+        for (size_t k = 0; k < axes_ && spans != nullptr; ++k) {
+            spans[k] = valid ? active_.span(k) : -1;
+        }
+        if (!valid || !set_slopes() || !tangents_.set(derivatives_, noise_)) {
+            for (int64_t c = 0; c < out.width; ++c) {
+                out(i, c) = nan_value;
+            }
+            return;
+        }
+        for (size_t j = 0; j < points_.size(); ++j) {
+            std::array<double, max_axes> own{};
+            for (size_t k = 0; k < axes_; ++k) {
+                own[k] = spline_.weight(points_[j]) * slope(k, j);
+            }
+            tangents_.gradient(own,
+                               [&](size_t c, double x) { out(i, static_cast<int64_t>(j * dim_ + c)) = x; });
+        }
+    }
+
+private:
+    static Orders highest(int axes) noexcept {
+        Orders orders{};
+        std::fill_n(orders.begin(), axes, 1);
+        return orders;
+    }
+    [[nodiscard]] double &slope(size_t k, size_t j) noexcept { return slopes_[k * points_.size() + j]; }
+
+    // (N_j,k - N_j w,k / w) / w, which sum to 0 with the weights, so that derivatives are sums over differences of points from one of
+    // them: where the spline lies does not enter their rounding.
+    bool set_slopes() noexcept {
+        double weight = 0;
+        size_t j = 0;
+        active_.for_each([&](int64_t point, double value) {
+            points_[j] = point;
+            values_[j++] = value;
+            weight += value * spline_.weight(point);
+        });
+        weight = spline_.rational() ? weight : 1;
+        for (size_t k = 0; k < axes_; ++k) {
+            Orders orders{};
+            orders[k] = 1;
+            double change = 0;
+            j = 0;
+            active_.for_each(orders, [&](int64_t point, double value) {
+                slope(k, j++) = value;
+                change += value * spline_.weight(point);
+            });
+            const double rate = spline_.rational() ? change / weight : 0;
+            steepness_[k] = 0;
+            for (j = 0; j < points_.size(); ++j) {
+                const double own = slope(k, j), drift = values_[j] * rate,
+                             share = std::abs(spline_.weight(points_[j]) / weight);
+                steepness_[k] += share * (std::abs(own) + std::abs(drift));
+                slope(k, j) = (own - drift) / weight;
+            }
+        }
+        set_derivatives();
+        return std::isfinite(weight);
+    }
+    void set_derivatives() noexcept {
+        const auto first = std::ranges::find_if(points_, [&](int64_t i) { return spline_.weight(i) > 0; });
+        std::ranges::fill(derivatives_, 0);
+        double reach = 0; // the largest difference
+        for (size_t c = 0; c < dim_; ++c) {
+            const double origin =
+                first == points_.end() ? 0 : spline_.coordinate(*first, static_cast<int>(c));
+            for (size_t j = 0; j < points_.size(); ++j) {
+                const double away = difference(points_[j], static_cast<int>(c), origin);
+                const double weight = spline_.weight(points_[j]);
+                reach = std::max(reach, weight != 0 ? std::abs(away / weight) : 0);
+                for (size_t k = 0; k < axes_; ++k) {
+                    derivatives_[k * dim_ + c] += slope(k, j) * away;
+                }
+            }
+        }
+        set_noise(reach);
+    }
+    // Derivatives of functions are off by a few eps of what neighbours of them have.
+    void set_noise(double reach) noexcept {
+        for (size_t k = 0; k < axes_; ++k) {
+            noise_[k] = 64 * eps * steepness_[k] * reach;
+        }
+    }
+    // w (x - origin); of points at infinity w x.
+    [[nodiscard]] double difference(int64_t point, int c, double origin) const noexcept {
+        const double weight = spline_.weight(point);
+        if (spline_.form() == Form::homogeneous && weight == 0) {
+            return spline_.points()[static_cast<size_t>(point * (spline_.dim() + 1) + c)];
+        }
+        return weight * (spline_.coordinate(point, c) - origin);
+    }
+
+    const Spline &spline_;
+    size_t axes_, dim_;
+    ActivePoints active_;
+    Tangents tangents_;
+    std::vector<double> slopes_; // [axes][active points]
+    std::vector<int64_t> points_;
+    std::vector<double> values_, derivatives_;           // derivatives_: [axes][dim]
+    std::array<double, max_axes> steepness_{}, noise_{}; // sums of the magnitudes of slopes; of derivatives
+};
+
+} // namespace
+
+void basis_gradients(const Spline &spline, const AxisRules &rules, ConstRecords params, int64_t *spans,
+                     Records gradients) {
+    GradientBatch batch(spline, rules);
+    for (int64_t i = 0; i < params.count; ++i) {
+        batch.evaluate(params, i, spans == nullptr ? nullptr : spans + i * spline.axes(), gradients);
+        count_work(batch.work());
+    }
+}
+
+} // namespace nrb::eval

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The pieces of a face in one column of its surface.
+#pragma once
+
+#include "face/trims/trim_map.h"
+
+#include <vector>
+
+namespace nrb::face {
+
+// A part of a piece in one column and one span of v.
+struct ColumnPart {
+    const TrimPiece *piece;
+    Interval along;
+    Interval u;
+    size_t row;
+    int passed;
+};
+
+// Between neighbouring places no piece begins, ends, or passes from one span of v to the next one.
+class Column {
+public:
+    // v_breaks: the knots of axis 1 in the domain.
+    Column(const TrimMap &trims, const std::vector<double> &v_breaks) : trims_(trims), v_breaks_(v_breaks) {}
+
+    // Of the pieces that come into the column, which is a span of u.
+    void set(Interval column, const std::vector<const TrimPiece *> &pieces);
+
+    [[nodiscard]] const TrimMap &trims() const noexcept { return trims_; }
+    [[nodiscard]] const std::vector<double> &v_breaks() const noexcept { return v_breaks_; }
+    [[nodiscard]] const std::vector<ColumnPart> &parts() const noexcept { return parts_; }
+    [[nodiscard]] const std::vector<double> &places() const noexcept { return places_; }
+    // How many loops go around places at the top, between each place and the next one.
+    [[nodiscard]] const std::vector<int> &values_at_top() const noexcept { return values_; }
+    // Throws Status::orientation unless a value > 0 is 1. Slivers between loops that run along each other are left as they are.
+    void check_value(int value, double width) const;
+
+private:
+    void add_parts(const TrimPiece &piece, Interval column);
+    [[nodiscard]] size_t row_of(double v) const;
+    void set_places(Interval column);
+
+    const TrimMap &trims_;
+    const std::vector<double> &v_breaks_;
+    std::vector<ColumnPart> parts_;
+    std::vector<double> places_;
+    std::vector<int> values_;
+};
+
+// Those that come into each column between breaks of u.
+std::vector<std::vector<const TrimPiece *>> pieces_in_columns(const TrimMap &trims,
+                                                              const std::vector<double> &u_breaks);
+
+} // namespace nrb::face
