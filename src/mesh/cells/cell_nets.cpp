@@ -154,10 +154,6 @@ double CellNets::noise(int divisions) const noexcept {
     return eps * (16 + 4.0 * divisions * (degrees_[0] + degrees_[1])) * grid_.radius();
 }
 
-double CellNets::moved() const noexcept {
-    return grid_.moved();
-}
-
 std::array<const double *, 4> corners_of(const CellNets &nets, const double *net) noexcept {
     const auto row = static_cast<size_t>(nets.degree(1)) * HessianBox::coordinates;
     const double *last = net + static_cast<size_t>(nets.degree(0)) * (row + HessianBox::coordinates);

@@ -36,10 +36,8 @@ public:
     [[nodiscard]] PieceRange pieces_in(const Rectangle &part) const noexcept;
     // Over a part of the domain, with an axis across a plane of it.
     [[nodiscard]] HessianBox box(const Rectangle &part, const PieceRange &pieces);
-    // How far coefficients may be from exact ones after so many divisions, relative to the largest weight, and what rounding moves
-    // the surface.
+    // How far coefficients may be from exact ones after so many divisions, relative to the largest weight.
     [[nodiscard]] double noise(int divisions) const noexcept;
-    [[nodiscard]] double moved() const noexcept;
 
 private:
     [[nodiscard]] Rectangle wide_part(const Rectangle &part,

@@ -97,7 +97,6 @@ int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
 }
 
 void CellTree::Builder::build() {
-    tree_.moved_ = nets_.moved();
     set_blocks();
     const int64_t across = std::ssize(tree_.blocks_[1]) - 1,
                   count = (std::ssize(tree_.blocks_[0]) - 1) * across;
@@ -141,7 +140,6 @@ void CellTree::Builder::look_at(Item item) {
     const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
     if (flat || side == Side::outside || hopeless || work_ended() || !divide(item, cut_of(found.box, bend))) {
-        tree_.reached_ = tree_.reached_ && (flat || side == Side::outside);
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
 }

@@ -50,11 +50,6 @@ public:
     [[nodiscard]] Rectangle block(int32_t number) const noexcept;
     // Where blocks end along an axis.
     [[nodiscard]] const std::vector<double> &block_ends(size_t k) const noexcept { return block_ends_[k]; }
-    // What the answer of the rule was for a part of the domain of the rule: whether all cells are within the chord as far as
-    // that was looked at.
-    [[nodiscard]] bool reached() const noexcept { return reached_; }
-    // Of the surface by rounding, in units of the grid.
-    [[nodiscard]] double moved() const noexcept { return moved_; }
     // Calls visit(cell) for the cells that meet a rectangle.
     template <class Visit>
     void for_each_in(const Rectangle &part, Visit &&visit) const;
@@ -76,8 +71,6 @@ private:
     std::array<std::vector<int64_t>, 2> blocks_; // breaks at which they begin, and the last break
     std::vector<int32_t> roots_;                 // nodes of the blocks
     std::array<std::vector<double>, 2> block_ends_;
-    bool reached_ = true;
-    double moved_ = 0;
 };
 
 template <class Visit>

@@ -53,6 +53,7 @@ private:
     [[nodiscard]] Side side_of(const Rectangle &part) const;
     void make_cells();
     void make_strip();
+    [[nodiscard]] double rounding() const noexcept;
     void prove();
     [[nodiscard]] MeshBound mesh_bound() const;
     void set_borders(MeshBound &bound) const;
@@ -214,6 +215,19 @@ MeshBound DomainMesher::mesh_bound() const {
     return all;
 }
 
+// What moves the pieces, and points that are evaluated. Where weights have either sign, that is relative to the least of the
+// surface.
+double DomainMesher::rounding() const noexcept {
+    double least = 1;
+    for (const Cell &cell : cells_.tree().cells()) {
+        least = cell.box.certain() ? std::min(least, cell.box.least_weight()) : least;
+    }
+    constexpr int divisions = 64; // no cell is the result of more
+    return grid_.moved() + grid_.moved_by_weights(grid_.radius(), least, divisions) +
+           8 * grid_.value_error() * grid_.radius() * (grid_.positive() ? 1 : 1 / least) +
+           4 * eps * grid_.size();
+}
+
 void DomainMesher::prove() {
     proven_.resize(triangles_.size(), {{}, -1});
     for (size_t i = 0; i < triangles_.size(); ++i) {
@@ -223,7 +237,7 @@ void DomainMesher::prove() {
         }
     }
     const MeshBound all = mesh_bound();
-    const double slack = grid_.moved() + 8 * grid_.value_error() * grid_.radius() + 4 * eps * grid_.size();
+    const double slack = rounding();
     distances_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
         const Distances d = all.distances(points_of(triangles_[i]), proven_[i].bound);
