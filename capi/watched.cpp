@@ -188,6 +188,14 @@ nurbs_status nurbs_extrema_with(const nurbs *g, uint32_t kinds, int64_t cap, dou
         call, [&] { return nurbs_extrema(g, kinds, cap, params, values, found, boxes, count, complete); });
 }
 
+nurbs_status nurbs_mesh_curve_with(const nurbs *g, double chord, double angle, double longest, int64_t cap,
+                                   double *params, double *points, double *bound, int32_t *reached,
+                                   int64_t *count, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_mesh_curve(g, chord, angle, longest, cap, params, points, bound, reached, count);
+    });
+}
+
 nurbs_status nurbs_roots_with(const nurbs *g, double value, double tolerance, int64_t cap, double *params,
                               int32_t *kinds, double *ranges, int64_t *count, int32_t *complete,
                               const nurbs_call_options *call) {

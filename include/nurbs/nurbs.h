@@ -7929,6 +7929,68 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
                                          int64_t *length);
 /** @} */
 
+/** \defgroup mesh Meshes
+ * \code
+ * int64_t count = 0;
+ * double bound = 0;
+ * int32_t reached = 0; // 1: proven that nothing is farther than 0.01
+ * double points[3 * 64];
+ * if (nurbs_mesh_curve(curve, 0.01, 0, 0, 64, NULL, points, &bound, &reached, &count) == NURBS_ERROR_SIZE) {
+ *     nurbs_mesh_curve(curve, 0.01, 0, 0, 0, NULL, NULL, NULL, NULL, &count); // asks for the number of vertices
+ * }
+ * \endcode
+ * Shapes made of what is straight and flat, within a distance that is proven. Parameters that divide a curve
+ * into parts of equal length are those of nurbs_curve_divide().
+ * @{ */
+
+/** \brief A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
+ * they replace, both ways, is at most `chord`. Each is proven by the Bernstein coefficients of its part: these
+ * are no nearer to the segment than the curve; and, where it is smaller, by the second derivatives across the
+ * segment, which is exact in the limit of short segments. What rounding may have done is in the bound.
+ *
+ * Vertices are at the ends of the domain; where the curve jumps, twice, at the limits from the left and the
+ * right; where its direction changes by more than rounding at a knot; and in between as few as greedy steps
+ * need: of smooth curves a few hundredths more than the least number for the tolerance, of rough ones up to a
+ * tenth. A curve that closes has three segments or more; the last vertex of a periodic one is its first, bit for
+ * bit. Other points are as nurbs_eval() has them. Powers of two in the unit of length change nothing but sizes.
+ *
+ * An angle cannot be kept where the curve turns back at a cusp, or where its derivative vanishes; and nothing
+ * can be proven where weights pass through 0. There segments become as short as 1e-6 of the size of the curve, or
+ * neighbouring parameters. A chord below what rounding allows is not reached either. Where no limit of work is
+ * given there is one of about a second, and more for many control points.
+ *
+ * Costs: about 0.5 us for a segment of a cubic, and as much for a span.
+ * \param[in] g a curve.
+ * \param[in] chord > 0: the largest distance; infinite for no limit, if there is another one.
+ * \param[in] angle between any two tangents of the part of a segment, in radians, at most pi; 0 for no limit.
+ * \param[in] longest length of a segment; 0 for no limit.
+ * \param[in] cap length of the arrays: 0, or at least the number of vertices.
+ * \param[out] params [cap] or NULL: of the vertices, rising.
+ * \param[out] points [cap][dim] or NULL: the vertices.
+ * \param[out] bound or NULL: no distance is larger; infinite where none could be proven.
+ * \param[out] reached or NULL: 1 if all segments keep to the limits, as proven, else 0: also at the limit of
+ *   work, where the rest of the curve is one segment from each place with a vertex to the next one.
+ * \param[out] count or NULL: number of vertices.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERLAP; _TOLERANCE if chord is not > 0, or infinite
+ *   without another limit, _ANGLE if angle is not from 0 to pi, _LENGTH if longest is not finite or < 0, _SIZE
+ *   if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_curve(const nurbs *g, double chord, double angle, double longest,
+                                        int64_t cap, double *params, double *points, double *bound,
+                                        int32_t *reached, int64_t *count);
+
+/** \brief nurbs_mesh_curve() as a call that can be watched and ended.
+ * \param[in] g,chord,angle,longest,cap as for nurbs_mesh_curve().
+ * \param[out] params,points,bound,reached,count as for nurbs_mesh_curve().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_mesh_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_curve_with(const nurbs *g, double chord, double angle, double longest,
+                                             int64_t cap, double *params, double *points, double *bound,
+                                             int32_t *reached, int64_t *count,
+                                             const nurbs_call_options *call);
+/** @} */
+
 /** \defgroup write Writing files
  * \code
  * nurbs_model *model = NULL;

@@ -54,6 +54,7 @@
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/meets.hpp>
+#include <nurbs/cpp/mesh.hpp>
 #include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/parts.hpp>
 #include <nurbs/cpp/placement.hpp>

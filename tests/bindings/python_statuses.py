@@ -158,6 +158,7 @@ ASK = [
     lambda c: c.g.extreme_point(c.vector(), c.tolerance()),
     lambda c: c.g.features(),
     lambda c: c.g.extrema(),
+    lambda c: c.g.mesh_curve(abs(c.number()), 0.5, c.tolerance(), work=1 << 20),
     lambda c: c.g.roots(0, c.tolerance()),
     lambda c: c.g.curve_level(1, [1] * (c.g.dimension + 1), c.tolerance()),
     lambda c: c.g.curve_intersections(c.h, c.tolerance()),

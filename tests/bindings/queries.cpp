@@ -149,6 +149,8 @@ static void curve_shapes() {
         extrema(Spline::create_bezier({1, 1}, 1, {0, 1, 1, 0}), extremum_maximum | extremum_saddle);
     EXPECT(near(tops.params, {0, 1, 0.5, 0.5, 1, 0}) && near(tops.values, {1, 0.5, 1}) && tops.complete);
     EXPECT(tops.found == (std::vector{extremum_maximum, extremum_saddle, extremum_maximum}));
+    const CurvePolyline chain = mesh_curve(circle({}, 1), 1e-2);
+    EXPECT(chain.reached && chain.bound <= 1e-2 && chain.points.size() == 2 * chain.params.size());
     const Hits zeros = roots(Spline::create_bezier({2}, 1, {0.75, -1.25, 0.75}));
     EXPECT(near(zeros.params, {0.25, 0.75}) && zeros.kinds == (std::vector{hit_crossing, hit_crossing}) &&
            zeros.complete);

@@ -189,7 +189,7 @@ contains
         integer(c_int32_t), allocatable :: found(:), signs(:)
         real(c_double), allocatable :: ranges(:, :), others(:, :)
         real(c_double), allocatable :: tops(:, :), boxes(:, :, :)
-        real(c_double) :: corners(3, 2), bezier(4, 2), parabola(3, 1)
+        real(c_double) :: corners(3, 2), bezier(4, 2), parabola(3, 1), reach
         logical :: complete
         bezier(:, 1) = [0, 1, 2, 3]
         bezier(:, 2) = [0, 2, -2, 0]
@@ -207,6 +207,8 @@ contains
         call expect(near(params, [0.25d0, 0.75d0]) .and. complete .and. all(signs == NURBS_HIT_CROSSING), 'roots')
         call extrema(g, NURBS_EXTREMUM_MINIMUM, tops, values, found, boxes, complete)
         call expect(near(tops(:, 1), [0.5d0]) .and. complete .and. all(found == NURBS_EXTREMUM_MINIMUM), 'a minimum')
+        call mesh_curve(ring, 1d-2, params, tops, reach, complete)
+        call expect(complete .and. reach <= 1d-2 .and. all(shape(tops) == [size(params), 2]), 'a polyline')
         call curve_level(ring, 1, [1d0, 2d0, 0d0], params, signs, ranges, complete)
         call expect(size(params) == 2 .and. complete .and. all(shape(ranges) == [2, 2]), 'a line through a ring')
         call curve_intersections(ring, base, params, values, signs, ranges, others, complete, tolerance=1d-9)

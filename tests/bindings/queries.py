@@ -340,6 +340,14 @@ class Features(unittest.TestCase):
         self.assertTrue(hill.boxes[0, 0, 0] <= 0.5 <= hill.boxes[0, 0, 1])
         self.assertEqual(len(hill.params), 1)
 
+    def test_mesh_curve(self):
+        line = nurbs.circle().mesh_curve(1e-3)
+        self.assertTrue(line.reached and 0 < line.bound <= 1e-3)
+        self.assertTrue(70 <= len(line.params) <= 80)
+        near(line.points, nurbs.circle()(line.params))
+        self.assertEqual(len(nurbs.circle().mesh_curve(angle=1.6).params), 5)
+        self.assertEqual(nurbs.line([0, 0], [3, 4]).mesh_curve(longest=1.01).params.size, 6)
+
     def test_monotone_pieces(self):
         found = nurbs.circle().monotone_pieces([1, 0])
         near(found.starts, [0, 0.5])

@@ -169,6 +169,8 @@ fn curve_shapes() -> Result<()> {
     let tops = Spline::bezier(&[1, 1], 1, &[0., 1., 1., 0.], None)?.extrema(sys::NURBS_EXTREMUM_SADDLE)?;
     assert!(near(&tops.params, &[0.5, 0.5]) && near(&tops.values, &[0.5]) && tops.complete && tops.boxes.len() == 2);
     assert_eq!(tops.found, [sys::NURBS_EXTREMUM_SADDLE]);
+    let line = circle(1.)?.mesh_curve(1e-2, 0., 0.)?;
+    assert!(line.reached && line.bound <= 1e-2 && line.points.len() == 2 * line.params.len());
     let zeros = Spline::bezier(&[2], 1, &[0.75, -1.25, 0.75], None)?.roots(0., 0.)?;
     assert!(near(&zeros.params, &[0.25, 0.75]) && zeros.complete && zeros.ranges.len() == 2);
     assert_eq!(circle(1.)?.curve_level(1, &[1., 2., 0.], 0.)?.kinds, [sys::NURBS_HIT_CROSSING; 2]);

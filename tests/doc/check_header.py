@@ -23,7 +23,7 @@ SINGLE_RESULTS = ("against", "angle", "area", "at_least", "at_most", "axes", "bo
                   "entity_type", "entries", "error", "faces", "factor", "form", "gap", "geometric", "homogeneous",
                   "in_void", "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "nodes", "openness",
                   "optimality", "order", "parent", "part", "parts", "periodic", "position_gap", "proven", "rank",
-                  "ratio", "rational", "reason", "removed", "residual", "result", "shape", "size", "slots", "solid", "status",
+                  "ratio", "rational", "reached", "reason", "removed", "residual", "result", "shape", "size", "slots", "solid", "status",
                   "tolerance", "type", "uses", "value", "vertices", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]
 

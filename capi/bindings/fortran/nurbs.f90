@@ -58,6 +58,7 @@ module nurbs
     use nurbs_edits
     use nurbs_deformations
     use nurbs_segments
+    use nurbs_meshes
     implicit none
     public
 end module nurbs

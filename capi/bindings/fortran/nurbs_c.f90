@@ -4346,6 +4346,33 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_model_layer
+        ! --- Meshes
+        !> A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
+        !> they replace, both ways, is at most `chord`.
+        function nurbs_mesh_curve(g, chord, angle, longest, cap, params, points, bound, reached, count) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: chord, angle, longest
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), bound
+            integer(c_int32_t), intent(inout), optional :: reached
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_curve
+        !> nurbs_mesh_curve() as a call that can be watched and ended.
+        function nurbs_mesh_curve_with(g, chord, angle, longest, cap, params, points, bound, reached, count, &
+                call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: chord, angle, longest
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), bound
+            integer(c_int32_t), intent(inout), optional :: reached
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_curve_with
         ! --- Writing files
         !> Fills an options struct with the defaults.
         function nurbs_write_options_init(options, struct_size) bind(c) result(r)

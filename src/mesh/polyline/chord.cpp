@@ -75,36 +75,55 @@ Chord::Spread Chord::spread(const pieces::BezierPiece &piece) {
 // The numerator N(s) of the vector across the segment is within s (1 - s) / 2 max |N''| of the line between its ends, and
 // N'' in the hull of degree (degree - 1) times second differences. Exact to the third order of the length of the piece,
 // where control points are twice as far away (degree 2) as the curve.
-double Chord::across_by_bends(const pieces::BezierPiece &piece) const noexcept {
+Chord::Bends Chord::bends(const pieces::BezierPiece &piece) const noexcept {
     const auto n = static_cast<size_t>(dim_);
     const int64_t last = piece.coefficients() - 1;
-    double bend = 0, largest = 0, least = infinity;
+    double bend = 0, least_bend = infinity, largest = 0, least = infinity, heaviest = 0;
     for (int64_t i = 0; i <= last; ++i) {
         const double *v = numerators_.data() + static_cast<size_t>(i) * n;
         largest = std::max(largest, norm(v, dim_));
         least = std::min(least, piece.weight(i));
+        heaviest = std::max(heaviest, piece.weight(i));
         if (i + 2 <= last) {
-            bend =
-                std::max(bend, norm_of(dim_, [v, n](int c) { return v[c] - 2 * v[c + n] + v[c + 2 * n]; }));
+            const double *next = v + n, *second = next + n;
+            const double found = norm_of(dim_, [=](int c) { return v[c] - 2 * next[c] + second[c]; });
+            bend = std::max(bend, found);
+            least_bend = std::min(least_bend, found);
         }
     }
     const double factor = static_cast<double>(last) * static_cast<double>(last - 1) / 8;
     const double lift = factor * (bend + 8 * eps * largest);
     const double *first = numerators_.data(), *end = first + static_cast<size_t>(last) * n;
-    return highest(norm(first, dim_), norm(end, dim_), lift) * (1 + (dim_ + 8) * eps) / least;
+    const double a = norm(first, dim_), b = norm(end, dim_);
+    const bool uneven = heaviest > 1.1 * least || bend > 2 * least_bend;
+    return {highest(a, b, lift) * (1 + (dim_ + 8) * eps) / least, uneven && lift > 0.25 * std::max(a, b)};
+}
+
+double Chord::distance(const pieces::BezierPiece &piece) {
+    return distance(piece, 2);
 }
 
 // Of a point that is between the ends, seen along the segment, the distance is that across; beyond an end both count.
-double Chord::distance(const pieces::BezierPiece &piece) {
+double Chord::distance(const pieces::BezierPiece &piece, int halvings) {
     if (!piece.sound()) {
         return infinity;
     }
     count_work(6 * piece.coefficients() * dim_);
     const Spread all = spread(piece);
+    const Bends found = bends(piece);
+    if (found.rough && halvings > 0) {
+        return distance_of_halves(piece, halvings - 1);
+    }
     const double beyond = std::max({0.0, -all.least, all.most - length_});
-    const double across = std::min(all.across, across_by_bends(piece));
-    const double bound = std::hypot(across, beyond) * (1 + 4 * eps) + noise(piece);
+    const double bound =
+        std::hypot(std::min(all.across, found.across), beyond) * (1 + 4 * eps) + noise(piece);
     return std::isfinite(bound) ? bound : infinity;
+}
+
+double Chord::distance_of_halves(const pieces::BezierPiece &piece, int halvings) {
+    pieces::BezierPiece upper = piece;
+    const pieces::BezierPiece lower = upper.halve(0);
+    return std::max(distance(lower, halvings), distance(upper, halvings));
 }
 
 double Chord::start_gap(const pieces::BezierPiece &piece) const noexcept {
@@ -130,11 +149,11 @@ double Chord::angle_with(const double *vector, double error) const noexcept {
 }
 
 double Chord::turn(const pieces::BezierPiece &piece) const {
-    if (!piece.positive() || !(length_ > 4 * rounding_)) {
-        return std::numbers::pi;
-    }
     if (piece.degree(0) == 0) {
         return 0;
+    }
+    if (!piece.positive() || !(length_ > 4 * rounding_)) {
+        return std::numbers::pi;
     }
     const pieces::Slopes slopes(piece);
     double turn = 0;

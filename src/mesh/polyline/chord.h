@@ -32,9 +32,15 @@ private:
         double across = 0;
         double least = 0, most = 0;
     };
+    struct Bends { // of what lies across the segment
+        double across = 0;
+        bool rough = false; // the piece is so long that halves would give a much better bound
+    };
 
     [[nodiscard]] Spread spread(const pieces::BezierPiece &piece);
-    [[nodiscard]] double across_by_bends(const pieces::BezierPiece &piece) const noexcept;
+    [[nodiscard]] Bends bends(const pieces::BezierPiece &piece) const noexcept;
+    [[nodiscard]] double distance(const pieces::BezierPiece &piece, int halvings);
+    [[nodiscard]] double distance_of_halves(const pieces::BezierPiece &piece, int halvings);
     [[nodiscard]] double angle_with(const double *vector, double error) const noexcept;
 
     int dim_;

@@ -43,19 +43,19 @@ Direction direction_at(const pieces::BezierPiece &piece, bool upper) {
     return {};
 }
 
-// Whether no weight is more than rounding.
+// Whether nothing can be proven of parts of a piece either: overflow or rounding may have made all of it.
 bool hidden(const pieces::BezierPiece &piece) noexcept {
+    const pieces::Rounding &rounding = piece.rounding();
+    bool small = true;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        if (std::abs(piece.weight(i)) > 128 * piece.rounding().weight) {
-            return false;
-        }
+        small = small && std::abs(piece.weight(i)) <= 128 * rounding.weight;
     }
-    return true;
+    return small || !std::isfinite(rounding.apart + rounding.record + rounding.weight);
 }
 
 // Rounded up, so that it holds where the unit of the caller is so large that digits are lost.
 double rounded_up(double bound) noexcept {
-    return std::nextafter(bound, infinity);
+    return bound == 0 ? 0 : std::nextafter(bound, infinity);
 }
 
 } // namespace
@@ -80,41 +80,47 @@ bool CurveParts::smooth(size_t e) const {
            distance(before.unit.data(), after.unit.data(), curve_.dim()) <= 4 * (before.error + after.error);
 }
 
-Corner CurveParts::corner(size_t e) const {
-    const double t = starts_[e];
-    const Vertex left = vertex(t, true), right = vertex(t, false);
+bool CurveParts::meet(const Vertex &before, const Vertex &after) const {
     const int dim = curve_.dim();
-    const double gap = distance(left.in_frame.data(), right.in_frame.data(), dim);
-    const double size = norm(left.in_frame.data(), dim) + norm(right.in_frame.data(), dim);
-    const double noise = pieces_[e - 1].moved() + pieces_[e].moved() + 4 * eps * size;
-    const bool known = multiplicity(curve_.axis(0).knots(), t) <= curve_.axis(0).degree();
-    return {t, !known && !(gap <= noise)};
+    const double gap = distance(before.in_frame.data(), after.in_frame.data(), dim);
+    const double size = norm(before.in_frame.data(), dim) + norm(after.in_frame.data(), dim);
+    const double noise = pieces_[piece_before(before.t)].moved() + pieces_[piece_at(after.t)].moved();
+    return std::isfinite(noise) && gap <= 4 * (noise + eps * size);
+}
+
+// Nothing at breaks where the curve is proven to be continuous, as control points alone are evaluated bit for bit, and its
+// direction changes by no more than rounding.
+std::optional<Corner> CurveParts::corner(size_t e) const {
+    const double t = starts_[e];
+    const int order = curve_.axis(0).degree() - multiplicity(curve_.axis(0).knots(), t);
+    if (order > 0) {
+        return std::nullopt;
+    }
+    count_work(work_of_a_point);
+    if (order < 0) {
+        const Vertex left = vertex(t, true), right = vertex(t, false);
+        if (left.point != right.point) {
+            return Corner{t, !meet(left, right)};
+        }
+    }
+    return smooth(e) ? std::nullopt : std::optional(Corner{t, false});
 }
 
 std::vector<Corner> CurveParts::corners() const {
-    const KnotVector &axis = curve_.axis(0);
     std::vector<Corner> found;
     for (size_t e = 1; e < pieces_.size(); ++e) {
-        if (multiplicity(axis.knots(), starts_[e]) < axis.degree()) {
-            continue;
-        }
-        count_work(work_of_a_point);
-        const Corner here = corner(e);
-        if (here.jump || !smooth(e)) {
-            found.push_back(here);
+        if (const std::optional<Corner> here = corner(e)) {
+            found.push_back(*here);
         }
     }
     return found;
 }
 
 bool CurveParts::closed() const {
-    if (curve_.axis(0).periodic()) {
-        return true;
-    }
-    const Interval domain = curve_.axis(0).domain();
-    const Vertex first = vertex(domain.lower, false), last = vertex(domain.upper, true);
-    const double room = pieces_.front().moved() + pieces_.back().moved();
-    return distance(first.in_frame.data(), last.in_frame.data(), curve_.dim()) <= 4 * room;
+    const KnotVector &axis = curve_.axis(0);
+    const auto [lower, upper] = axis.domain();
+    const bool joined = axis.periodic() && multiplicity(axis.knots(), upper) <= axis.degree();
+    return joined || meet(vertex(upper, true), vertex(lower, false));
 }
 
 Vertex CurveParts::vertex(double t, bool left) const {
@@ -132,20 +138,24 @@ size_t CurveParts::piece_at(double t) const noexcept {
     return static_cast<size_t>(next - starts_.begin()) - 1;
 }
 
+size_t CurveParts::piece_before(double t) const noexcept {
+    const auto next = std::lower_bound(starts_.begin() + 1, starts_.end(), t);
+    return static_cast<size_t>(next - starts_.begin()) - 1;
+}
+
 void CurveParts::add(const pieces::BezierPiece &piece, Sizes &sizes) {
     sizes.bound = std::max(sizes.bound, segment_.distance(piece));
     sizes.floor = std::max(sizes.floor, segment_.noise(piece));
     sizes.extent += piece.size();
-    sizes.hidden = sizes.hidden && hidden(piece);
+    sizes.hidden = sizes.hidden && !piece.sound() && hidden(piece);
     if (rule_.angle > 0 && sizes.turning < std::numbers::pi) {
         sizes.turning = std::min(std::numbers::pi, std::max(sizes.turning, 2 * segment_.turn(piece)));
     }
 }
 
-// The gaps at the ends come from rounding alone: no division makes them less.
 // As the curve is continuous between the vertices, its points lie across all of the segment but what is left at the
 // ends: so the distance of the segment from the curve is no larger than that of the curve from the segment, or the gaps at
-// its ends.
+// its ends. These come from rounding alone: no division makes them less.
 CurveParts::Sizes CurveParts::sizes(const Vertex &from, const Vertex &to) {
     segment_.set(from.in_frame.data(), to.in_frame.data());
     Sizes all;
@@ -168,7 +178,7 @@ CurveParts::Sizes CurveParts::sizes(const Vertex &from, const Vertex &to) {
 Segment CurveParts::segment(const Vertex &from, const Vertex &to) {
     const Sizes all = sizes(from, to);
     const double reachable = std::max(chord_ * (1 - 0x1p-30), 4 * all.floor);
-    const double by_chord = std::isinf(reachable) ? 0 : std::sqrt(all.bound / reachable);
+    const double by_chord = all.bound == 0 || std::isinf(reachable) ? 0 : std::sqrt(all.bound / reachable);
     const double by_angle = rule_.angle > 0 ? all.turning / rule_.angle : 0;
     const double by_length = segment_.length() / longest_;
     Segment result;
@@ -177,7 +187,8 @@ Segment CurveParts::segment(const Vertex &from, const Vertex &to) {
     const bool known = std::isfinite(all.bound) && std::isfinite(segment_.length());
     result.need = known ? need : infinity;
     result.proven = known && result.bound <= rule_.chord && by_angle <= 1 && by_length <= 1;
-    result.hopeless = all.hidden || (known && by_chord <= 1 && by_length <= 1 && all.extent <= least_turn);
+    const bool tiny = known && by_chord <= 1 && by_length <= 1 && all.extent <= least_turn;
+    result.hopeless = !result.fits() && (all.hidden || tiny);
     return result;
 }
 

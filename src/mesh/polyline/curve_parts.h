@@ -5,6 +5,7 @@
 #include "mesh/polyline/chord.h"
 #include "mesh/polyline/polyline.h"
 
+#include <optional>
 #include <vector>
 
 namespace nrb::mesh {
@@ -19,15 +20,18 @@ struct Vertex {
 // A segment in place of a part of the curve.
 struct Segment {
     double bound = 0;      // of the Hausdorff distance, in the unit of the caller
-    double need = 0;       // into about how many segments the rule divides it; at most 1 if it may stay
+    double need = 0;       // into about how many segments the rule divides it
     bool proven = true;    // to keep to the rule
-    bool hopeless = false; // the rule asks for more than rounding lets anyone prove of its parts
+    bool hopeless = false; // it does not, but of its parts nobody can prove that they do
+
+    [[nodiscard]] bool fits() const noexcept { return need <= 1; }
+    [[nodiscard]] bool stays() const noexcept { return fits() || hopeless; }
 };
 
 // A place between pieces.
 struct Corner {
     double t;
-    bool jump; // else a kink
+    bool jump; // else a kink, or no more than rounding
 };
 
 class CurveParts {
@@ -49,9 +53,14 @@ private:
         bool hidden = true; // by rounding, which may have made all weights 0
     };
 
-    [[nodiscard]] Corner corner(size_t e) const;
+    // At the start of piece e > 0.
+    [[nodiscard]] std::optional<Corner> corner(size_t e) const;
+    // Whether limits from the left and from the right are one point, up to rounding.
+    [[nodiscard]] bool meet(const Vertex &before, const Vertex &after) const;
     [[nodiscard]] bool smooth(size_t e) const;
+    // The piece that holds t, the later or the earlier one of two.
     [[nodiscard]] size_t piece_at(double t) const noexcept;
+    [[nodiscard]] size_t piece_before(double t) const noexcept;
     [[nodiscard]] Sizes sizes(const Vertex &from, const Vertex &to);
     void add(const pieces::BezierPiece &piece, Sizes &sizes);
 

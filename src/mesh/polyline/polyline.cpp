@@ -5,6 +5,7 @@
 #include "mesh/polyline/segments.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace nrb::mesh {
@@ -13,20 +14,20 @@ namespace {
 
 class Builder {
 public:
-    Builder(const Spline &curve, const PolylineRule &rule) : parts_(curve, rule) {}
+    Builder(const Spline &curve, const PolylineRule &rule)
+        : parts_(curve, rule), domain_(curve.axis(0).domain()), periodic_(curve.axis(0).periodic()),
+          closed_(parts_.closed()) {}
 
     Polyline build(std::span<const double> fixed) {
-        const Interval domain = parts_.curve().axis(0).domain();
         std::vector<Corner> stops = parts_.corners();
-        for (const double t : fixed) {
-            stops.push_back({t, false});
-        }
-        stops.push_back({domain.upper, true});
+        std::ranges::transform(fixed, std::back_inserter(stops), [](double t) { return Corner{t, false}; });
+        std::erase_if(stops, [this](const Corner &stop) { return stop.t >= domain_.upper; });
+        stops.push_back({domain_.upper, periodic_ && !closed_});
         std::ranges::stable_sort(stops, {}, &Corner::t);
-        chain_.vertices.push_back(parts_.vertex(domain.lower, false));
+        chain_.vertices.push_back(parts_.vertex(domain_.lower, false));
         for (const Corner &stop : stops) {
             if (stop.t > chain_.vertices.back().t) {
-                go_to(stop, stop.t < domain.upper);
+                go_to(stop);
             }
         }
         open_up();
@@ -34,28 +35,31 @@ public:
     }
 
 private:
-    // With the limit from the right as a vertex, if the curve jumps there and goes on.
-    void go_to(const Corner &stop, bool goes_on) {
-        append(chain_, spread_evenly(parts_, greedy(parts_, chain_.vertices.back(), end_at(stop))));
-        if (stop.jump && goes_on) {
-            chain_.vertices.push_back(parts_.vertex(stop.t, false));
+    // Where the curve jumps, with both limits as vertices.
+    void go_to(const Corner &stop) {
+        const Vertex right = goes_on_from(stop.t);
+        const Vertex end = stop.jump ? parts_.vertex(stop.t, true) : right;
+        append(chain_, spread_evenly(parts_, greedy(parts_, chain_.vertices.back(), end)));
+        if (stop.jump) {
+            chain_.vertices.push_back(right);
             chain_.segments.push_back({});
         }
     }
-    // A periodic curve ends where it began, bit for bit.
-    [[nodiscard]] Vertex end_at(const Corner &stop) const {
-        const KnotVector &axis = parts_.curve().axis(0);
-        Vertex end = parts_.vertex(stop.t, stop.jump);
-        if (axis.periodic() && stop.t == axis.domain().upper) {
-            end.point = chain_.vertices.front().point;
-            end.in_frame = chain_.vertices.front().in_frame;
+    // A periodic curve goes on where it began, bit for bit.
+    [[nodiscard]] Vertex goes_on_from(double t) const {
+        if (!periodic_ || t < domain_.upper) {
+            return parts_.vertex(t, false);
         }
-        return end;
+        const Vertex &first = chain_.vertices.front();
+        return {t, first.point, first.in_frame};
+    }
+    [[nodiscard]] bool jumps() const noexcept {
+        return std::ranges::adjacent_find(chain_.vertices, {}, &Vertex::t) != chain_.vertices.end();
     }
     // A closed curve is no polygon of two sides, unless it is a point.
     void open_up() {
         const size_t count = chain_.segments.size();
-        if (count >= 3 || !parts_.closed()) {
+        if (count >= 3 || !closed_ || jumps()) {
             return;
         }
         const Run old = std::exchange(chain_, {{chain_.vertices.front()}, {}});
@@ -78,6 +82,8 @@ private:
     }
 
     CurveParts parts_;
+    Interval domain_;
+    bool periodic_, closed_;
     Run chain_; // so far; segments at jumps are empty
 };
 

@@ -14,8 +14,8 @@ namespace nrb::mesh {
 
 namespace {
 
-// What a step aims at, where it is long enough, and what segments may need on average to be spread evenly.
-constexpr double aim = 0.98, enough = 0.95, even = 0.99;
+// What a step aims at, and where it is long enough.
+constexpr double aim = 0.98, enough = 0.95;
 constexpr int most_tries = 8;
 // A short segment at the end is shared by so many.
 constexpr size_t most_spread = 16;
@@ -35,13 +35,13 @@ public:
     Step run(double &guess) {
         for (double length = guess; !work_ended();) {
             Step tried = step(length);
-            const bool fits = tried.segment.need <= 1;
-            const bool full = fits && (at_end(tried) || tried.segment.need >= enough);
-            if (full || !(fits || best_ || can_divide(tried))) {
+            const Segment segment = tried.segment;
+            const bool full = at_end(tried) ? segment.stays() : segment.fits() && segment.need >= enough;
+            if (full || !(segment.stays() || best_ || can_divide(tried))) {
                 return accepted(std::move(tried), guess);
             }
             length = length_after(tried);
-            if (fits) {
+            if (segment.fits() || (segment.hopeless && !(best_ && best_->segment.fits()))) {
                 best_ = std::move(tried);
             }
             if (best_ && (++tries_ == most_tries || !brackets())) {
@@ -64,34 +64,37 @@ private:
     }
     [[nodiscard]] bool at_end(const Step &step) const noexcept { return !(step.to.t < end_.t); }
 
-    // Learns from a step, and predicts a better one: between one that fits and one that does not, if there are both.
+    // Learns from a step, and predicts a better one: between one that stays and one that does not, if there are both.
     double length_after(const Step &tried) noexcept {
-        const double need = tried.segment.need, length = tried.to.t - from_.t;
-        (need <= 1 ? fitting_ : failing_) = length;
-        const double predicted = length * std::clamp(aim / need, 0x1p-20, 8.0);
+        const double length = tried.to.t - from_.t;
+        (tried.segment.stays() ? fitting_ : failing_) = length;
+        const double predicted = length * factor_to(tried.segment, 8);
         if (fitting_ == 0) {
-            return std::isinf(need) ? length / 4 : std::min(predicted, length / 2);
+            return std::isinf(tried.segment.need) ? length / 4 : std::min(predicted, length / 2);
         }
         const bool inside = fitting_ < predicted && predicted < failing_;
-        return inside && tries_ < 3 ? predicted : fitting_ / 2 + failing_ / 2;
+        return std::isinf(failing_) || (inside && tries_ < 3) ? predicted : fitting_ / 2 + failing_ / 2;
     }
-    // Whether there is a better step between the longest that fits and the shortest that does not.
+    // Of the length of a step, for one that is as long as the rule allows.
+    static double factor_to(const Segment &segment, double most) noexcept {
+        return segment.hopeless ? most : std::clamp(aim / segment.need, 0x1p-20, most);
+    }
+    // Whether there is a better step between the longest that stays and the shortest that does not.
     [[nodiscard]] bool brackets() const noexcept { return fitting_ < 0.97 * failing_; }
     [[nodiscard]] bool can_divide(const Step &tried) const noexcept {
-        return !tried.segment.hopeless && std::nextafter(from_.t, infinity) < tried.to.t;
+        return std::nextafter(from_.t, infinity) < tried.to.t;
     }
 
     Step accepted(Step step, double &guess) const {
-        const double need = step.segment.need;
-        guess = (step.to.t - from_.t) * std::clamp(aim / need, 0.25, 4.0);
+        guess = (step.to.t - from_.t) * std::max(factor_to(step.segment, 4), 0.25);
         return step;
     }
 
     CurveParts &parts_;
     const Vertex &from_, &end_;
-    std::optional<Step> best_; // that fits
+    std::optional<Step> best_; // that stays
     double fitting_ = 0, failing_ = infinity;
-    int tries_ = 0; // since one fitted
+    int tries_ = 0; // since one stayed
 };
 
 // Parameters that divide what the segments of a run need into equal parts.
@@ -122,7 +125,7 @@ std::optional<Run> fitting_run(CurveParts &parts, const Run &old, const std::vec
             return std::nullopt;
         }
         run.segments.push_back(parts.segment(run.vertices.back(), to));
-        if (!(run.segments.back().need <= 1)) {
+        if (!run.segments.back().fits()) {
             return std::nullopt;
         }
         run.vertices.push_back(std::move(to));
@@ -170,8 +173,7 @@ Run spread_evenly(CurveParts &parts, Run run) {
         total += segment.need;
     }
     const int64_t given = std::ssize(tail.segments);
-    const auto fewest =
-        static_cast<int64_t>(std::clamp(std::ceil(total / even), 1.0, static_cast<double>(given)));
+    const auto fewest = static_cast<int64_t>(std::clamp(std::ceil(total), 1.0, static_cast<double>(given)));
     for (int64_t count = fewest; count <= given && given > 1 && !work_ended(); ++count) {
         if (std::optional<Run> found = fitting_run(parts, tail, even_params(tail, total, count))) {
             tail = *std::move(found);

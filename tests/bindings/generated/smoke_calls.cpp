@@ -2329,6 +2329,22 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("mesh_curve");
+        const auto found = n::mesh_curve(in.curve, 1.0, 2.0, 3.0);
+        show("params", found.params);
+        show("points", found.points);
+        show("bound", found.bound);
+        show("reached", found.reached);
+    }
+    {
+        begin("mesh_curve count");
+        const auto found = n::mesh_curve(in.loop, 0.5, 0.0, 0.0);
+        show("params", found.params);
+        show("points", found.points);
+        show("bound", found.bound);
+        show("reached", found.reached);
+    }
+    {
         begin("curve_monotone_pieces");
         const auto found = n::monotone_pieces(in.curve, {0.1, 0.9});
         show("starts", found.starts);
@@ -2980,6 +2996,22 @@ void query(const Inputs &in) {
         show("found", found.found);
         show("boxes", found.boxes);
         show("complete", found.complete);
+    }
+    {
+        begin("mesh_curve_with");
+        const auto found = n::mesh_curve(in.curve, 1.0, 2.0, 3.0, watched());
+        show("params", found.params);
+        show("points", found.points);
+        show("bound", found.bound);
+        show("reached", found.reached);
+    }
+    {
+        begin("mesh_curve_with count");
+        const auto found = n::mesh_curve(in.loop, 0.5, 0.0, 0.0, watched());
+        show("params", found.params);
+        show("points", found.points);
+        show("bound", found.bound);
+        show("reached", found.reached);
     }
     {
         begin("fold_test_with");

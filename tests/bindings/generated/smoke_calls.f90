@@ -4000,6 +4000,34 @@ contains
             call show('boxes', flat(boxes_found))
             call show('complete', complete_found)
         end block
+        call begin('mesh_curve')
+        block
+            real(c_double), allocatable :: params_found(:)
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double) :: bound_found
+            logical :: reached_found
+            call mesh_curve(g=curve, chord=1.0d0, params=params_found, points=points_found, bound=bound_found, &
+                reached=reached_found, angle=2.0d0, longest=3.0d0)
+            call show('params', params_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('bound', bound_found)
+            call show('reached', reached_found)
+        end block
+        call begin('mesh_curve count')
+        block
+            real(c_double), allocatable :: params_found(:)
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double) :: bound_found
+            logical :: reached_found
+            call mesh_curve(g=loop, chord=0.5d0, params=params_found, points=points_found, bound=bound_found, &
+                reached=reached_found, angle=0.0d0, longest=0.0d0)
+            call show('params', params_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('bound', bound_found)
+            call show('reached', reached_found)
+        end block
         call begin('curve_monotone_pieces')
         block
             real(c_double), allocatable :: starts_found(:)
@@ -5084,6 +5112,36 @@ contains
             call show('found', found_found)
             call show('boxes', flat(boxes_found))
             call show('complete', complete_found)
+        end block
+        call begin('mesh_curve_with')
+        block
+            real(c_double), allocatable :: params_found(:)
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double) :: bound_found
+            logical :: reached_found
+            type(nurbs_call) :: watching
+            call mesh_curve(g=curve, chord=1.0d0, params=params_found, points=points_found, bound=bound_found, &
+                reached=reached_found, angle=2.0d0, longest=3.0d0, call=watching)
+            call show('params', params_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('bound', bound_found)
+            call show('reached', reached_found)
+        end block
+        call begin('mesh_curve_with count')
+        block
+            real(c_double), allocatable :: params_found(:)
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double) :: bound_found
+            logical :: reached_found
+            type(nurbs_call) :: watching
+            call mesh_curve(g=loop, chord=0.5d0, params=params_found, points=points_found, bound=bound_found, &
+                reached=reached_found, angle=0.0d0, longest=0.0d0, call=watching)
+            call show('params', params_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('bound', bound_found)
+            call show('reached', reached_found)
         end block
         call begin('fold_test_with')
         block

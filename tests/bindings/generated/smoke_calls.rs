@@ -3375,6 +3375,22 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("boxes", &found.boxes);
         show("complete", &found.complete);
     }
+    begin("mesh_curve");
+    {
+        let found = given.curve.mesh_curve(1.0, 2.0, 3.0)?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("bound", &found.bound);
+        show("reached", &found.reached);
+    }
+    begin("mesh_curve count");
+    {
+        let found = given.r#loop.mesh_curve(0.5, 0.0, 0.0)?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("bound", &found.bound);
+        show("reached", &found.reached);
+    }
     begin("curve_monotone_pieces");
     {
         let found = given.curve.monotone_pieces(&[0.1, 0.9])?;
@@ -4196,6 +4212,28 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("found", &found.found);
         show("boxes", &found.boxes);
         show("complete", &found.complete);
+    }
+    begin("mesh_curve_with");
+    {
+        let found =
+            given
+                .curve
+                .mesh_curve_with(1.0, 2.0, 3.0, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("bound", &found.bound);
+        show("reached", &found.reached);
+    }
+    begin("mesh_curve_with count");
+    {
+        let found =
+            given
+                .r#loop
+                .mesh_curve_with(0.5, 0.0, 0.0, &mut Call::new().progress(|_| true))?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("bound", &found.bound);
+        show("reached", &found.reached);
     }
     begin("fold_test_with");
     {

@@ -13,7 +13,8 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <random>
+
+namespace polyline_test {
 
 using namespace nrb;
 using mesh::Polyline;
@@ -215,6 +216,23 @@ TEST(Polyline, JumpsAndKinks) {
     EXPECT_EQ(polyline_of(*whole, {.chord = 1e-9}).params, (std::vector<double>{0, 3}));
 }
 
+// Limits that differ by rounding are no jump, but a vertex, so that nothing is left out in between.
+TEST(Polyline, LimitsThatDifferByRounding) {
+    const double near = std::nextafter(1.0, 2.0);
+    const SplinePtr torn = curve(1, {0, 0, 1, 1, 2, 2}, 2, {0, 0, 1, 0, near, 0, 2, 0});
+    EXPECT_EQ(polyline_of(*torn, {.chord = 1}).params, (std::vector<double>{0, 1, 2}));
+    const SplinePtr whole = curve(1, {0, 0, 1, 1, 2, 2}, 2, {0, 0, 1, 0, 1, 0, 2, 0});
+    EXPECT_EQ(polyline_of(*whole, {.chord = 1}).params, (std::vector<double>{0, 2}));
+}
+
+// The end of a periodic curve that jumps at its seam is its start all the same.
+TEST(Polyline, JumpAtTheSeam) {
+    const SplinePtr steps = curve(0, {0, 1, 2}, 1, {3, 5}, true);
+    const Polyline line = polyline_of(*steps, {.chord = 1}, std::vector<double>{0, 2});
+    EXPECT_EQ(line.params, (std::vector<double>{0, 1, 1, 2, 2}));
+    EXPECT_EQ(line.points, (std::vector<double>{3, 3, 5, 5, 3}));
+}
+
 TEST(Polyline, DegreeZero) {
     const SplinePtr steps = curve(0, {0, 1, 2, 4}, 2, {0, 0, 1, 0, 1, 5});
     const Polyline line = polyline_of(*steps, {.chord = 1e-12});
@@ -364,3 +382,5 @@ TEST(Polyline, Points) {
     EXPECT_TRUE(line.reached);
     expect_proven(*point, line);
 }
+
+} // namespace polyline_test

@@ -69,6 +69,7 @@ from ._knots import *  # noqa: F403
 from ._linear import *  # noqa: F403
 from ._measure import *  # noqa: F403
 from ._meets import *  # noqa: F403
+from ._mesh import *  # noqa: F403
 from ._models import *  # noqa: F403
 from ._models import _restored_model
 from ._reduce import *  # noqa: F403

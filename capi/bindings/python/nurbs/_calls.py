@@ -224,6 +224,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_enclosed_volume, lib.nurbs_enclosed_volume_with),
         (lib.nurbs_curve_features, lib.nurbs_curve_features_with),
         (lib.nurbs_extrema, lib.nurbs_extrema_with),
+        (lib.nurbs_mesh_curve, lib.nurbs_mesh_curve_with),
         (lib.nurbs_fold_test, lib.nurbs_fold_test_with),
         (lib.nurbs_roots, lib.nurbs_roots_with),
         (lib.nurbs_curve_level, lib.nurbs_curve_level_with),

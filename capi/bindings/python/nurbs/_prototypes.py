@@ -390,6 +390,8 @@ PROTOTYPES = {
     "nurbs_model_spline_layers": "i pllpp",
     "nurbs_model_layer_count": "i pp",
     "nurbs_model_layer": "i plplp",
+    "nurbs_mesh_curve": "i pdddlppppp",
+    "nurbs_mesh_curve_with": "i pdddlpppppp",
     "nurbs_write_options_init": "i pl",
     "nurbs_model_write": "i piplpp",
     "nurbs_model_write_with": "i piplppp",

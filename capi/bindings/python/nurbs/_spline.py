@@ -27,6 +27,7 @@ from ._frames import Frames
 from ._intersections import Intersections
 from ._linear import Linear
 from ._measure import Measures
+from ._mesh import Meshes
 from ._plot import Plots
 from ._reduce import Reduction
 from ._refinement import Refinement
@@ -44,7 +45,7 @@ __all__ = ["Spline"]
 
 class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Sweeps,
              Frames, Distances, Measures, Bounds, Analysis, Intersections, Edits, Constraints, Deformations, Clouds,
-             Linear, Plots):
+             Linear, Meshes, Plots):
     """A curve, surface or volume: C(t) = sum_i w_i N_i(t) P_i / sum_j w_j N_j(t).
 
         s = nurbs.Spline(2, [0, 0, 0, 1, 1, 1], [[1, 0], [1, 1], [0, 1]], [1, 0.5**0.5, 1])

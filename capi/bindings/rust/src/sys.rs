@@ -5178,6 +5178,39 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
+    // --- Meshes
+    /// A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
+    /// they replace, both ways, is at most `chord`.
+    ///
+    /// May be null: `params`, `points`, `bound`, `reached`, `count`.
+    pub fn nurbs_mesh_curve(
+        g: *const nurbs,
+        chord: f64,
+        angle: f64,
+        longest: f64,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        bound: *mut f64,
+        reached: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_mesh_curve() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `points`, `bound`, `reached`, `count`, `call`.
+    pub fn nurbs_mesh_curve_with(
+        g: *const nurbs,
+        chord: f64,
+        angle: f64,
+        longest: f64,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        bound: *mut f64,
+        reached: *mut i32,
+        count: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     // --- Writing files
     /// Fills an options struct with the defaults.
     pub fn nurbs_write_options_init(options: *mut nurbs_write_options, struct_size: i64) -> nurbs_status;

@@ -180,6 +180,15 @@ const Call group[] = {
          }
          return nurbs_extrema(made_ramp, 3, 0, nullptr, nullptr, nullptr, nullptr, o.spans, o.states);
      }, true},
+    {"mesh_curve",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_curve(in.curve, 1, 2, 3, 16, o.values, o.values + 16, o.values + 48, o.states,
+             o.spans);
+     }, true},
+    {"mesh_curve count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_curve(in.loop, 0.5, 0, 0, 0, nullptr, nullptr, o.values, o.states, o.spans);
+     }, true},
     {"curve_monotone_pieces",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double direction[] = {0.1, 0.9};
@@ -769,6 +778,20 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_extrema_with(made_ramp, 3, 0, nullptr, nullptr, nullptr, nullptr, o.spans, o.states,
+             &call);
+     }, true},
+    {"mesh_curve_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_curve_with(in.curve, 1, 2, 3, 16, o.values, o.values + 16, o.values + 48, o.states,
+             o.spans, &call);
+     }, true},
+    {"mesh_curve_with count",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_curve_with(in.loop, 0.5, 0, 0, 0, nullptr, nullptr, o.values, o.states, o.spans,
              &call);
      }, true},
     {"fold_test_with",
