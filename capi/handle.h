@@ -4,6 +4,7 @@
 
 #include "face/face.h"
 #include "intersect/levels/level_meet.h"
+#include "mesh/mesh.h"
 #include "model/model.h"
 #include "refine/parts/cut.h"
 #include "spline/spline.h"
@@ -38,6 +39,10 @@ struct nurbs_model {
 
 struct nurbs_meet {
     std::shared_ptr<const nrb::intersect::Meet> meet;
+};
+
+struct nurbs_mesh {
+    nrb::mesh::MeshPtr mesh;
 };
 
 struct nurbs_list {

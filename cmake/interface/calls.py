@@ -198,7 +198,7 @@ def literal(text):
 
 def struct_of_inputs(model):
     kinds = {"nurbs": "splines", "nurbs_list": "lists", "nurbs_statistics": "all_statistics", "nurbs_face": "faces_made",
-             "nurbs_model": "models", "nurbs_meet": "meets"}
+             "nurbs_model": "models", "nurbs_meet": "meets", "nurbs_mesh": "meshes"}
     yield "// What is made once for all calls."
     yield "struct Inputs {"
     yield from (f"    {kind} *{', *'.join(members(model, kind))};" for kind in kinds)

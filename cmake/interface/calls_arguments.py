@@ -38,7 +38,7 @@ class ArgumentReader:
         self.used = dict.fromkeys(calls_model.LENGTHS, 0)
         self.places = {"nurbs": ["out", "other"], "nurbs_list": ["list"], "nurbs_statistics": ["statistics"],
                        "nurbs_face": ["face"], "nurbs_model": ["model"],
-                       "nurbs_meet": ["meet"]}
+                       "nurbs_meet": ["meet"], "nurbs_mesh": ["mesh"]}
 
     def arguments(self):
         self.check_names()

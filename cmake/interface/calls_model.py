@@ -32,7 +32,7 @@ A value is one of these:
     Packed       a struct of nurbs.h with arrays; what is not given is 0
     NewStruct    a struct that the function fills, StructSize its size
     NewHandle    where a new handle goes: "out" (the first one), "other" (the second one), "list", "statistics", "face",
-                 "model" or "meet"
+                 "model", "meet" or "mesh"
     Slot         where other outputs go: an array of the test's struct Output, the first element, and how many elements
                  the function may write there by its shape, strides included
     Null         NULL

@@ -15,7 +15,7 @@ class MethodError(Exception):
 
 
 KINDS = {"nurbs": "spline", "nurbs_list": "list", "nurbs_statistics": "statistics", "nurbs_face": "face",
-         "nurbs_model": "model", "nurbs_meet": "meet"}
+         "nurbs_model": "model", "nurbs_meet": "meet", "nurbs_mesh": "mesh"}
 
 
 def similar(name, names):

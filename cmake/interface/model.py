@@ -19,15 +19,15 @@ import signature
 LANGUAGES = ("cpp", "rust", "fortran")
 #: Kinds of handles, and the types that own them: in C++ and Rust the name, in Fortran nurbs_ and the kind.
 HANDLES = {"spline": "Spline", "list": "List", "statistics": "Statistics", "face": "Face", "model": "Model",
-           "meet": "Meet"}
+           "meet": "Meet", "mesh": "Mesh"}
 
 
 @dataclass
 class Value:
     """A parameter of a C function and its part in a call.
 
-    kind   "spline", "list", "statistics", "face", "model", "meet": a handle; "splines", "handles": an array of those of splines, of
-           others;
+    kind   "spline", "list", "statistics", "face", "model", "meet", "mesh": a handle; "splines", "handles": an array of those of splines,
+           of others;
            "number"; "array" of numbers, also with strides; "stride", "component_stride": of the array `of`; "text":
            characters; "path": a zero-terminated text; "texts": an array of those; "bytes"; "options": a struct; "count": how much there is for the
            parameter cap, "cap" itself

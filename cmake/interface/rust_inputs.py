@@ -331,7 +331,8 @@ class Inputs:
         given, kind = self.reach[value.name], types.struct_type(value, self.binding)
         if kind == "FitOptions":  # it has arrays as long as the data say
             return f"fit_options_pointer({given}, {'self' if self.method.receiver else 'data'}.shape())"
-        return {"ReadOptions": "options", "WriteOptions": "write_options", "CloudOptions": "cloud_options"}[kind] + f"_pointer({given})"
+        return {"ReadOptions": "options", "WriteOptions": "write_options", "CloudOptions": "cloud_options",
+                "MeshOptions": "mesh_options"}[kind] + f"_pointer({given})"
 
     def number(self, value):
         text, kind = self.numbers[value.name]

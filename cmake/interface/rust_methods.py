@@ -30,6 +30,7 @@ CRATE = {
     "face": ["face_handles", "Face"],
     "model": ["Model"],
     "meet": ["Meet"],
+    "mesh": ["mesh_options_pointer", "Mesh", "MeshOptions"],
 }
 STANDARD = {"std::path": ["Path"], "std::ptr": ["null", "null_mut"]}
 

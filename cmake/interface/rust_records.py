@@ -63,7 +63,7 @@ def derived(kinds, binding, has_default):
     yes.append("Debug")
     if not handles and not has_default:
         yes.append("Default")
-    if "f64" not in text and not handles and not any(is_record(word, binding) for word in re.findall(r"\w+", text)):
+    if not re.search("f32|f64", text) and not handles and not any(is_record(word, binding) for word in re.findall(r"\w+", text)):
         yes.append("Eq")
     return [*yes, "PartialEq"]
 

@@ -21,7 +21,7 @@ NOTICE = f"""\
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{{Call, Face, List, Meet, Model, Spline, Statistics}};
+use nurbs::{{Call, Face, List, Meet, Mesh, Model, Spline, Statistics}};
 use smoke_support::{{begin, by_hand, show, written}};
 """
 
@@ -167,6 +167,10 @@ class Writer:
     def nurbs_cloud_options(self, fields):
         return "&nurbs::CloudOptions::new()?" + "".join(f".{name}({number(of, field.base)})"
                                                         for name, (field, of) in fields.items())
+
+    def nurbs_mesh_options(self, fields):
+        return "&nurbs::MeshOptions::new()?" + "".join(f".{name}({number(of, field.base)})"
+                                                       for name, (field, of) in fields.items())
 
     def nurbs_data(self, fields):
         arrays = {name: f"&{listed(of.values, field.base)}" for name, (field, of) in fields.items() if isinstance(of, Numbers)}

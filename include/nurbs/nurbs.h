@@ -284,6 +284,9 @@ typedef struct nurbs_model nurbs_model;
  * \since 1.1 */
 typedef struct nurbs_meet nurbs_meet;
 
+/** \brief Triangles in place of shapes; immutable, reference counted, opaque. \since 1.1 */
+typedef struct nurbs_mesh nurbs_mesh;
+
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
 typedef int32_t nurbs_status;
 
@@ -8063,13 +8066,22 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
 
 /** \defgroup mesh Meshes
  * \code
- * int64_t count = 0;
- * double bound = 0;
+ * nurbs_mesh_options options;
+ * nurbs_mesh *mesh = NULL;
+ * int64_t points = 0, triangles = 0;
  * int32_t reached = 0; // 1: proven that nothing is farther than 0.01
- * double points[3 * 64];
- * if (nurbs_mesh_curve(curve, 0.01, 0, 0, 64, NULL, points, &bound, &reached, &count) == NURBS_ERROR_SIZE) {
- *     nurbs_mesh_curve(curve, 0.01, 0, 0, 0, NULL, NULL, NULL, NULL, &count); // asks for the number of vertices
+ * nurbs_mesh_options_init(&options, sizeof options);
+ * options.chord = 0.01;
+ * nurbs_mesh_surface(surface, &options, &mesh);
+ * nurbs_mesh_bound(mesh, NULL, NULL, &reached);
+ * nurbs_mesh_counts(mesh, &points, NULL, &triangles, NULL, NULL, NULL);
+ * if (points <= 4096 && triangles <= 8192) {
+ *     double xyz[4096][3];
+ *     int64_t corners[8192][3];
+ *     nurbs_mesh_points(mesh, points, xyz[0], NULL);
+ *     nurbs_mesh_triangles(mesh, NURBS_MESH_WELDED, triangles, corners[0], NULL);
  * }
+ * nurbs_mesh_destroy(mesh);
  * \endcode
  * Shapes made of what is straight and flat, within a distance that is proven. Parameters that divide a curve
  * into parts of equal length are those of nurbs_curve_divide().
@@ -8121,6 +8133,269 @@ NURBS_API nurbs_status nurbs_mesh_curve_with(const nurbs *g, double chord, doubl
                                              int64_t cap, double *params, double *points, double *bound,
                                              int32_t *reached, int64_t *count,
                                              const nurbs_call_options *call);
+
+/** \brief How near to a shape its mesh is to be; fill with nurbs_mesh_options_init() first. NULL stands for the
+ * defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are given
+ * hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1 */
+typedef struct nurbs_mesh_options {
+    int64_t struct_size;   /**< size of this struct as the caller knows it */
+    double chord;          /**< the largest distance of shape and mesh, both ways, > 0; INFINITY */
+    double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; 1e-3 */
+    double longest;        /**< length of sides of triangles, >= 0; 0: no limit; 0 */
+} nurbs_mesh_options;
+
+/** \brief Fills an options struct with the defaults.
+ * \param[out] options the struct.
+ * \param[in] struct_size sizeof(nurbs_mesh_options).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int64_t struct_size);
+
+/** \name Flags of meshes
+ * @{ */
+/** \brief nurbs_mesh_triangles() and its kind: corners are points, not vertices. */
+#define NURBS_MESH_WELDED 0x01000000u
+/** @} */
+
+/** \brief Triangles in place of a whole surface.
+ *
+ * A mesh has **points** in space, and **vertices**: each is at a point, and has parameters and a normal of one
+ * face. A point has several vertices where faces meet, along seams, at poles, and along lines where the surface
+ * may have a crease: knots of full multiplicity. Triangles are of vertices, of which normals and parameters can
+ * be interpolated, or, welded, of points: then two triangles at an edge of the shape have a side in common, and
+ * no other triangle has it. No triangle has two corners at one point.
+ *
+ * **Both distances are proven**: no point of the shape is farther from the mesh than `from_shape`, and no
+ * point of the triangles farther from the shape than `from_mesh`. Where the surface is far from a triangle
+ * sideways only because it stays over the ones beside it, it is not far from the mesh. Bounds come from second
+ * derivatives, of which there are bounds for all of a cell of the domain, and include what rounding may have
+ * done to points and bounds. They are about the least for small tolerances, and are infinite where nothing can
+ * be proven, as where weights pass through 0.
+ *
+ * The domain is halved into cells until two triangles over each do, along the axis that needs it more. Cells end
+ * where the surface may have a crease or a jump. Vertices are at corners of cells, and cells of different sizes
+ * meet without a gap, so that all vertices lie on the surface: they are as nurbs_eval() has them, bit for bit, at
+ * their parameters, from the side of their triangles where the surface jumps there. Across a jump there is
+ * nothing; so it is between the steps of an axis of degree 0. A side of the domain that is one point is one
+ * point of the mesh (a pole), and opposite sides that are equal as to points (a closed or periodic axis) have
+ * the same points: exactly equal ones here, to the tolerance of the face in nurbs_mesh_face().
+ *
+ * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
+ * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
+ * given there is one of some seconds, and more for many control points.
+ *
+ * Costs: some microseconds for a triangle.
+ * \param[in] g a surface of dimension 2 or 3.
+ * \param[in] options or NULL for the defaults: limits.
+ * \param[out] out the new mesh, of one face and no edges.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OPTIONS; _TOLERANCE if chord is not > 0, if
+ *   relative_chord is not finite or < 0, or if there is no limit at all, _LENGTH if longest is not finite or < 0,
+ *   _OVERFLOW if there are 2^31 vertices or more.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_surface(const nurbs *g, const nurbs_mesh_options *options,
+                                          nurbs_mesh **out);
+
+/** \brief nurbs_mesh_surface() as a call that can be watched and ended. At the limit of work triangles stay as
+ * large as they are, with the distances that are proven of them, and `reached` is 0.
+ * \param[in] g,options as for nurbs_mesh_surface().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new mesh.
+ * \return as for nurbs_mesh_surface(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_surface_with(const nurbs *g, const nurbs_mesh_options *options,
+                                               const nurbs_call_options *call, nurbs_mesh **out);
+
+/** \brief Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these and
+ * the border a constrained Delaunay triangulation. The border is of polylines of the edges of the face
+ * (nurbs_mesh_curve()), whose points lie on the edge, and whose sides are between places of the curve in the
+ * domain. How far these places are from the edge, which is at most the tolerance of the face, is in the bounds.
+ * \param[in] face a face of a surface of dimension 2 or 3.
+ * \param[in] options or NULL for the defaults: limits.
+ * \param[out] out the new mesh: of one face; its edges are those of the model of nurbs_model_create() with this face
+ *   alone, and behind them such as belong to the face only.
+ * \return as for nurbs_mesh_surface(); _NOT_REPRESENTABLE if a curve in space that bounds the face overflows.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_face(const nurbs_face *face, const nurbs_mesh_options *options,
+                                       nurbs_mesh **out);
+
+/** \brief nurbs_mesh_face() as a call that can be watched and ended; the limit of work is as for
+ * nurbs_mesh_surface_with().
+ * \param[in] face,options as for nurbs_mesh_face().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new mesh.
+ * \return as for nurbs_mesh_face(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_face_with(const nurbs_face *face, const nurbs_mesh_options *options,
+                                            const nurbs_call_options *call, nurbs_mesh **out);
+
+/** \brief Triangles in place of all faces of a model, as of nurbs_mesh_face(). Each edge is one polyline, and all
+ * faces at it have its points: the mesh of a solid is closed. Faces keep their order, and are in the coordinates
+ * of their parts, once for each part and not for each of its uses: nurbs_model_instances() says where they stand in
+ * the whole. Triangles are counterclockwise about the normal of the surface also where that points into
+ * a solid: nurbs_model_face() tells that (`against`).
+ * \param[in] model a model.
+ * \param[in] options or NULL for the defaults: limits.
+ * \param[out] out the new mesh: faces and edges in the order of the model, and behind the edges such as belong to one
+ *   face only.
+ * \return as for nurbs_mesh_face().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_model(const nurbs_model *model, const nurbs_mesh_options *options,
+                                        nurbs_mesh **out);
+
+/** \brief nurbs_mesh_model() as a call that can be watched and ended; the limit of work is as for
+ * nurbs_mesh_surface_with().
+ * \param[in] model,options as for nurbs_mesh_model().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new mesh.
+ * \return as for nurbs_mesh_model(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nurbs_mesh_options *options,
+                                             const nurbs_call_options *call, nurbs_mesh **out);
+
+/** \brief Another handle on the same mesh, in constant time.
+ * \param[in] mesh a mesh.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_clone(const nurbs_mesh *mesh, nurbs_mesh **out);
+
+/** \brief Frees a handle on a mesh.
+ * \param[in] mesh or NULL, which does nothing: a mesh.
+ * \since 1.1 */
+NURBS_API void nurbs_mesh_destroy(nurbs_mesh *mesh);
+
+/** \brief How much a mesh holds.
+ * \param[in] mesh a mesh.
+ * \param[out] points or NULL: number of points.
+ * \param[out] vertices or NULL: number of vertices.
+ * \param[out] triangles or NULL: number of triangles.
+ * \param[out] faces or NULL: number of faces.
+ * \param[out] edges or NULL: number of polylines of edges.
+ * \param[out] edge_points or NULL: number of their vertices, all together.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_counts(const nurbs_mesh *mesh, int64_t *points, int64_t *vertices,
+                                         int64_t *triangles, int64_t *faces, int64_t *edges,
+                                         int64_t *edge_points);
+
+/** \brief How far a mesh and its shape are from each other: the most of all faces.
+ * \param[in] mesh a mesh.
+ * \param[out] from_shape or NULL: no point of the shape is farther from the mesh; INFINITY: nothing is proven.
+ * \param[out] from_mesh or NULL: no point of the mesh is farther from the shape; INFINITY: nothing is proven.
+ * \param[out] reached or NULL: 1 if all that was asked for is proven of all faces and edges; else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_bound(const nurbs_mesh *mesh, double *from_shape, double *from_mesh,
+                                        int32_t *reached);
+
+/** \brief The points of a mesh.
+ * \param[in] mesh a mesh.
+ * \param[in] cap length of points: 0, or at least the number of points.
+ * \param[out] points [cap][3] or NULL: in space; of a surface in the plane z is 0.
+ * \param[out] count or NULL: number of points.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_points(const nurbs_mesh *mesh, int64_t cap, double *points, int64_t *count);
+
+/** \brief nurbs_mesh_points() in single precision, each number rounded once to the nearest float. Coordinates beyond
+ * the range of float become infinities.
+ * \param[in] mesh,cap as for nurbs_mesh_points().
+ * \param[out] points [cap][3] or NULL: in space.
+ * \param[out] count or NULL: number of points.
+ * \return as for nurbs_mesh_points().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_points_f32(const nurbs_mesh *mesh, int64_t cap, float *points,
+                                             int64_t *count);
+
+/** \brief The vertices of a mesh, those of each face one after the other.
+ * \param[in] mesh a mesh.
+ * \param[in] cap length of the outputs: 0, or at least the number of vertices.
+ * \param[out] own_points [cap] or NULL: the point at which each is, 0-based.
+ * \param[out] params [cap][2] or NULL: parameters of the surface of the face.
+ * \param[out] normals [cap][3] or NULL: S_u x S_v, of length 1, from the side of the triangles; NaN where there is none,
+ *   as at the tip of a cone.
+ * \param[out] count or NULL: number of vertices.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_vertices(const nurbs_mesh *mesh, int64_t cap, int64_t *own_points,
+                                           double *params, double *normals, int64_t *count);
+
+/** \brief The vertices of a mesh as programs that draw want them, in single precision: with their points in
+ * place of numbers of points. Each number is rounded once to the nearest float.
+ * \param[in] mesh,cap as for nurbs_mesh_vertices().
+ * \param[out] points [cap][3] or NULL: in space; what is beyond the range of float becomes infinite.
+ * \param[out] params [cap][2] or NULL: parameters of the surface of the face.
+ * \param[out] normals [cap][3] or NULL: as of nurbs_mesh_vertices().
+ * \param[out] count or NULL: number of vertices.
+ * \return as for nurbs_mesh_vertices().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_vertices_f32(const nurbs_mesh *mesh, int64_t cap, float *points,
+                                               float *params, float *normals, int64_t *count);
+
+/** \brief The triangles of a mesh, those of each face one after the other.
+ * \param[in] mesh a mesh.
+ * \param[in] flags NURBS_MESH_WELDED or 0.
+ * \param[in] cap length of corners: 0, or at least the number of triangles.
+ * \param[out] corners [cap][3] or NULL: vertices, or with NURBS_MESH_WELDED points, 0-based, counterclockwise about the
+ *   normal.
+ * \param[out] count or NULL: number of triangles.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _FLAGS, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_triangles(const nurbs_mesh *mesh, uint32_t flags, int64_t cap,
+                                            int64_t *corners, int64_t *count);
+
+/** \brief nurbs_mesh_triangles() in 32 bits.
+ * \param[in] mesh,flags,cap as for nurbs_mesh_triangles().
+ * \param[out] corners [cap][3] or NULL: as of nurbs_mesh_triangles().
+ * \param[out] count or NULL: number of triangles.
+ * \return as for nurbs_mesh_triangles().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_triangles_i32(const nurbs_mesh *mesh, uint32_t flags, int64_t cap,
+                                                int32_t *corners, int64_t *count);
+
+/** \brief What of a mesh stands for which face.
+ * \param[in] mesh a mesh.
+ * \param[in] cap length of the outputs: 0, or at least the number of faces.
+ * \param[out] first_vertices [cap] or NULL: the first vertex, 0-based.
+ * \param[out] vertex_counts [cap] or NULL: the number of vertices.
+ * \param[out] first_triangles [cap] or NULL: the first triangle, 0-based.
+ * \param[out] triangle_counts [cap] or NULL: the number of triangles.
+ * \param[out] from_shape [cap] or NULL: no point of the face is farther from its triangles; INFINITY: nothing is proven.
+ * \param[out] from_mesh [cap] or NULL: no point of its triangles is farther from the face; INFINITY: nothing is proven.
+ * \param[out] reaches [cap] or NULL: 1 if all that was asked for is proven; else 0.
+ * \param[out] count or NULL: number of faces.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_faces(const nurbs_mesh *mesh, int64_t cap, int64_t *first_vertices,
+                                        int64_t *vertex_counts, int64_t *first_triangles,
+                                        int64_t *triangle_counts, double *from_shape, double *from_mesh,
+                                        int32_t *reaches, int64_t *count);
+
+/** \brief The polylines that stand for edges in a mesh.
+ * \param[in] mesh a mesh.
+ * \param[in] cap length of the outputs: 0, or at least the number of polylines.
+ * \param[out] own_edges [cap] or NULL: the edge of the model, 0-based; -1: one that belongs to one face only.
+ * \param[out] firsts [cap] or NULL: its first one of nurbs_mesh_edge_points(), 0-based.
+ * \param[out] sizes [cap] or NULL: the number of its vertices.
+ * \param[out] bounds [cap] or NULL: no point of the edge is farther from the polyline, and none of that from the edge;
+ *   INFINITY: nothing is proven.
+ * \param[out] reaches [cap] or NULL: 1 if all that was asked for is proven; else 0.
+ * \param[out] count or NULL: number of polylines.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_edges(const nurbs_mesh *mesh, int64_t cap, int64_t *own_edges,
+                                        int64_t *firsts, int64_t *sizes, double *bounds, int32_t *reaches,
+                                        int64_t *count);
+
+/** \brief The vertices of the polylines that stand for edges in a mesh: each from the start of its edge to the end.
+ * \param[in] mesh a mesh.
+ * \param[in] cap length of own_points: 0, or at least their number.
+ * \param[out] own_points [cap] or NULL: points of the mesh, 0-based.
+ * \param[out] count or NULL: number of vertices of all polylines.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_edge_points(const nurbs_mesh *mesh, int64_t cap, int64_t *own_points,
+                                              int64_t *count);
 /** @} */
 
 /** \defgroup write Writing files

@@ -222,6 +222,25 @@ static void pin_cloud_options(void) {
     PIN((size_t)options.rounds, 100);
 }
 
+static void pin_mesh_options(void) {
+    nurbs_mesh_options options;
+    PIN(sizeof(nurbs_mesh_options), 32);
+    PIN(offsetof(nurbs_mesh_options, struct_size), 0);
+    PIN(offsetof(nurbs_mesh_options, chord), 8);
+    PIN(offsetof(nurbs_mesh_options, relative_chord), 16);
+    PIN(offsetof(nurbs_mesh_options, longest), 24);
+    if (nurbs_mesh_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
+        fprintf(stderr, "the library does not know the options of a mesh of this size\n");
+        ++failures;
+        return;
+    }
+    PIN((size_t)options.struct_size, 32);
+    if (options.chord < 1e308 || options.relative_chord != 1e-3 || options.longest != 0) {
+        fprintf(stderr, "the limits of meshes are others by default\n");
+        ++failures;
+    }
+}
+
 static void pin_cloud_report(void) {
     PIN(sizeof(nurbs_cloud_report), 96);
     PIN(offsetof(nurbs_cloud_report, struct_size), 0);
@@ -343,6 +362,7 @@ static void pin_flags(void) {
     PIN(NURBS_RULED_CARTESIAN, 0x80000000);
     PIN(NURBS_HEMISPHERE, 0x01000000);
     PIN(NURBS_TWO_SHEETS, 0x02000000);
+    PIN(NURBS_MESH_WELDED, 0x01000000);
     PIN(NURBS_EQUAL_CHORDS, 0x02000000);
     PIN(NURBS_REVERSED, 0x04000000);
     PIN(NURBS_NAN_POINTS, 0x01000000);
@@ -521,6 +541,7 @@ int main(void) {
     pin_fit_report();
     pin_cloud_options();
     pin_cloud_report();
+    pin_mesh_options();
     pin_codes();
     pin_flags();
     pin_kinds();

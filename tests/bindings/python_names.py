@@ -19,7 +19,7 @@ INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_wri
           "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy",
           "nurbs_data_init", "nurbs_statistics_create", "nurbs_statistics_destroy", "nurbs_statistics_size",
           "nurbs_fit_options_init", "nurbs_cloud_options_init", "nurbs_face_destroy", "nurbs_model_destroy",
-          "nurbs_meet_destroy"}
+          "nurbs_meet_destroy", "nurbs_mesh_options_init", "nurbs_mesh_destroy"}
 
 
 def functions():
@@ -28,7 +28,7 @@ def functions():
     text = re.sub(r"/\*.*?\*/", " ", HEADER.read_text(), flags=re.S)
     found = {}
     for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text):
-        first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face|nurbs_model|nurbs_meet) \*\w+(,|$)", arguments)
+        first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face|nurbs_model|nurbs_meet|nurbs_mesh) \*\w+(,|$)", arguments)
         own = re.match("nurbs_(?:read_(?=model))?(statistics|face|model|meet)", name)
         found[name] = f"nurbs_{own[1]}" if own else first[1] if first else ""
     return found
@@ -36,8 +36,9 @@ def functions():
 
 def names_of(function):
     """What a function may be called here."""
-    name = re.sub("^nurbs_(statistics_|face_|model_|meet_)?", "", function).removesuffix("_with")
-    name = name.replace("read_model", "read")
+    name = re.sub("^nurbs_(statistics_|face_|model_|meet_|mesh_(?!curve|surface|face$|model$))?", "",
+                  function.removesuffix("_with"))
+    name = re.sub("^mesh_(?!curve).*", "mesh", name).replace("read_model", "read")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
             re.sub("^create_", "", name)}
@@ -69,7 +70,8 @@ class Rule(unittest.TestCase):
         found = functions()
         self.assertTrue(found)
         for function, first in found.items():
-            if function not in INSIDE and first not in ("nurbs_statistics", "nurbs_face", "nurbs_model", "nurbs_meet"):
+            if function not in INSIDE and first not in ("nurbs_statistics", "nurbs_face", "nurbs_model", "nurbs_meet",
+                                                            "nurbs_mesh"):
                 named = names_of(function)
                 made = function.startswith("nurbs_create_") or function == "nurbs_from_bytes"
                 self.assertEqual(bool(named & methods.keys()), first == "nurbs" or made, function)
@@ -101,6 +103,13 @@ class Rule(unittest.TestCase):
         methods = attributes(nurbs.Meet)
         found = {function for function, first in functions().items() if first == "nurbs_meet"} - INSIDE
         self.assertGreaterEqual(found, {"nurbs_meet_counts", "nurbs_meet_branch", "nurbs_meet_clone"})
+        for function in found:
+            self.assertTrue(names_of(function) & methods.keys(), function)
+
+    def test_methods_of_meshes(self):
+        methods = attributes(nurbs.Mesh)
+        found = {function for function, first in functions().items() if first == "nurbs_mesh"} - INSIDE
+        self.assertGreaterEqual(found, {"nurbs_mesh_counts", "nurbs_mesh_triangles_i32", "nurbs_mesh_clone"})
         for function in found:
             self.assertTrue(names_of(function) & methods.keys(), function)
 

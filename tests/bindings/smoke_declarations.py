@@ -149,7 +149,7 @@ class Call:
                 self.show_array(name, parameter, self.outputs[parameter])
             elif isinstance(value, NewHandle):
                 shown = {"list": self.show_list, "statistics": self.show_statistics, "face": self.show_face,
-                         "model": self.show_model, "meet": self.show_meet}.get(value.place, self.show_spline)
+                         "model": self.show_model, "meet": self.show_meet, "mesh": self.show_mesh}.get(value.place, self.show_spline)
                 shown(name, parameter, self.outputs[parameter].value)
         if self.call.result is not None:
             found = self.outputs["return"]
@@ -220,6 +220,16 @@ class Call:
             self.library.call("nurbs_meet_branch", meet, i, ctypes.byref(space), ctypes.byref(on_surface))
             for g in (space, on_surface):
                 self.show_spline(name, f"{parameter}.branches", g.value)
+
+    def show_mesh(self, name, parameter, mesh):
+        points, triangles = ctypes.c_int64(), ctypes.c_int64()
+        self.library.call("nurbs_mesh_counts", mesh, ctypes.byref(points), None, ctypes.byref(triangles), None, None, None)
+        xyz = (ctypes.c_double * (3 * points.value))()
+        corners = (ctypes.c_int64 * (3 * triangles.value))()
+        self.library.call("nurbs_mesh_points", mesh, points.value, xyz, None)
+        self.library.call("nurbs_mesh_triangles", mesh, 0, triangles.value, corners, None)
+        self.show_array(name, f"{parameter}.points", xyz)
+        show(name, f"{parameter}.corners", map(str, corners))
 
     def show_list(self, name, parameter, handle):
         count = self.library.answer("nurbs_list_count", ctypes.c_int64, handle)

@@ -24,11 +24,11 @@ import nurbs
 # Names of arguments of the package: what they are called in nurbs.h.
 INSTEAD = {"contents": ("bytes",), "curves": ("boundaries",), "end": ("end_a",), "other_end": ("end_b",), "center": ("origin",),
            "breaks": ("pieces",), "from_basis": ("from",), "to_basis": ("to",), "inner": ("f",),
-           "lam": ("lambda",)}
+           "lam": ("lambda",), "relative": ("relative_chord",)}
 # What the package takes from the shapes of arrays, those of structs too.
 IN_SHAPES = ("counts", "dim", "degrees", "break_counts", "n", "axes")
 OWNERS = {"spline": nurbs.Spline, "list": nurbs.SplineList, "statistics": nurbs.Statistics, "face": nurbs.Face,
-          "model": nurbs.Model, "meet": nurbs.Meet}
+          "model": nurbs.Model, "meet": nurbs.Meet, "mesh": nurbs.Mesh}
 
 
 class Unlike(Exception):
@@ -98,7 +98,10 @@ class LayerCall:
         """The parameter whose method it is, and the function."""
         short = self.step.method.entry.name.removeprefix("nurbs_")
         methods = [method for language in ("cpp", "rust") for method in self.step.method.entry.methods.get(language, ())]
-        names = [*(method.name for method in methods), short, re.sub("^(curve|surface|create|list)_", "", short)]
+        names = [*(method.name for method in methods), short, re.sub("^(curve|surface|create|list)_", "", short),
+                 re.sub("^mesh_(surface|face|model)$", "mesh", short)]
+        if short == "mesh_triangles" and self.step.given("flags") == Number(0):
+            names = ["vertex_triangles"]
         handles = [value for value in self.values.values() if value.kind in OWNERS and not value.is_output]
         made = OWNERS[next((value.kind for value in self.step.method.made), "spline")]
         owners = [self.values[method.receiver] for method in methods if self.values.get(method.receiver) in handles]
@@ -260,6 +263,10 @@ class LayerCall:
                 yield from self.handle_lines(f"{name}.faces", face)
             for edge in found.edges:
                 yield from self.handle_lines(f"{name}.edges", edge.spline)
+            return
+        if isinstance(found, nurbs.Mesh):
+            yield f"{name}.points", [text_of(x, ctypes.c_double) for x in numpy.ravel(found.points)]
+            yield f"{name}.corners", map(str, numpy.ravel(found.vertex_triangles))
             return
         if isinstance(found, nurbs.Meet):
             yield f"{name}.nodes", map(str, found.nodes.kinds)

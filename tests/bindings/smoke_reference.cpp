@@ -131,6 +131,17 @@ void print_meet(const std::string &name, const nurbs_meet *meet) {
     }
 }
 
+void print_mesh(const std::string &name, const nurbs_mesh *mesh) {
+    int64_t points = 0, triangles = 0;
+    CHECK_OK(nurbs_mesh_counts(mesh, &points, nullptr, &triangles, nullptr, nullptr, nullptr));
+    std::vector<double> xyz(static_cast<size_t>(3 * points));
+    std::vector<int64_t> corners(static_cast<size_t>(3 * triangles));
+    CHECK_OK(nurbs_mesh_points(mesh, points, xyz.data(), nullptr));
+    CHECK_OK(nurbs_mesh_triangles(mesh, 0, triangles, corners.data(), nullptr));
+    print_doubles((name + ".points").c_str(), xyz);
+    print_integers<int64_t>((name + ".corners").c_str(), corners);
+}
+
 void print_list(const char *name, const nurbs_list *list) {
     const std::string before = where;
     where += name;
@@ -169,6 +180,8 @@ void print_slot(const Slot &slot, const calls::Output &o) {
         print_model(slot.parameter, o.model);
     } else if (place == "meet") {
         print_meet(slot.parameter, o.meet);
+    } else if (place == "mesh") {
+        print_mesh(slot.parameter, o.mesh);
     } else {
         print_spline(slot.parameter, place == "out" ? o.out : o.other);
     }

@@ -10,7 +10,7 @@ module smoke_support
     interface show
         module procedure show_double, show_doubles, show_singles, show_int, show_ints, show_long, show_longs
         module procedure show_logical, show_logicals, show_text, show_spline, show_list, show_statistics, show_face, &
-            show_model, show_meet
+            show_model, show_meet, show_mesh
     end interface show
 
     interface flat
@@ -173,6 +173,17 @@ contains
             call show(name//'.branches', on_surface)
         end do
     end subroutine show_meet
+
+    subroutine show_mesh(name, mesh)
+        character(len=*), intent(in) :: name
+        class(nurbs_mesh), intent(in) :: mesh
+        integer(c_int64_t), allocatable :: corners(:, :)
+        real(c_double), allocatable :: points(:, :)
+        call mesh%points(points)
+        call mesh%triangles(corners)
+        call show(name//'.points', flat(transpose(points)))
+        call show(name//'.corners', flat(transpose(corners)) - 1)
+    end subroutine show_mesh
 
     subroutine show_spline(name, g)
         character(len=*), intent(in) :: name

@@ -131,6 +131,11 @@ inline void show(const std::string &name, const libnurbs::Meet &meet) {
     }
 }
 
+inline void show(const std::string &name, const libnurbs::Mesh &mesh) {
+    show(name + ".points", mesh.points());
+    show(name + ".corners", mesh.triangles());
+}
+
 inline void show(const std::string &name, const libnurbs::List &list) {
     show(name + ".count", list.size());
     for (std::int64_t i = 0; i < list.size(); ++i) {

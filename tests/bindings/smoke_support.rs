@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! How the smoke test of Rust prints what calls return: see smoke_reference.cpp.
 
-use nurbs::{Face, List, Meet, Model, Spline, Statistics};
+use nurbs::{Face, List, Meet, Mesh, Model, Spline, Statistics};
 use std::cell::RefCell;
 
 thread_local!(static CALL: RefCell<&'static str> = const { RefCell::new("") });
@@ -135,6 +135,13 @@ impl Show for Meet {
             show(&format!("{name}.branches"), &space);
             show(&format!("{name}.branches"), &on_surface);
         }
+    }
+}
+
+impl Show for Mesh {
+    fn lines(&self, name: &str) {
+        show(&format!("{name}.points"), &self.points().expect(name));
+        show(&format!("{name}.corners"), &self.triangles(0).expect(name));
     }
 }
 

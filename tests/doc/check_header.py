@@ -19,12 +19,12 @@ import header  # noqa: E402 - from the project
 
 # Pointers to one value that is written; arrays have names in the plural.
 SINGLE_RESULTS = ("against", "angle", "area", "at_least", "at_most", "axes", "bound", "branches", "cells", "complete", "content",
-                  "convexity", "count", "curvature_gap", "degree", "deviation", "dim", "distance", "edges",
-                  "entity_type", "entries", "error", "faces", "factor", "form", "gap", "geometric", "homogeneous",
+                  "convexity", "count", "curvature_gap", "degree", "deviation", "dim", "distance", "edge_points", "edges",
+                  "entity_type", "entries", "error", "faces", "factor", "form", "from_mesh", "from_shape", "gap", "geometric", "homogeneous",
                   "in_void", "index", "key", "kind", "knot", "length", "line", "major", "metres", "minor", "moved", "nodes", "openness",
-                  "optimality", "order", "parent", "part", "parts", "periodic", "position_gap", "proven", "rank",
+                  "optimality", "order", "parent", "part", "parts", "periodic", "points", "position_gap", "proven", "rank",
                   "ratio", "rational", "reached", "reason", "removed", "residual", "result", "shape", "size", "slots", "solid", "status",
-                  "tolerance", "type", "uses", "value", "vertices", "volume", "weight")
+                  "tolerance", "triangles", "type", "uses", "value", "vertices", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]
 
 

@@ -66,8 +66,10 @@ class Border:
         assert self.library.nurbs_surface_sections(surface, (ctypes.c_double * 3)(0, 0, 1), ctypes.c_int64(1),
                                                    (ctypes.c_double * 1)(0.25), ctypes.c_double(0.25),
                                                    ctypes.byref(self.meet)) == 0
+        self.mesh = ctypes.c_void_p()
+        assert self.library.nurbs_mesh_model(self.model, None, ctypes.byref(self.mesh)) == 0
         self.handles = {"nurbs_list": self.list, "nurbs_statistics": self.statistics, "nurbs_face": self.face,
-                        "nurbs_model": self.model, "nurbs_meet": self.meet}
+                        "nurbs_model": self.model, "nurbs_meet": self.meet, "nurbs_mesh": self.mesh}
         self.structs = {struct.name: slots.struct_class(self.manual, struct) for struct in self.manual.structs}
         self.callbacks = {name: slots.callback_type(self.manual, name)(lambda *_: 0) for name in self.manual.callbacks}
 

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 ! Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 !> libnurbs for Fortran 2018: splines, lists of splines, statistics of data, trimmed faces and models of
-!> them, and where shapes meet, as types that clean up after themselves.
+!> them, where shapes meet, and meshes, as types that clean up after themselves.
 !>
 !> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
 !>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.
@@ -28,7 +28,7 @@ module nurbs
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_handles, only: data_for_fits, default_cloud_options, default_fit_options, default_read_options, &
-        default_write_options
+        default_mesh_options, default_write_options
     use nurbs_calls, only: nurbs_call, nurbs_progress
     use nurbs_evaluation, only: derivative_slots
     use nurbs_splines, only: nurbs_spline
@@ -37,6 +37,7 @@ module nurbs
     use nurbs_faces, only: nurbs_face
     use nurbs_models, only: nurbs_model
     use nurbs_meets, only: nurbs_meet
+    use nurbs_meshes, only: mesh_curve, nurbs_mesh
     use nurbs_fits
     use nurbs_knot_vectors
     use nurbs_frames
@@ -58,7 +59,6 @@ module nurbs
     use nurbs_edits
     use nurbs_deformations
     use nurbs_segments
-    use nurbs_meshes
     implicit none
     public
 end module nurbs

@@ -195,6 +195,16 @@ module nurbs_c
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_read_options
 
+    !> How near to a shape its mesh is to be; fill with nurbs_mesh_options_init() first. NULL stands for the
+    !> defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are
+    !> given hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1
+    type, bind(c) :: nurbs_mesh_options
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        real(c_double) :: chord  ! the largest distance of shape and mesh, both ways, > 0; INFINITY
+        real(c_double) :: relative_chord  ! the same as a share of the extent, >= 0; 0: no limit; 1e-3
+        real(c_double) :: longest  ! length of sides of triangles, >= 0; 0: no limit; 0
+    end type nurbs_mesh_options
+
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
     !> are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least
     !> one of its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
@@ -4465,6 +4475,184 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_mesh_curve_with
+        !> Fills an options struct with the defaults.
+        function nurbs_mesh_options_init(options, struct_size) bind(c) result(r)
+            import
+            type(nurbs_mesh_options), intent(inout) :: options
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_options_init
+        !> Triangles in place of a whole surface.
+        function nurbs_mesh_surface(g, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_surface
+        !> nurbs_mesh_surface() as a call that can be watched and ended.
+        function nurbs_mesh_surface_with(g, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_surface_with
+        !> Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these
+        !> and the border a constrained Delaunay triangulation.
+        function nurbs_mesh_face(face, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_face
+        !> nurbs_mesh_face() as a call that can be watched and ended; the limit of work is as for
+        !> nurbs_mesh_surface_with().
+        function nurbs_mesh_face_with(face, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_face_with
+        !> Triangles in place of all faces of a model, as of nurbs_mesh_face().
+        function nurbs_mesh_model(model, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_model
+        !> nurbs_mesh_model() as a call that can be watched and ended; the limit of work is as for
+        !> nurbs_mesh_surface_with().
+        function nurbs_mesh_model_with(model, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_model_with
+        !> Another handle on the same mesh, in constant time.
+        function nurbs_mesh_clone(mesh, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_clone
+        !> Frees a handle on a mesh.
+        subroutine nurbs_mesh_destroy(mesh) bind(c)
+            import
+            type(c_ptr), value :: mesh
+        end subroutine nurbs_mesh_destroy
+        !> How much a mesh holds.
+        function nurbs_mesh_counts(mesh, points, vertices, triangles, faces, edges, edge_points) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), intent(inout), optional :: points, vertices, triangles, faces, edges, &
+                edge_points
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_counts
+        !> How far a mesh and its shape are from each other: the most of all faces.
+        function nurbs_mesh_bound(mesh, from_shape, from_mesh, reached) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            real(c_double), intent(inout), optional :: from_shape, from_mesh
+            integer(c_int32_t), intent(inout), optional :: reached
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_bound
+        !> The points of a mesh.
+        function nurbs_mesh_points(mesh, cap, points, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: points(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_points
+        !> nurbs_mesh_points() in single precision, each number rounded once to the nearest float.
+        function nurbs_mesh_points_f32(mesh, cap, points, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            real(c_float), intent(inout), optional :: points(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_points_f32
+        !> The vertices of a mesh, those of each face one after the other.
+        function nurbs_mesh_vertices(mesh, cap, own_points, params, normals, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_points(*), count
+            real(c_double), intent(inout), optional :: params(*), normals(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_vertices
+        !> The vertices of a mesh as programs that draw want them, in single precision: with their points in
+        !> place of numbers of points.
+        function nurbs_mesh_vertices_f32(mesh, cap, points, params, normals, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            real(c_float), intent(inout), optional :: points(*), params(*), normals(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_vertices_f32
+        !> The triangles of a mesh, those of each face one after the other.
+        function nurbs_mesh_triangles(mesh, flags, cap, corners, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: flags
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: corners(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_triangles
+        !> nurbs_mesh_triangles() in 32 bits.
+        function nurbs_mesh_triangles_i32(mesh, flags, cap, corners, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: flags
+            integer(c_int64_t), value :: cap
+            integer(c_int32_t), intent(inout), optional :: corners(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_triangles_i32
+        !> What of a mesh stands for which face.
+        function nurbs_mesh_faces(mesh, cap, first_vertices, vertex_counts, first_triangles, &
+                triangle_counts, from_shape, from_mesh, reaches, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: first_vertices(*), vertex_counts(*), &
+                first_triangles(*), triangle_counts(*), count
+            real(c_double), intent(inout), optional :: from_shape(*), from_mesh(*)
+            integer(c_int32_t), intent(inout), optional :: reaches(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_faces
+        !> The polylines that stand for edges in a mesh.
+        function nurbs_mesh_edges(mesh, cap, own_edges, firsts, sizes, bounds, reaches, count) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_edges(*), firsts(*), sizes(*), count
+            real(c_double), intent(inout), optional :: bounds(*)
+            integer(c_int32_t), intent(inout), optional :: reaches(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_edges
+        !> The vertices of the polylines that stand for edges in a mesh: each from the start of its edge to
+        !> the end.
+        function nurbs_mesh_edge_points(mesh, cap, own_points, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_points(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_edge_points
         ! --- Writing files
         !> Fills an options struct with the defaults.
         function nurbs_write_options_init(options, struct_size) bind(c) result(r)

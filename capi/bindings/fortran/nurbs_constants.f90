@@ -500,6 +500,10 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_SIDE_OUTSIDE = -1  ! of all solids, for certain
     integer(c_int32_t), parameter :: NURBS_SIDE_UNDECIDED = 2  ! not known
 
+    ! --- Flags of meshes
+    ! nurbs_mesh_triangles() and its kind: corners are points, not vertices.
+    integer(c_int32_t), parameter :: NURBS_MESH_WELDED = int(z'01000000', c_int32_t)
+
     ! --- Formats of files
     ! STEP: an exchange structure of ISO 10303-21, by AP214
     integer(c_int32_t), parameter :: NURBS_FORMAT_STEP = 1

@@ -1,12 +1,14 @@
 ! SPDX-License-Identifier: MIT
-!> The handles that splines, lists of splines, statistics, faces, models and meets own: how they are replaced, copied and freed.
+!> The handles that splines, lists of splines, statistics, faces, models, meets and
+!> meshes own: how they are replaced, copied and freed.
 module nurbs_handles
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_clone, nurbs_cloud_options, nurbs_cloud_options_init, nurbs_data, nurbs_data_init, &
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_face_to_bytes, nurbs_fit_options, &
         nurbs_fit_options_init, nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, &
-        nurbs_list_write_with, nurbs_meet_clone, nurbs_meet_destroy, nurbs_model_clone, nurbs_model_destroy, &
+        nurbs_list_write_with, nurbs_meet_clone, nurbs_meet_destroy, nurbs_mesh_clone, nurbs_mesh_destroy, &
+        nurbs_mesh_options, nurbs_mesh_options_init, nurbs_model_clone, nurbs_model_destroy, &
         nurbs_model_to_bytes, nurbs_model_write, nurbs_model_write_with, nurbs_read_options, &
         nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, &
         nurbs_to_bytes, &
@@ -16,7 +18,7 @@ module nurbs_handles
     implicit none
     private
     public :: handles_of, as_many, default_read_options, default_write_options, default_fit_options
-    public :: default_cloud_options, data_for_fits
+    public :: default_cloud_options, default_mesh_options, data_for_fits
 
     !> As the library takes an array of handles.
     interface handles_of
@@ -94,6 +96,16 @@ module nurbs_handles
         generic :: assignment(=) => copy_meet
         final :: finish_meet
     end type nurbs_meet_handle
+
+    !> The handle of triangles in place of shapes. An assignment makes another handle on the same.
+    type, public :: nurbs_mesh_handle
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: destroy => destroy_mesh, replace => replace_mesh
+        procedure, private :: copy_mesh
+        generic :: assignment(=) => copy_mesh
+        final :: finish_mesh
+    end type nurbs_mesh_handle
 
 contains
 
@@ -324,6 +336,34 @@ contains
         call this%replace(made)
     end subroutine copy_meet
 
+    ! Meshes
+
+    subroutine destroy_mesh(this)
+        class(nurbs_mesh_handle), intent(inout) :: this
+        call replace_mesh(this, c_null_ptr)
+    end subroutine destroy_mesh
+
+    impure elemental subroutine finish_mesh(this)
+        type(nurbs_mesh_handle), intent(inout) :: this
+        call destroy_mesh(this)
+    end subroutine finish_mesh
+
+    subroutine replace_mesh(this, handle)
+        class(nurbs_mesh_handle), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call nurbs_mesh_destroy(this%handle)
+        this%handle = handle
+    end subroutine replace_mesh
+
+    impure elemental subroutine copy_mesh(this, other)
+        class(nurbs_mesh_handle), intent(inout) :: this
+        class(nurbs_mesh_handle), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_mesh_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy_mesh
+
     ! Models
 
     !> The same bytes on every machine for the same model.
@@ -496,4 +536,11 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call settle(nurbs_write_options_init(options, int(c_sizeof(options), c_int64_t)), status)
     end subroutine default_write_options
+
+    !> The limits that meshes have without options, to change some of them.
+    subroutine default_mesh_options(options, status)
+        type(nurbs_mesh_options), intent(out) :: options
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_mesh_options_init(options, int(c_sizeof(options), c_int64_t)), status)
+    end subroutine default_mesh_options
 end module nurbs_handles

@@ -4,13 +4,26 @@
 module nurbs_meshes
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_mesh_curve, nurbs_mesh_curve_with
+    use nurbs_c, only: nurbs_mesh_curve, nurbs_mesh_surface, nurbs_mesh_face, nurbs_mesh_model, nurbs_mesh_counts, &
+        nurbs_mesh_bound, nurbs_mesh_points, nurbs_mesh_points_f32, nurbs_mesh_vertices, nurbs_mesh_vertices_f32, &
+        nurbs_mesh_triangles, nurbs_mesh_triangles_i32, nurbs_mesh_faces, nurbs_mesh_edges, nurbs_mesh_edge_points, &
+        nurbs_mesh_curve_with, nurbs_mesh_surface_with, nurbs_mesh_face_with, nurbs_mesh_model_with, nurbs_mesh_options
     use nurbs_support
     use nurbs_calls
+    use nurbs_handles
     use nurbs_splines
+    use nurbs_faces
+    use nurbs_models
     implicit none
     private
     public :: mesh_curve
+
+    !> Triangles in place of shapes; an assignment makes another handle on the same triangles.
+    type, extends(nurbs_mesh_handle), public :: nurbs_mesh
+    contains
+        procedure :: of_surface, of_face, of_model, counts, bound, points, points_f32, vertices, vertices_f32, triangles
+        procedure :: triangles_i32, faces, edges, edge_points
+    end type nurbs_mesh
 
 contains
 
@@ -51,4 +64,256 @@ contains
         if (present(reached)) reached = answer /= 0
         call settle(code, status)
     end subroutine mesh_curve
+
+    !> Triangles in place of a whole surface, within a proven distance, both ways.
+    subroutine of_surface(this, g, options, status, call)
+        class(nurbs_mesh), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        type(nurbs_mesh_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_mesh_surface_with(g%handle, options, watched(call), made)
+        else
+            code = nurbs_mesh_surface(g%handle, options, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_surface
+
+    !> Triangles in place of a trimmed face, within a proven distance, both ways.
+    subroutine of_face(this, face, options, status, call)
+        class(nurbs_mesh), intent(inout) :: this
+        class(nurbs_face), intent(in) :: face
+        type(nurbs_mesh_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_mesh_face_with(face%handle, options, watched(call), made)
+        else
+            code = nurbs_mesh_face(face%handle, options, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_face
+
+    !> Triangles in place of all faces of a model, with common points along common edges.
+    subroutine of_model(this, model, options, status, call)
+        class(nurbs_mesh), intent(inout) :: this
+        class(nurbs_model), intent(in) :: model
+        type(nurbs_mesh_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_mesh_model_with(model%handle, options, watched(call), made)
+        else
+            code = nurbs_mesh_model(model%handle, options, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_model
+
+    !> How much it holds.
+    subroutine counts(this, points, vertices, triangles, faces, edges, edge_points, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), intent(inout), optional :: points, vertices, triangles, faces, edges, edge_points
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_mesh_counts(this%handle, points, vertices, triangles, faces, edges, edge_points), status)
+    end subroutine counts
+
+    !> How far the mesh and its shape are from each other, as proven.
+    subroutine bound(this, from_shape, from_mesh, reached, status)
+        class(nurbs_mesh), intent(in) :: this
+        real(c_double), intent(inout), optional :: from_shape, from_mesh
+        logical, intent(inout), optional :: reached
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: answer
+        answer = 0
+        call settle(nurbs_mesh_bound(this%handle, from_shape, from_mesh, answer), status)
+        if (present(reached)) reached = answer /= 0
+    end subroutine bound
+
+    !> points(n, 3) in space.
+    subroutine points(this, values, status)
+        class(nurbs_mesh), intent(in) :: this
+        real(c_double), allocatable, intent(inout) :: values(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: values_c(:, :)
+        n = 0
+        code = nurbs_mesh_points(this%handle, 0_c_int64_t, count=n)
+        allocate (values_c(3, n))
+        if (code == NURBS_OK) code = nurbs_mesh_points(this%handle, n, values_c)
+        values = transpose(values_c)
+        call settle(code, status)
+    end subroutine points
+
+    !> points(n, 3) in single precision.
+    subroutine points_f32(this, values, status)
+        class(nurbs_mesh), intent(in) :: this
+        real(c_float), allocatable, intent(inout) :: values(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_float), allocatable :: values_c(:, :)
+        n = 0
+        code = nurbs_mesh_points_f32(this%handle, 0_c_int64_t, count=n)
+        allocate (values_c(3, n))
+        if (code == NURBS_OK) code = nurbs_mesh_points_f32(this%handle, n, values_c)
+        values = transpose(values_c)
+        call settle(code, status)
+    end subroutine points_f32
+
+    !> Of each vertex the point at which it is, params(n, 2) of the surface of its face, and normals(n, 3), NaN where
+    !> there is none.
+    subroutine vertices(this, own_points, params, normals, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: own_points(:)
+        real(c_double), allocatable, intent(inout) :: params(:, :), normals(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :), normals_c(:, :)
+        n = 0
+        code = nurbs_mesh_vertices(this%handle, 0_c_int64_t, count=n)
+        if (allocated(own_points)) deallocate (own_points)
+        allocate (own_points(n), params_c(2, n), normals_c(3, n))
+        if (code == NURBS_OK) code = nurbs_mesh_vertices(this%handle, n, own_points, params_c, normals_c)
+        params = transpose(params_c)
+        normals = transpose(normals_c)
+        if (code == NURBS_OK) own_points = own_points + 1
+        call settle(code, status)
+    end subroutine vertices
+
+    !> points(n, 3), params(n, 2) and normals(n, 3) of the vertices, in single precision.
+    subroutine vertices_f32(this, points, params, normals, status)
+        class(nurbs_mesh), intent(in) :: this
+        real(c_float), allocatable, intent(inout) :: points(:, :), params(:, :), normals(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_float), allocatable :: points_c(:, :), params_c(:, :), normals_c(:, :)
+        n = 0
+        code = nurbs_mesh_vertices_f32(this%handle, 0_c_int64_t, count=n)
+        allocate (points_c(3, n), params_c(2, n), normals_c(3, n))
+        if (code == NURBS_OK) code = nurbs_mesh_vertices_f32(this%handle, n, points_c, params_c, normals_c)
+        points = transpose(points_c)
+        params = transpose(params_c)
+        normals = transpose(normals_c)
+        call settle(code, status)
+    end subroutine vertices_f32
+
+    !> corners(n, 3) of the triangles: vertices, or with NURBS_MESH_WELDED points.
+    subroutine triangles(this, corners, flags, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: corners(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int64_t), allocatable :: corners_c(:, :)
+        n = 0
+        code = nurbs_mesh_triangles(this%handle, given(flags, 0), 0_c_int64_t, count=n)
+        allocate (corners_c(3, n))
+        if (code == NURBS_OK) code = nurbs_mesh_triangles(this%handle, given(flags, 0), n, corners_c)
+        if (code == NURBS_OK) corners = transpose(corners_c) + 1
+        call settle(code, status)
+    end subroutine triangles
+
+    !> corners(n, 3) of the triangles in 32 bits: vertices, or with NURBS_MESH_WELDED points.
+    subroutine triangles_i32(this, corners, flags, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int32_t), allocatable, intent(inout) :: corners(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int32_t), allocatable :: corners_c(:, :)
+        n = 0
+        code = nurbs_mesh_triangles_i32(this%handle, given(flags, 0), 0_c_int64_t, count=n)
+        allocate (corners_c(3, n))
+        if (code == NURBS_OK) code = nurbs_mesh_triangles_i32(this%handle, given(flags, 0), n, corners_c)
+        if (code == NURBS_OK) corners = transpose(corners_c) + 1
+        call settle(code, status)
+    end subroutine triangles_i32
+
+    !> What of it stands for which face, and how far that is from the face.
+    subroutine faces(this, first_vertices, vertex_counts, first_triangles, triangle_counts, from_shape, from_mesh, &
+            reaches, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: first_vertices(:), vertex_counts(:), first_triangles(:)
+        integer(c_int64_t), allocatable, intent(inout) :: triangle_counts(:)
+        real(c_double), allocatable, intent(inout) :: from_shape(:), from_mesh(:)
+        integer(c_int32_t), allocatable, intent(inout) :: reaches(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_mesh_faces(this%handle, 0_c_int64_t, count=n)
+        if (allocated(first_vertices)) deallocate (first_vertices)
+        if (allocated(vertex_counts)) deallocate (vertex_counts)
+        if (allocated(first_triangles)) deallocate (first_triangles)
+        if (allocated(triangle_counts)) deallocate (triangle_counts)
+        if (allocated(from_shape)) deallocate (from_shape)
+        if (allocated(from_mesh)) deallocate (from_mesh)
+        if (allocated(reaches)) deallocate (reaches)
+        allocate (first_vertices(n), vertex_counts(n), first_triangles(n), triangle_counts(n), from_shape(n), &
+            from_mesh(n), reaches(n))
+        if (code == NURBS_OK) code = nurbs_mesh_faces(this%handle, n, first_vertices, vertex_counts, first_triangles, &
+            triangle_counts, from_shape, from_mesh, reaches)
+        if (code == NURBS_OK) then
+            first_vertices = first_vertices + 1
+            first_triangles = first_triangles + 1
+        end if
+        call settle(code, status)
+    end subroutine faces
+
+    !> Of each polyline the edge of the model, 0 for one that belongs to one face only, its first vertex among those of
+    !> all, the number of vertices, a proven bound of the distance, and whether all that was asked for is proven.
+    subroutine edges(this, own_edges, firsts, sizes, bounds, reaches, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: own_edges(:), firsts(:), sizes(:)
+        real(c_double), allocatable, intent(inout) :: bounds(:)
+        integer(c_int32_t), allocatable, intent(inout) :: reaches(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_mesh_edges(this%handle, 0_c_int64_t, count=n)
+        if (allocated(own_edges)) deallocate (own_edges)
+        if (allocated(firsts)) deallocate (firsts)
+        if (allocated(sizes)) deallocate (sizes)
+        if (allocated(bounds)) deallocate (bounds)
+        if (allocated(reaches)) deallocate (reaches)
+        allocate (own_edges(n), firsts(n), sizes(n), bounds(n), reaches(n))
+        if (code == NURBS_OK) code = nurbs_mesh_edges(this%handle, n, own_edges, firsts, sizes, bounds, reaches)
+        if (code == NURBS_OK) then
+            own_edges = own_edges + 1
+            firsts = firsts + 1
+        end if
+        call settle(code, status)
+    end subroutine edges
+
+    !> The points of the mesh that polylines of edges have, one polyline after the other.
+    subroutine edge_points(this, own_points, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: own_points(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_mesh_edge_points(this%handle, 0_c_int64_t, count=n)
+        if (allocated(own_points)) deallocate (own_points)
+        allocate (own_points(n))
+        if (code == NURBS_OK) code = nurbs_mesh_edge_points(this%handle, n, own_points)
+        if (code == NURBS_OK) own_points = own_points + 1
+        call settle(code, status)
+    end subroutine edge_points
 end module nurbs_meshes

@@ -24,6 +24,8 @@ CLASSES = {
               "Faces and the edges that they share: a handle that is copied in constant time and freed by its destructor."),
     "Meet": ("MeetHandle",
              "Curves where shapes meet: a handle that is copied in constant time and freed by its destructor."),
+    "Mesh": ("MeshHandle",
+             "Triangles in place of shapes: a handle that is copied in constant time and freed by its destructor."),
 }
 STANDARD = {"algorithm": r"std::copy_n", "array": r"std::array", "cstddef": r"std::byte|std::size_t",
             "cstdint": r"std::u?int", "limits": r"std::numeric_limits", "optional": r"std::optional",

@@ -5,7 +5,7 @@ HEAD = """\
 ! SPDX-License-Identifier: MIT
 ! {notice}
 !> libnurbs for Fortran 2018: splines, lists of splines, statistics of data, trimmed faces and models of
-!> them, and where shapes meet, as types that clean up after themselves.
+!> them, where shapes meet, and meshes, as types that clean up after themselves.
 !>
 !> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
 !>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.
@@ -30,7 +30,7 @@ module nurbs
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_handles, only: data_for_fits, default_cloud_options, default_fit_options, default_read_options, &
-        default_write_options
+        default_mesh_options, default_write_options
 """
 WATCHED = """\
 !> - A procedure that can take long has an optional last argument, call: a nurbs_call with a limit of work, and with a

@@ -42,11 +42,13 @@ TYPES = {
                    "Faces and the edges that they share, in parts; an assignment makes another handle on the same model."),
     "meets": Type("nurbs_meet", "nurbs_meet_handle",
                   "Curves where shapes meet; an assignment makes another handle on the same curves."),
+    "meshes": Type("nurbs_mesh", "nurbs_mesh_handle",
+                   "Triangles in place of shapes; an assignment makes another handle on the same triangles."),
 }
 #: Where names of other modules come from.
 HOMES = {"nurbs_calls": r"nurbs_call\b",
          "nurbs_handles": r"nurbs_handle\b|nurbs_list_handle|nurbs_statistics_handle|nurbs_face_handle|nurbs_model_handle|"
-                          r"nurbs_meet_handle|handles_of|as_many",
+                          r"nurbs_meet_handle|nurbs_mesh_handle|handles_of|as_many",
          **{f"nurbs_{module}": rf"\b{kind.name}\b" for module, kind in TYPES.items()}}
 
 

@@ -84,7 +84,7 @@ class Passing:
     def input_spline(self, dummy):
         return f"{dummy.name}%handle"
 
-    input_statistics = input_face = input_model = input_meet = input_spline
+    input_statistics = input_face = input_model = input_meet = input_mesh = input_spline
 
     def input_splines(self, dummy):
         return self.converted(dummy, "type(c_ptr)", f"handles_of({dummy.name})", 1)

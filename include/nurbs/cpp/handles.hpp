@@ -236,7 +236,31 @@ private:
     nurbs_meet *handle_ = nullptr;
 };
 
-// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics, a Face, a Model or a Meet.
+/// The same of triangles in place of shapes.
+class MeshHandle {
+public:
+    MeshHandle() noexcept = default;
+    explicit MeshHandle(nurbs_mesh *owned) noexcept : handle_(owned) {}
+    MeshHandle(const MeshHandle &other) {
+        if (other.handle_ != nullptr) {
+            check_copy(nurbs_mesh_clone(other.handle_, &handle_));
+        }
+    }
+    MeshHandle(MeshHandle &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    MeshHandle &operator=(MeshHandle other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~MeshHandle() { nurbs_mesh_destroy(handle_); }
+
+    [[nodiscard]] const nurbs_mesh *get() const noexcept { return handle_; }
+    [[nodiscard]] nurbs_mesh *release() noexcept { return std::exchange(handle_, nullptr); }
+
+private:
+    nurbs_mesh *handle_ = nullptr;
+};
+
+// The handle that f(arguments..., &handle) makes, as a Spline, a List, Statistics, a Face, a Model, a Meet or a Mesh.
 template <class Owner, class F, class... Arguments>
 Owner made(F &&f, const Arguments &...arguments) {
     decltype(std::declval<Owner>().release()) handle = nullptr;

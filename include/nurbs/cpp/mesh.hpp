@@ -5,6 +5,8 @@
 #ifndef NURBS_CPP_MESH_HPP
 #define NURBS_CPP_MESH_HPP
 
+#include <nurbs/cpp/face.hpp>
+#include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <cstdint>
@@ -12,6 +14,18 @@
 
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
+
+/// Flags of meshes.
+inline constexpr std::uint32_t mesh_welded = NURBS_MESH_WELDED;
+
+/// How near to a shape its mesh is to be, initialised to the defaults. Later versions of this header may know
+/// more of them: where libraries that were compiled with two versions meet in one program, each has to say
+/// its own size, and none the other's.
+struct MeshOptions : nurbs_mesh_options {
+    [[gnu::always_inline]] MeshOptions() : nurbs_mesh_options{} {
+        detail::call(nurbs_mesh_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_mesh_options)));
+    }
+};
 
 /// A polyline in place of a curve: parameters and points of its vertices, and how far it is from the curve,
 /// as proven.
@@ -59,6 +73,240 @@ inline Returned<CurvePolyline> mesh_curve(const Spline &g, double chord, double 
     found.reached = reached != 0;
     return found;
 }
+
+/// How much a mesh holds.
+struct MeshCounts {
+    std::int64_t points;      ///< Number of points.
+    std::int64_t vertices;    ///< Number of vertices.
+    std::int64_t triangles;   ///< Number of triangles.
+    std::int64_t faces;       ///< Number of faces.
+    std::int64_t edges;       ///< Number of polylines of edges.
+    std::int64_t edge_points; ///< Number of their vertices, all together.
+};
+
+/// How far a mesh and its shape are from each other, as proven.
+struct MeshBound {
+    double from_shape; ///< No point of the shape is farther from the mesh.
+    double from_mesh;  ///< No point of the mesh is farther from the shape.
+    bool reached;      ///< Whether all that was asked for is proven.
+};
+
+/// The vertices of a mesh, those of each face one after the other.
+struct MeshVertices {
+    std::vector<std::int64_t> points; ///< The point at which each is.
+    std::vector<double> params;       ///< [n][2] of the surface of the face.
+    std::vector<double> normals;      ///< [n][3], of length 1; NaN where there is none.
+};
+
+/// The vertices of a mesh as programs that draw want them.
+struct DrawableVertices {
+    std::vector<float> points;  ///< [n][3] in space.
+    std::vector<float> params;  ///< [n][2] of the surface of the face.
+    std::vector<float> normals; ///< [n][3], of length 1; NaN where there is none.
+};
+
+/// What of a mesh stands for which face.
+struct MeshFaces {
+    std::vector<std::int64_t> first_vertices;  ///< The first vertex.
+    std::vector<std::int64_t> vertex_counts;   ///< The number of vertices.
+    std::vector<std::int64_t> first_triangles; ///< The first triangle.
+    std::vector<std::int64_t> triangle_counts; ///< The number of triangles.
+    std::vector<double> from_shape;            ///< No point of the face is farther from its triangles.
+    std::vector<double> from_mesh;             ///< No point of its triangles is farther from the face.
+    std::vector<std::int32_t> reached;         ///< 1 where all that was asked for is proven, else 0.
+};
+
+/// The polylines that stand for edges in a mesh.
+struct MeshEdges {
+    std::vector<std::int64_t> edges;  ///< The edge of the model; -1 for one that belongs to one face only.
+    std::vector<std::int64_t> firsts; ///< Its first vertex among those of all polylines.
+    std::vector<std::int64_t> sizes;  ///< The number of its vertices.
+    /// No point of the edge is farther from the polyline, and none of that from the edge.
+    std::vector<double> bounds;
+    std::vector<std::int32_t> reached; ///< 1 where all that was asked for is proven, else 0.
+};
+
+/// Triangles in place of shapes: a handle that is copied in constant time and freed by its destructor.
+class Mesh : public detail::MeshHandle {
+public:
+    using MeshHandle::MeshHandle;
+
+    // Shapes made of what is straight and flat, within a proven distance
+
+    /// Triangles in place of a whole surface, within a proven distance, both ways.
+    [[nodiscard]] static Returned<Mesh> of_surface(const Spline &g, const MeshOptions &options = {}) {
+        return detail::made<Mesh>(nurbs_mesh_surface, g.get(), &options);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Mesh> of_surface(const Spline &g, const MeshOptions &options,
+                                                   const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Mesh>(nurbs_mesh_surface_with, g.get(), &options, watch.get());
+    }
+    /// Triangles in place of a trimmed face, within a proven distance, both ways.
+    [[nodiscard]] static Returned<Mesh> of_face(const Face &face, const MeshOptions &options = {}) {
+        return detail::made<Mesh>(nurbs_mesh_face, face.get(), &options);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Mesh> of_face(const Face &face, const MeshOptions &options,
+                                                const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Mesh>(nurbs_mesh_face_with, face.get(), &options, watch.get());
+    }
+    /// Triangles in place of all faces of a model, with common points along common edges.
+    [[nodiscard]] static Returned<Mesh> of_model(const Model &model, const MeshOptions &options = {}) {
+        return detail::made<Mesh>(nurbs_mesh_model, model.get(), &options);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Mesh> of_model(const Model &model, const MeshOptions &options,
+                                                 const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Mesh>(nurbs_mesh_model_with, model.get(), &options, watch.get());
+    }
+    /// How much it holds.
+    [[nodiscard]] Returned<MeshCounts> counts() const {
+        MeshCounts found{};
+        detail::call(nurbs_mesh_counts, get(), &found.points, &found.vertices, &found.triangles, &found.faces,
+                     &found.edges, &found.edge_points);
+        return found;
+    }
+    /// How far the mesh and its shape are from each other, as proven.
+    [[nodiscard]] Returned<MeshBound> bound() const {
+        MeshBound found{};
+        std::int32_t reached = 0;
+        detail::call(nurbs_mesh_bound, get(), &found.from_shape, &found.from_mesh, &reached);
+        found.reached = reached != 0;
+        return found;
+    }
+    /// The points, [n][3].
+    [[nodiscard]] Returned<std::vector<double>> points() const {
+        std::vector<double> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_points, get(), cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room(count, 3);
+        ask(count);
+        return values;
+    }
+    /// The points, [n][3], in single precision.
+    [[nodiscard]] Returned<std::vector<float>> points_f32() const {
+        std::vector<float> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_points_f32, get(), cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<float>(count, 3);
+        ask(count);
+        return values;
+    }
+    /// The vertices, those of each face one after the other.
+    [[nodiscard]] Returned<MeshVertices> vertices() const {
+        MeshVertices found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_vertices, get(), cap, found.points.data(), found.params.data(),
+                         found.normals.data(), &count);
+        };
+        ask(0);
+        found.points = detail::room<std::int64_t>(count);
+        found.params = detail::room(count, 2);
+        found.normals = detail::room(count, 3);
+        ask(count);
+        return found;
+    }
+    /// The vertices as programs that draw want them, in single precision, with their points.
+    [[nodiscard]] Returned<DrawableVertices> vertices_f32() const {
+        DrawableVertices found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_vertices_f32, get(), cap, found.points.data(), found.params.data(),
+                         found.normals.data(), &count);
+        };
+        ask(0);
+        found.points = detail::room<float>(count, 3);
+        found.params = detail::room<float>(count, 2);
+        found.normals = detail::room<float>(count, 3);
+        ask(count);
+        return found;
+    }
+    /// The corners of triangles, [n][3]: vertices, or with mesh_welded points.
+    [[nodiscard]] Returned<std::vector<std::int64_t>> triangles(std::uint32_t flags = 0) const {
+        std::vector<std::int64_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_triangles, get(), flags, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int64_t>(count, 3);
+        ask(count);
+        return values;
+    }
+    /// The corners of triangles, [n][3], in 32 bits: vertices, or with mesh_welded points.
+    [[nodiscard]] Returned<std::vector<std::int32_t>> triangles_i32(std::uint32_t flags = 0) const {
+        std::vector<std::int32_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_triangles_i32, get(), flags, cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int32_t>(count, 3);
+        ask(count);
+        return values;
+    }
+    /// What of it stands for which face, and how far that is from the face.
+    [[nodiscard]] Returned<MeshFaces> faces() const {
+        MeshFaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_faces, get(), cap, found.first_vertices.data(),
+                         found.vertex_counts.data(), found.first_triangles.data(),
+                         found.triangle_counts.data(), found.from_shape.data(), found.from_mesh.data(),
+                         found.reached.data(), &count);
+        };
+        ask(0);
+        found.first_vertices = detail::room<std::int64_t>(count);
+        found.vertex_counts = detail::room<std::int64_t>(count);
+        found.first_triangles = detail::room<std::int64_t>(count);
+        found.triangle_counts = detail::room<std::int64_t>(count);
+        found.from_shape = detail::room(count);
+        found.from_mesh = detail::room(count);
+        found.reached = detail::room<std::int32_t>(count);
+        ask(count);
+        return found;
+    }
+    /// The polylines that stand for edges.
+    [[nodiscard]] Returned<MeshEdges> edges() const {
+        MeshEdges found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_edges, get(), cap, found.edges.data(), found.firsts.data(),
+                         found.sizes.data(), found.bounds.data(), found.reached.data(), &count);
+        };
+        ask(0);
+        found.edges = detail::room<std::int64_t>(count);
+        found.firsts = detail::room<std::int64_t>(count);
+        found.sizes = detail::room<std::int64_t>(count);
+        found.bounds = detail::room(count);
+        found.reached = detail::room<std::int32_t>(count);
+        ask(count);
+        return found;
+    }
+    /// The points of the mesh that polylines of edges have, one polyline after the other.
+    [[nodiscard]] Returned<std::vector<std::int64_t>> edge_points() const {
+        std::vector<std::int64_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_edge_points, get(), cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int64_t>(count);
+        ask(count);
+        return values;
+    }
+};
 
 } // namespace NURBS_CPP_POLICY
 } // namespace libnurbs

@@ -120,6 +120,7 @@ struct Inputs {
     n::Model model = n::Model::create(std::vector<n::Face>{face, face}, 0.001);
     n::Model layered = n::Model::read(std::as_bytes(std::span(layers)));
     n::Meet meet = n::Meet::sections(surface, std::array<double, 3>{0.0, 0.0, 1.0}, {0.5, 2.0}, 0.001);
+    n::Mesh mesh = [&] { n::MeshOptions options; options.chord = 1.0; options.relative_chord = 0.0; return n::Mesh::of_face(face, options); }();
 };
 
 void data(const Inputs &in) {
@@ -903,8 +904,115 @@ void data(const Inputs &in) {
         const auto found = n::Meet::trimmed(in.meet, in.face);
         show("out", found);
     }
+    by_hand("mesh_options_init");
+    {
+        begin("mesh_surface");
+        n::MeshOptions options;
+        options.chord = 1.0;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_surface(in.surface, options);
+        show("out", found);
+    }
+    {
+        begin("mesh_surface by length");
+        n::MeshOptions options;
+        options.chord = 10.0;
+        options.relative_chord = 0.0;
+        options.longest = 1.5;
+        const auto found = n::Mesh::of_surface(in.surface, options);
+        show("out", found);
+    }
+    {
+        begin("mesh_face");
+        n::MeshOptions options;
+        options.chord = 1.0;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_face(in.face, options);
+        show("out", found);
+    }
+    {
+        begin("mesh_model");
+        n::MeshOptions options;
+        options.chord = 1.0;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_model(in.model, options);
+        show("out", found);
+    }
+    {
+        begin("mesh_points");
+        const auto found = in.mesh.points();
+        show("points", found);
+    }
+    {
+        begin("mesh_points_f32");
+        const auto found = in.mesh.points_f32();
+        show("points", found);
+    }
+    {
+        begin("mesh_vertices");
+        const auto found = in.mesh.vertices();
+        show("own_points", found.points);
+        show("params", found.params);
+        show("normals", found.normals);
+    }
+    {
+        begin("mesh_vertices normals");
+        const auto found = in.mesh.vertices();
+        show("own_points", found.points);
+        show("params", found.params);
+        show("normals", found.normals);
+    }
+    {
+        begin("mesh_vertices_f32");
+        const auto found = in.mesh.vertices_f32();
+        show("points", found.points);
+        show("params", found.params);
+        show("normals", found.normals);
+    }
+    {
+        begin("mesh_triangles");
+        const auto found = in.mesh.triangles(0u);
+        show("corners", found);
+    }
+    {
+        begin("mesh_triangles welded");
+        const auto found = in.mesh.triangles(16777216u);
+        show("corners", found);
+    }
+    {
+        begin("mesh_triangles_i32");
+        const auto found = in.mesh.triangles_i32(0u);
+        show("corners", found);
+    }
+    {
+        begin("mesh_faces");
+        const auto found = in.mesh.faces();
+        show("first_vertices", found.first_vertices);
+        show("vertex_counts", found.vertex_counts);
+        show("first_triangles", found.first_triangles);
+        show("triangle_counts", found.triangle_counts);
+        show("from_shape", found.from_shape);
+        show("from_mesh", found.from_mesh);
+        show("reaches", found.reached);
+    }
+    {
+        begin("mesh_edges");
+        const auto found = in.mesh.edges();
+        show("own_edges", found.edges);
+        show("firsts", found.firsts);
+        show("sizes", found.sizes);
+        show("bounds", found.bounds);
+        show("reaches", found.reached);
+    }
+    {
+        begin("mesh_edge_points");
+        const auto found = in.mesh.edge_points();
+        show("own_points", found);
+    }
+    by_hand("mesh_clone");
     by_hand("meet_clone");
     by_hand("meet_destroy");
+    by_hand("mesh_destroy");
     {
         begin("meet_branches");
         const auto found = in.meet.branches();
@@ -1207,6 +1315,39 @@ void data(const Inputs &in) {
     {
         begin("meet_trim_with");
         const auto found = n::Meet::trimmed(in.meet, in.face, watched());
+        show("out", found);
+    }
+    {
+        begin("mesh_surface_with");
+        n::MeshOptions options;
+        options.chord = 1.0;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_surface(in.surface, options, watched());
+        show("out", found);
+    }
+    {
+        begin("mesh_surface_with by length");
+        n::MeshOptions options;
+        options.chord = 10.0;
+        options.relative_chord = 0.0;
+        options.longest = 1.5;
+        const auto found = n::Mesh::of_surface(in.surface, options, watched());
+        show("out", found);
+    }
+    {
+        begin("mesh_face_with");
+        n::MeshOptions options;
+        options.chord = 1.0;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_face(in.face, options, watched());
+        show("out", found);
+    }
+    {
+        begin("mesh_model_with");
+        n::MeshOptions options;
+        options.chord = 1.0;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_model(in.model, options, watched());
         show("out", found);
     }
 }
@@ -3564,6 +3705,23 @@ void scalar(const Inputs &in) {
         show("branches", found.branches);
         show("nodes", found.nodes);
         show("complete", found.complete);
+    }
+    {
+        begin("mesh_counts");
+        const auto found = in.mesh.counts();
+        show("points", found.points);
+        show("vertices", found.vertices);
+        show("triangles", found.triangles);
+        show("faces", found.faces);
+        show("edges", found.edges);
+        show("edge_points", found.edge_points);
+    }
+    {
+        begin("mesh_bound");
+        const auto found = in.mesh.bound();
+        show("from_shape", found.from_shape);
+        show("from_mesh", found.from_mesh);
+        show("reached", found.reached);
     }
     {
         begin("model_face_name");

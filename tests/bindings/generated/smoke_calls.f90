@@ -635,11 +635,13 @@ program smoke_calls
     type(nurbs_model) :: model
     type(nurbs_model) :: layered
     type(nurbs_meet) :: meet
+    type(nurbs_mesh) :: mesh
     type(nurbs_data) :: data_given
     real(c_double), target :: data_params(5, 1)
     real(c_double), target :: data_values(5, 1)
     type(nurbs_spline) :: curves_given(1)
     type(nurbs_face) :: faces_given(2)
+    type(nurbs_mesh_options) :: options_given
 
     call curve%create(degrees=[2], counts=[9], knots=[0.0d0, 0.0d0, 0.0d0, 0.25d0, 0.25d0, 0.5d0, 0.5d0, 0.75d0, &
         0.75d0, 1.0d0, 1.0d0, 1.0d0], points=reshape([1.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 1.0d0, -1.0d0, 1.0d0, -1.0d0, &
@@ -682,6 +684,10 @@ program smoke_calls
     call model%create(faces=faces_given, metres=0.001d0)
     call layered%read(contents=layers_text)
     call meet%sections(g=surface, normal=[0.0d0, 0.0d0, 1.0d0], offsets=[0.5d0, 2.0d0], tolerance=0.001d0)
+    call default_mesh_options(options_given)
+    options_given%chord = 1.0d0
+    options_given%relative_chord = 0.0d0
+    call mesh%of_face(face=face, options=options_given)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -1815,8 +1821,165 @@ contains
             call found%trimmed(meet=meet, face=face)
             call show('out', found)
         end block
+        call by_hand('mesh_options_init')
+        call begin('mesh_surface')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 1.0d0
+            options_given%relative_chord = 0.0d0
+            call found%of_surface(g=surface, options=options_given)
+            call show('out', found)
+        end block
+        call begin('mesh_surface by length')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 10.0d0
+            options_given%relative_chord = 0.0d0
+            options_given%longest = 1.5d0
+            call found%of_surface(g=surface, options=options_given)
+            call show('out', found)
+        end block
+        call begin('mesh_face')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 1.0d0
+            options_given%relative_chord = 0.0d0
+            call found%of_face(face=face, options=options_given)
+            call show('out', found)
+        end block
+        call begin('mesh_model')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 1.0d0
+            options_given%relative_chord = 0.0d0
+            call found%of_model(model=model, options=options_given)
+            call show('out', found)
+        end block
+        call begin('mesh_points')
+        block
+            real(c_double), allocatable :: values_found(:, :)
+            call mesh%points(values=values_found)
+            call show('points', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
+                1])))
+        end block
+        call begin('mesh_points_f32')
+        block
+            real(c_float), allocatable :: values_found(:, :)
+            call mesh%points_f32(values=values_found)
+            call show('points', flat(reshape(values_found, [size(values_found, 2), size(values_found, 1)], order=[2, &
+                1])))
+        end block
+        call begin('mesh_vertices')
+        block
+            integer(c_int64_t), allocatable :: own_points_found(:)
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: normals_found(:, :)
+            call mesh%vertices(own_points=own_points_found, params=params_found, normals=normals_found)
+            call show('own_points', own_points_found - 1)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('normals', flat(reshape(normals_found, [size(normals_found, 2), size(normals_found, 1)], &
+                order=[2, 1])))
+        end block
+        call begin('mesh_vertices normals')
+        block
+            integer(c_int64_t), allocatable :: own_points_found(:)
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: normals_found(:, :)
+            call mesh%vertices(own_points=own_points_found, params=params_found, normals=normals_found)
+            call show('own_points', own_points_found - 1)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('normals', flat(reshape(normals_found, [size(normals_found, 2), size(normals_found, 1)], &
+                order=[2, 1])))
+        end block
+        call begin('mesh_vertices_f32')
+        block
+            real(c_float), allocatable :: points_found(:, :)
+            real(c_float), allocatable :: params_found(:, :)
+            real(c_float), allocatable :: normals_found(:, :)
+            call mesh%vertices_f32(points=points_found, params=params_found, normals=normals_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('normals', flat(reshape(normals_found, [size(normals_found, 2), size(normals_found, 1)], &
+                order=[2, 1])))
+        end block
+        call begin('mesh_triangles')
+        block
+            integer(c_int64_t), allocatable :: corners_found(:, :)
+            call mesh%triangles(corners=corners_found, flags=0)
+            call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
+                order=[2, 1])) - 1)
+        end block
+        call begin('mesh_triangles welded')
+        block
+            integer(c_int64_t), allocatable :: corners_found(:, :)
+            call mesh%triangles(corners=corners_found, flags=16777216)
+            call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
+                order=[2, 1])) - 1)
+        end block
+        call begin('mesh_triangles_i32')
+        block
+            integer(c_int32_t), allocatable :: corners_found(:, :)
+            call mesh%triangles_i32(corners=corners_found, flags=0)
+            call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
+                order=[2, 1])) - 1)
+        end block
+        call begin('mesh_faces')
+        block
+            integer(c_int64_t), allocatable :: first_vertices_found(:)
+            integer(c_int64_t), allocatable :: vertex_counts_found(:)
+            integer(c_int64_t), allocatable :: first_triangles_found(:)
+            integer(c_int64_t), allocatable :: triangle_counts_found(:)
+            real(c_double), allocatable :: from_shape_found(:)
+            real(c_double), allocatable :: from_mesh_found(:)
+            integer(c_int32_t), allocatable :: reaches_found(:)
+            call mesh%faces(first_vertices=first_vertices_found, vertex_counts=vertex_counts_found, &
+                first_triangles=first_triangles_found, triangle_counts=triangle_counts_found, &
+                from_shape=from_shape_found, from_mesh=from_mesh_found, reaches=reaches_found)
+            call show('first_vertices', first_vertices_found - 1)
+            call show('vertex_counts', vertex_counts_found)
+            call show('first_triangles', first_triangles_found - 1)
+            call show('triangle_counts', triangle_counts_found)
+            call show('from_shape', from_shape_found)
+            call show('from_mesh', from_mesh_found)
+            call show('reaches', reaches_found)
+        end block
+        call begin('mesh_edges')
+        block
+            integer(c_int64_t), allocatable :: own_edges_found(:)
+            integer(c_int64_t), allocatable :: firsts_found(:)
+            integer(c_int64_t), allocatable :: sizes_found(:)
+            real(c_double), allocatable :: bounds_found(:)
+            integer(c_int32_t), allocatable :: reaches_found(:)
+            call mesh%edges(own_edges=own_edges_found, firsts=firsts_found, sizes=sizes_found, bounds=bounds_found, &
+                reaches=reaches_found)
+            call show('own_edges', own_edges_found - 1)
+            call show('firsts', firsts_found - 1)
+            call show('sizes', sizes_found)
+            call show('bounds', bounds_found)
+            call show('reaches', reaches_found)
+        end block
+        call begin('mesh_edge_points')
+        block
+            integer(c_int64_t), allocatable :: own_points_found(:)
+            call mesh%edge_points(own_points=own_points_found)
+            call show('own_points', own_points_found - 1)
+        end block
+        call by_hand('mesh_clone')
         call by_hand('meet_clone')
         call by_hand('meet_destroy')
+        call by_hand('mesh_destroy')
         call begin('meet_branches')
         block
             integer(c_int64_t), allocatable :: levels_found(:)
@@ -2307,6 +2470,51 @@ contains
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
             call found%trimmed(meet=meet, face=face, call=watching)
+            call show('out', found)
+        end block
+        call begin('mesh_surface_with')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 1.0d0
+            options_given%relative_chord = 0.0d0
+            call found%of_surface(g=surface, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call begin('mesh_surface_with by length')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 10.0d0
+            options_given%relative_chord = 0.0d0
+            options_given%longest = 1.5d0
+            call found%of_surface(g=surface, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call begin('mesh_face_with')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 1.0d0
+            options_given%relative_chord = 0.0d0
+            call found%of_face(face=face, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call begin('mesh_model_with')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 1.0d0
+            options_given%relative_chord = 0.0d0
+            call found%of_model(model=model, options=options_given, call=watching)
             call show('out', found)
         end block
     end subroutine calls_of_data
@@ -6068,6 +6276,33 @@ contains
             call show('branches', branches_found)
             call show('nodes', nodes_found)
             call show('complete', complete_found)
+        end block
+        call begin('mesh_counts')
+        block
+            integer(c_int64_t) :: points_found
+            integer(c_int64_t) :: vertices_found
+            integer(c_int64_t) :: triangles_found
+            integer(c_int64_t) :: faces_found
+            integer(c_int64_t) :: edges_found
+            integer(c_int64_t) :: edge_points_found
+            call mesh%counts(points=points_found, vertices=vertices_found, triangles=triangles_found, &
+                faces=faces_found, edges=edges_found, edge_points=edge_points_found)
+            call show('points', points_found)
+            call show('vertices', vertices_found)
+            call show('triangles', triangles_found)
+            call show('faces', faces_found)
+            call show('edges', edges_found)
+            call show('edge_points', edge_points_found)
+        end block
+        call begin('mesh_bound')
+        block
+            real(c_double) :: from_shape_found
+            real(c_double) :: from_mesh_found
+            logical :: reached_found
+            call mesh%bound(from_shape=from_shape_found, from_mesh=from_mesh_found, reached=reached_found)
+            call show('from_shape', from_shape_found)
+            call show('from_mesh', from_mesh_found)
+            call show('reached', reached_found)
         end block
         call begin('model_face_name')
         block

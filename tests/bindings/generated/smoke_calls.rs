@@ -5,7 +5,7 @@
 #[path = "../smoke_support.rs"]
 mod smoke_support;
 
-use nurbs::{Call, Face, List, Meet, Model, Spline, Statistics};
+use nurbs::{Call, Face, List, Meet, Mesh, Model, Spline, Statistics};
 use smoke_support::{begin, by_hand, show, written};
 
 const FILE: &str = r#"a file of the test programs                                             S      1
@@ -255,6 +255,7 @@ struct Given {
     model: Model,
     layered: Model,
     meet: Meet,
+    mesh: Mesh,
 }
 
 fn given() -> nurbs::Result<Given> {
@@ -365,6 +366,10 @@ fn given() -> nurbs::Result<Given> {
     let model = Model::create(&[&face, &face], 0.001)?;
     let layered = Model::read(LAYERS.as_bytes(), None)?;
     let meet = Meet::sections(&surface, &[0.0, 0.0, 1.0], &[0.5, 2.0], 0.001)?;
+    let mesh = Mesh::of_face(
+        &face,
+        Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+    )?;
     Ok(Given {
         curve,
         r#loop,
@@ -381,6 +386,7 @@ fn given() -> nurbs::Result<Given> {
         model,
         layered,
         meet,
+        mesh,
     })
 }
 
@@ -1504,8 +1510,119 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::trimmed(&given.meet, &given.face)?;
         show("out", &found);
     }
+    by_hand("mesh_options_init");
+    begin("mesh_surface");
+    {
+        let found = Mesh::of_surface(
+            &given.surface,
+            Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_surface by length");
+    {
+        let found = Mesh::of_surface(
+            &given.surface,
+            Some(
+                &nurbs::MeshOptions::new()?
+                    .chord(10.0)
+                    .relative_chord(0.0)
+                    .longest(1.5),
+            ),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_face");
+    {
+        let found = Mesh::of_face(
+            &given.face,
+            Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_model");
+    {
+        let found = Mesh::of_model(
+            &given.model,
+            Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_points");
+    {
+        let found = given.mesh.points()?;
+        show("points", &found);
+    }
+    begin("mesh_points_f32");
+    {
+        let found = given.mesh.points_f32()?;
+        show("points", &found);
+    }
+    begin("mesh_vertices");
+    {
+        let found = given.mesh.vertices()?;
+        show("own_points", &found.points);
+        show("params", &found.params);
+        show("normals", &found.normals);
+    }
+    begin("mesh_vertices normals");
+    {
+        let found = given.mesh.vertices()?;
+        show("own_points", &found.points);
+        show("params", &found.params);
+        show("normals", &found.normals);
+    }
+    begin("mesh_vertices_f32");
+    {
+        let found = given.mesh.vertices_f32()?;
+        show("points", &found.points);
+        show("params", &found.params);
+        show("normals", &found.normals);
+    }
+    begin("mesh_triangles");
+    {
+        let found = given.mesh.triangles(0)?;
+        show("corners", &found);
+    }
+    begin("mesh_triangles welded");
+    {
+        let found = given.mesh.triangles(16777216)?;
+        show("corners", &found);
+    }
+    begin("mesh_triangles_i32");
+    {
+        let found = given.mesh.triangles_i32(0)?;
+        show("corners", &found);
+    }
+    begin("mesh_faces");
+    {
+        let found = given.mesh.faces()?;
+        show("first_vertices", &found.first_vertices);
+        show("vertex_counts", &found.vertex_counts);
+        show("first_triangles", &found.first_triangles);
+        show("triangle_counts", &found.triangle_counts);
+        show("from_shape", &found.from_shape);
+        show("from_mesh", &found.from_mesh);
+        show("reaches", &found.reached);
+    }
+    begin("mesh_edges");
+    {
+        let found = given.mesh.edges()?;
+        show("own_edges", &found.edges);
+        show("firsts", &found.firsts);
+        show("sizes", &found.sizes);
+        show("bounds", &found.bounds);
+        show("reaches", &found.reached);
+    }
+    begin("mesh_edge_points");
+    {
+        let found = given.mesh.edge_points()?;
+        show("own_points", &found);
+    }
+    by_hand("mesh_clone");
     by_hand("meet_clone");
     by_hand("meet_destroy");
+    by_hand("mesh_destroy");
     begin("meet_branches");
     {
         let found = given.meet.branches()?;
@@ -2002,6 +2119,47 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::trimmed_with(
             &given.meet,
             &given.face,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_surface_with");
+    {
+        let found = Mesh::of_surface_with(
+            &given.surface,
+            Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_surface_with by length");
+    {
+        let found = Mesh::of_surface_with(
+            &given.surface,
+            Some(
+                &nurbs::MeshOptions::new()?
+                    .chord(10.0)
+                    .relative_chord(0.0)
+                    .longest(1.5),
+            ),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_face_with");
+    {
+        let found = Mesh::of_face_with(
+            &given.face,
+            Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_model_with");
+    {
+        let found = Mesh::of_model_with(
+            &given.model,
+            Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
@@ -5000,6 +5158,23 @@ fn scalar(given: &Given) -> nurbs::Result<()> {
         show("branches", &found.branches);
         show("nodes", &found.nodes);
         show("complete", &found.complete);
+    }
+    begin("mesh_counts");
+    {
+        let found = given.mesh.counts()?;
+        show("points", &found.points);
+        show("vertices", &found.vertices);
+        show("triangles", &found.triangles);
+        show("faces", &found.faces);
+        show("edges", &found.edges);
+        show("edge_points", &found.edge_points);
+    }
+    begin("mesh_bound");
+    {
+        let found = given.mesh.bound()?;
+        show("from_shape", &found.from_shape);
+        show("from_mesh", &found.from_mesh);
+        show("reached", &found.reached);
     }
     begin("model_face_name");
     {

@@ -25,7 +25,8 @@ void check_intact(const Inputs &in); // they hold what fresh ones hold
 std::vector<double> numbers_of(const nurbs *g);
 bool same_bits(std::span<const double> a, std::span<const double> b);
 
-// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, a model, a meet, or none.
+// Where a call writes: the arrays are long enough for all. A call makes a handle, or two, or a list, statistics, a face, a model, a meet, a mesh,
+// or none.
 struct Output {
     Output();
     nurbs *out = check_poison(), *other = check_poison();
@@ -34,6 +35,7 @@ struct Output {
     nurbs_face *face = nullptr;
     nurbs_model *model = nullptr;
     nurbs_meet *meet = nullptr;
+    nurbs_mesh *mesh = nullptr;
     double values[1024];
     float singles[64];
     int64_t spans[64];
@@ -79,6 +81,9 @@ inline void destroy(nurbs_model *model) {
 }
 inline void destroy(nurbs_meet *meet) {
     nurbs_meet_destroy(meet);
+}
+inline void destroy(nurbs_mesh *mesh) {
+    nurbs_mesh_destroy(mesh);
 }
 
 // An input that is made for one call.

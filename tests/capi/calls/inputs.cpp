@@ -112,6 +112,9 @@ void destroy(const Inputs &in) {
     for (const auto meet : meets) {
         nurbs_meet_destroy(in.*meet);
     }
+    for (const auto mesh : meshes) {
+        nurbs_mesh_destroy(in.*mesh);
+    }
 }
 
 void check_intact(const Inputs &in) {
@@ -159,6 +162,7 @@ void destroy(const Output &o) {
     nurbs_face_destroy(o.face);
     nurbs_model_destroy(o.model);
     nurbs_meet_destroy(o.meet);
+    nurbs_mesh_destroy(o.mesh);
 }
 
 void check_nothing_written(const Output &o) {
@@ -170,6 +174,7 @@ void check_nothing_written(const Output &o) {
     CHECK(o.face == nullptr);
     CHECK(o.model == nullptr);
     CHECK(o.meet == nullptr);
+    CHECK(o.mesh == nullptr);
     CHECK_UNTOUCHED(o.values);
     CHECK_UNTOUCHED(o.singles);
     CHECK_UNTOUCHED(o.spans);

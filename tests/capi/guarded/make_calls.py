@@ -28,7 +28,8 @@ HEAD = f'''\
 
 
 def is_handle(entry):
-    return (entry.base in ("nurbs", "nurbs_list", "nurbs_statistics", "nurbs_face", "nurbs_model", "nurbs_meet")
+    return (entry.base in ("nurbs", "nurbs_list", "nurbs_statistics", "nurbs_face", "nurbs_model", "nurbs_meet",
+                           "nurbs_mesh")
             and entry.pointers == 1)
 
 

@@ -88,7 +88,7 @@ class Writer:
         return f"&{entry.name}"
 
     def new_handle(self, value):
-        own = value.place in ("list", "statistics", "face", "model", "meet")
+        own = value.place in ("list", "statistics", "face", "model", "meet", "mesh")
         self.declare(f"nurbs{f'_{value.place}' * own} *{value.place} = nullptr;")
         self.after = getattr(self, "after", []) + [
             f"nurbs_{value.place}_destroy({value.place});" if own else f"r.keep({value.place});"]

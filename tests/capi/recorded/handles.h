@@ -194,6 +194,24 @@ inline void discard(nurbs_meet *meet) {
     nurbs_meet_destroy(meet);
 }
 
+inline void add_handle(Output &output, const nurbs_mesh *mesh) {
+    if (mesh == nullptr) {
+        return;
+    }
+    int64_t counts[2] = {0, 0};
+    (void)nurbs_mesh_counts(mesh, &counts[0], nullptr, &counts[1], nullptr, nullptr, nullptr);
+    std::vector<double> points(static_cast<size_t>(3 * counts[0]));
+    std::vector<int64_t> corners(static_cast<size_t>(3 * counts[1]));
+    (void)nurbs_mesh_points(mesh, counts[0], points.data(), nullptr);
+    (void)nurbs_mesh_triangles(mesh, 0, counts[1], corners.data(), nullptr);
+    output.add(counts, 2);
+    output.add(points.data(), std::ssize(points));
+    output.add(corners.data(), std::ssize(corners));
+}
+inline void discard(nurbs_mesh *mesh) {
+    nurbs_mesh_destroy(mesh);
+}
+
 } // namespace recorded
 
 #endif

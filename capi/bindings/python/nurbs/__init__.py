@@ -10,9 +10,9 @@
 The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. One rule tells where a
 C function is: if its first argument is one spline it is a method of Spline, of what the spline is made of a property;
 constructors from points are class methods of Spline; what makes statistics of data, or is made of them, is in the class
-Statistics, what makes or asks faces in the class Face, models in the class Model, and what asks meets in the class Meet;
-everything else (shapes, several splines, knots, files) is a function of this module. Prefixes (nurbs_, curve_, surface_,
-volume_, statistics_, face_, model_, meet_) are left out where the name is clear without.
+Statistics, what makes or asks faces in the class Face, models in the class Model, what asks meets in the class Meet, and
+meshes in the class Mesh; everything else (shapes, several splines, knots, files) is a function of this module. Prefixes
+(nurbs_, curve_, surface_, volume_, statistics_, face_, model_, meet_, mesh_) are left out where the name is clear without.
 
 - Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,),
   results S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order;
@@ -85,7 +85,7 @@ __version__ = "1.1.0"
 # Results, exceptions, and what is pickled are known by the names they have here.
 for _value in list(globals().values()):
     if isinstance(_value, type) and issubclass(  # noqa: F405
-        _value, (tuple, Exception, Spline, SplineList, Statistics, Face, Model, Meet)):  # noqa: F405
+        _value, (tuple, Exception, Spline, SplineList, Statistics, Face, Model, Meet, Mesh)):  # noqa: F405
         _value.__module__ = __name__
 for _value in (_restored, _restored_spline, _restored_list, _restored_statistics, _restored_face, _restored_model):
     _value.__module__ = __name__

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple, Type
 from typing import TypeVar, Union
 
@@ -19,6 +20,7 @@ from ._errors import NurbsError
 from ._intersections import cast
 from ._library import call, get, lib
 from ._measure import Measured, Moments, Quadrature, moments_of
+from ._mesh import Mesh
 from ._spline import Spline
 from .constants import NURBS_AS_ORIENTED, NURBS_CHECK_CROSSINGS, NURBS_KEEP_GAPS
 
@@ -310,6 +312,11 @@ class Face:
         gap = get(ctypes.c_double, watched(lib.nurbs_face_box, progress, work), self._handle, tolerance,
                   lower.ctypes.data, upper.ctypes.data)
         return Box(lower, upper, gap)
+
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, *, progress: Progress = None,
+             work: Optional[int] = None) -> Mesh:
+        """Triangles in place of it; the limits are those of Spline.mesh()."""
+        return Mesh._of(watched(lib.nurbs_mesh_face, progress, work), self._handle, chord, relative, longest)
 
 
 # A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.

@@ -5,19 +5,25 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Dict, NamedTuple, NoReturn, Optional, SupportsIndex, Type, TypeVar
 
 import numpy
 
+from ._arrays import addresses
 from ._base import SplineBase
 from ._calls import watched
 from ._library import call, lib
+from .constants import NURBS_MESH_WELDED
 
 if TYPE_CHECKING:
-    from ._arrays import Floats
+    from ._arrays import Floats, Int32s, Int64s, Shape, Singles
     from ._calls import Progress
 
-__all__ = ["CurvePolyline"]
+__all__ = ["CurvePolyline", "DrawableVertices", "Mesh", "MeshBound", "MeshCounts", "MeshEdges", "MeshFaces",
+           "MeshVertices"]
+
+_Mesh = TypeVar("_Mesh", bound="Mesh")
+_Array = TypeVar("_Array", bound="numpy.ndarray[Any, Any]")
 
 
 class CurvePolyline(NamedTuple):
@@ -28,6 +34,241 @@ class CurvePolyline(NamedTuple):
     points: Floats
     bound: float
     reached: bool
+
+
+class MeshCounts(NamedTuple):
+    """How many points, vertices, triangles, faces and polylines of edges a mesh has, and how many vertices these have."""
+
+    points: int
+    vertices: int
+    triangles: int
+    faces: int
+    edges: int
+    edge_points: int
+
+
+class MeshBound(NamedTuple):
+    """Proven: no point of the shape is farther from the mesh than `from_shape`, and none of the mesh farther from the shape
+    than `from_mesh`; and whether all that was asked for is reached."""
+
+    from_shape: float
+    from_mesh: float
+    reached: bool
+
+
+class MeshVertices(NamedTuple):
+    """Of each vertex the point (n,) at which it is, the parameters (n, 2) of the surface of its face, and the normal (n, 3) of
+    that, of length 1; NaN where there is none."""
+
+    points: Int64s
+    params: Floats
+    normals: Floats
+
+
+class DrawableVertices(NamedTuple):
+    """Points (n, 3), parameters (n, 2) and normals (n, 3) of all vertices, in single precision."""
+
+    points: Singles
+    params: Singles
+    normals: Singles
+
+
+class MeshFaces(NamedTuple):
+    """Of each face (n,) the first one and the number of its vertices, and of its triangles, the proven distances of the face from
+    its triangles and of these from the face, and whether all that was asked for is reached."""
+
+    first_vertices: Int64s
+    vertex_counts: Int64s
+    first_triangles: Int64s
+    triangle_counts: Int64s
+    from_shape: Floats
+    from_mesh: Floats
+    reached: Int32s
+
+
+class MeshEdges(NamedTuple):
+    """Of each polyline (n,) the edge of the model (-1: one that belongs to one face only), its first one of Mesh.edge_points and
+    the number of these, a proven bound of its distance from the edge, and whether all that was asked for is reached."""
+
+    edges: Int64s
+    firsts: Int64s
+    sizes: Int64s
+    bounds: Floats
+    reached: Int32s
+
+
+class _Options(ctypes.Structure):
+    _fields_ = [("struct_size", ctypes.c_int64), ("chord", ctypes.c_double), ("relative_chord", ctypes.c_double),
+                ("longest", ctypes.c_double)]
+
+
+class Mesh:
+    """Triangles in place of a surface, a face or a model, as their methods mesh() make them.
+
+        mesh = surface.mesh(chord=0.01)
+        meshio.Mesh(mesh.points, [("triangle", mesh.triangles)]).write("surface.vtu")
+
+    Points are those in space. Vertices are at points, and have parameters and a normal of one face: a point has several of
+    them where faces meet, at seams, poles and creases. Meshes never change, and many threads may use them at once; copies
+    are made in constant time.
+    """
+
+    _handle: Optional[int] = None
+
+    def __init__(self) -> None:
+        raise TypeError("a Mesh is an answer: of Spline.mesh(), Face.mesh() or Model.mesh()")
+
+    @classmethod
+    def _made(cls: Type[_Mesh], function: Any, *arguments: Any) -> _Mesh:
+        """The mesh that a function writes through its last argument."""
+        mesh, handle = cls.__new__(cls), ctypes.c_void_p()
+        try:
+            call(function, *arguments, ctypes.byref(handle))
+        finally:  # an interrupt may come after the call
+            mesh.__dict__["_handle"] = handle.value
+        return mesh
+
+    @classmethod
+    def _of(cls: Type[_Mesh], function: Any, shape: Any, chord: float, relative: float, longest: float) -> _Mesh:
+        options: Any = _Options()
+        call(lib.nurbs_mesh_options_init, ctypes.byref(options), ctypes.sizeof(options))
+        options.chord, options.relative_chord, options.longest = chord, relative, longest
+        return cls._made(function, shape, ctypes.byref(options))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Mesh does not change: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a Mesh does not change: {name} cannot be deleted")
+
+    def __del__(self) -> None:
+        handle = self.__dict__.get("_handle")
+        if lib is not None and handle:
+            lib.nurbs_mesh_destroy(handle)
+
+    def copy(self: _Mesh) -> _Mesh:
+        """Another handle on the same mesh, in constant time; copy.copy() and copy.deepcopy() do the same."""
+        return self._made(lib.nurbs_mesh_clone, self._handle)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Mesh:
+        return self.copy()
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> NoReturn:
+        raise TypeError("a Mesh has no bytes: keep its arrays")
+
+    def __repr__(self) -> str:
+        counts = self.counts
+        return f"<Mesh of {counts.triangles} triangles, {counts.points} points and {counts.faces} faces>"
+
+    # --- What it holds ---
+
+    @property
+    def counts(self) -> MeshCounts:
+        """How much it holds."""
+        counts = [ctypes.c_int64() for _ in MeshCounts._fields]
+        call(lib.nurbs_mesh_counts, self._handle, *(ctypes.byref(count) for count in counts))
+        return MeshCounts(*(count.value for count in counts))
+
+    @property
+    def bound(self) -> MeshBound:
+        """How far it and its shape are from each other, as proven."""
+        from_shape, from_mesh, reached = ctypes.c_double(), ctypes.c_double(), ctypes.c_int32()
+        call(lib.nurbs_mesh_bound, self._handle, ctypes.byref(from_shape), ctypes.byref(from_mesh),
+             ctypes.byref(reached))
+        return MeshBound(from_shape.value, from_mesh.value, bool(reached.value))
+
+    @property
+    def points(self) -> Floats:
+        """The points (n, 3); of a surface in the plane z is 0."""
+        return self._filled(lib.nurbs_mesh_points, numpy.empty((self.counts.points, 3)))
+
+    @property
+    def points_f32(self) -> Singles:
+        """The points (n, 3) in single precision, each number rounded once."""
+        return self._filled(lib.nurbs_mesh_points_f32, numpy.empty((self.counts.points, 3), numpy.float32))
+
+    @property
+    def triangles(self) -> Int64s:
+        """The points (n, 3) that are the corners of each triangle, counterclockwise about the normal of the surface: two
+        triangles at an edge have a side in common."""
+        return self._corners(lib.nurbs_mesh_triangles, NURBS_MESH_WELDED, numpy.empty(self._three_each, numpy.int64))
+
+    @property
+    def vertex_triangles(self) -> Int64s:
+        """The vertices (n, 3) that are the corners of each triangle."""
+        return self._corners(lib.nurbs_mesh_triangles, 0, numpy.empty(self._three_each, numpy.int64))
+
+    def triangles_i32(self, welded: bool = False) -> Int32s:
+        """The vertices, or points, (n, 3) that are the corners of each triangle, in 32 bits."""
+        return self._corners(lib.nurbs_mesh_triangles_i32, NURBS_MESH_WELDED if welded else 0,
+                             numpy.empty(self._three_each, numpy.int32))
+
+    @property
+    def vertices(self) -> MeshVertices:
+        """The vertices, those of each face one after the other."""
+        n = self.counts.vertices
+        found = MeshVertices(numpy.empty(n, numpy.int64), numpy.empty((n, 2)), numpy.empty((n, 3)))
+        call(lib.nurbs_mesh_vertices, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def params(self) -> Floats:
+        """Parameters (n, 2) of the vertices alone."""
+        params = numpy.empty((self.counts.vertices, 2))
+        call(lib.nurbs_mesh_vertices, self._handle, len(params), None, params.ctypes.data, None, None)
+        return params
+
+    @property
+    def normals(self) -> Floats:
+        """Normals (n, 3) of the vertices alone."""
+        normals = numpy.empty((self.counts.vertices, 3))
+        call(lib.nurbs_mesh_vertices, self._handle, len(normals), None, None, normals.ctypes.data, None)
+        return normals
+
+    @property
+    def vertices_f32(self) -> DrawableVertices:
+        """All of the vertices in single precision, as triangles_i32() and programs that draw want them."""
+        n = self.counts.vertices
+        found = DrawableVertices(*(numpy.empty((n, width), numpy.float32) for width in (3, 2, 3)))
+        call(lib.nurbs_mesh_vertices_f32, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def faces(self) -> MeshFaces:
+        """What of it stands for which face, and how far that is from the face."""
+        n = self.counts.faces
+        found = MeshFaces(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64),
+                          numpy.empty(n, numpy.int64), numpy.empty(n), numpy.empty(n), numpy.empty(n, numpy.int32))
+        call(lib.nurbs_mesh_faces, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def edges(self) -> MeshEdges:
+        """The polylines that stand for edges."""
+        n = self.counts.edges
+        found = MeshEdges(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64),
+                          numpy.empty(n), numpy.empty(n, numpy.int32))
+        call(lib.nurbs_mesh_edges, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
+    def edge_points(self) -> Int64s:
+        """The points (n,) that the polylines of edges have, one polyline after the other."""
+        return self._filled(lib.nurbs_mesh_edge_points, numpy.empty(self.counts.edge_points, numpy.int64))
+
+    def _filled(self, function: Any, array: _Array) -> _Array:
+        call(function, self._handle, len(array), array.ctypes.data, None)
+        return array
+
+    def _corners(self, function: Any, flags: int, corners: _Array) -> _Array:
+        call(function, self._handle, flags, len(corners), corners.ctypes.data, None)
+        return corners
+
+    @property
+    def _three_each(self) -> Shape:
+        return self.counts.triangles, 3
 
 
 class Meshes(SplineBase):
@@ -45,3 +286,10 @@ class Meshes(SplineBase):
         params, points = numpy.empty(count.value), numpy.empty((count.value, self.dimension))
         call(function, *given, count.value, params.ctypes.data, points.ctypes.data, *ends)
         return CurvePolyline(params, points, bound.value, bool(reached.value))
+
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, *, progress: Progress = None,
+             work: Optional[int] = None) -> Mesh:
+        """Triangles in place of a surface of dimension 2 or 3, proven to be within `chord` of it, both ways, and within the
+        share `relative` of its extent (the longest side of the box of the control points) unless that is 0; with sides no
+        longer than `longest`, unless that is 0."""
+        return Mesh._of(watched(lib.nurbs_mesh_surface, progress, work), self._handle, chord, relative, longest)

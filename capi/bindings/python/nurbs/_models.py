@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Callable, Dict, Generic, Iterable, List, NamedTuple, Optional, SupportsIndex
@@ -19,6 +20,7 @@ from ._files import Note, SplineList, _options
 from ._library import call, get, lib, text
 from ._measure import EnclosedVolume, Measured, moments_of
 from ._meets import Meet
+from ._mesh import Mesh
 from ._spline import Spline
 from ._write import file_bytes, to_file
 from .constants import NURBS_FORMAT_STEP
@@ -512,6 +514,14 @@ class Model:
         across = _points(numpy.broadcast_to(numpy.asarray(normals, float), (planes.size, 3)))
         return Meet._made(watched(lib.nurbs_model_sections, progress, work), self._handle, planes.size,
                           across.ctypes.data, planes.ctypes.data, tolerance)
+
+    # --- Meshes ---
+
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, *, progress: Progress = None,
+             work: Optional[int] = None) -> Mesh:
+        """Triangles in place of all faces, in the coordinates of their parts, with common points along common edges; the limits
+        are those of Spline.mesh()."""
+        return Mesh._of(watched(lib.nurbs_mesh_model, progress, work), self._handle, chord, relative, longest)
 
 
 def _points(rows: Floats) -> Floats:

@@ -341,6 +341,9 @@ NURBS_SIDE_ON = 0  # no farther from a face than the tolerance
 NURBS_SIDE_OUTSIDE = -1  # of all solids, for certain
 NURBS_SIDE_UNDECIDED = 2  # not known
 
+# --- Flags of meshes
+NURBS_MESH_WELDED = 0x01000000  # nurbs_mesh_triangles() and its kind: corners are points, not vertices.
+
 # --- Formats of files
 NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214
 NURBS_FORMAT_IGES = 2  # IGES 5.3 in lines of 80 columns

@@ -1,90 +1,93 @@
 // SPDX-License-Identifier: MIT
-// Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
-//! Shapes made of what is straight and flat, within a proven distance.
+//! Triangles in place of shapes: the handle. What can be asked of it is in the module `meshes`.
 
-use crate::call::Call;
 use crate::error::{check, Result};
-use crate::spline::Spline;
 use crate::sys;
-use std::ptr::null_mut;
+use std::fmt;
+use std::ptr::{null_mut, NonNull};
 
-/// A polyline in place of a curve: parameters and points of its vertices, and how far it is from the curve,
-/// as proven.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct CurvePolyline {
-    /// Of the vertices, rising; the same one twice where the curve jumps.
-    pub params: Vec<f64>,
-    /// The vertices, packed.
-    pub points: Vec<f64>,
-    /// No distance of a segment from its part of the curve is larger.
-    pub bound: f64,
-    /// Whether all segments keep to the limits, as proven.
-    pub reached: bool,
+/// How near to a shape its mesh is to be; `MeshOptions::new()` has the defaults.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshOptions {
+    raw: sys::nurbs_mesh_options,
 }
 
-/// Shapes made of what is straight and flat, within a proven distance.
-impl Spline {
-    /// A polyline in place of a curve, every segment within `chord` of its part of the curve, as proven; with
-    /// an angle between tangents in a segment and a length of segments that are not exceeded either, if they
-    /// are not 0.
-    pub fn mesh_curve(&self, chord: f64, angle: f64, longest: f64) -> Result<CurvePolyline> {
-        let mut bound = 0.0;
-        let mut reached = 0;
-        let mut fill = |cap, params, points, count| unsafe {
-            sys::nurbs_mesh_curve(
-                self.raw(),
-                chord,
-                angle,
-                longest,
-                cap,
-                params,
-                points,
-                &mut bound,
-                &mut reached,
-                count,
-            )
-        };
-        let mut count = 0;
-        check(fill(0, null_mut(), null_mut(), &mut count))?;
-        let n = count as usize;
-        let mut params = vec![0.0; n];
-        let mut points = vec![0.0; n * self.dimension()? as usize];
-        check(fill(count, params.as_mut_ptr(), points.as_mut_ptr(), &mut count))?;
-        Ok(CurvePolyline { params, points, bound, reached: reached != 0 })
+impl MeshOptions {
+    /// The defaults.
+    pub fn new() -> Result<MeshOptions> {
+        let size = std::mem::size_of::<sys::nurbs_mesh_options>() as i64;
+        let mut raw: sys::nurbs_mesh_options = unsafe { std::mem::zeroed() };
+        check(unsafe { sys::nurbs_mesh_options_init(&mut raw, size) })?;
+        Ok(MeshOptions { raw })
+    }
+    /// The largest distance of shape and mesh, both ways; infinite for none.
+    pub fn chord(mut self, distance: f64) -> MeshOptions {
+        self.raw.chord = distance;
+        self
+    }
+    /// The same as a share of the longest side of the box of all control points; 0 for none.
+    pub fn relative_chord(mut self, share: f64) -> MeshOptions {
+        self.raw.relative_chord = share;
+        self
+    }
+    /// Length of sides of triangles; 0 for no limit.
+    pub fn longest(mut self, length: f64) -> MeshOptions {
+        self.raw.longest = length;
+        self
+    }
+}
+
+impl Default for MeshOptions {
+    /// The defaults.
+    fn default() -> MeshOptions {
+        MeshOptions::new().expect("a library that knows the settings of its header")
+    }
+}
+
+/// NULL without settings.
+pub(crate) fn mesh_options_pointer(options: Option<&MeshOptions>) -> *const sys::nurbs_mesh_options {
+    options.map_or(std::ptr::null(), |o| &o.raw)
+}
+
+/// Triangles in place of shapes, and how far they are from these: an immutable handle, freed when dropped.
+pub struct Mesh {
+    handle: NonNull<sys::nurbs_mesh>,
+}
+
+// A mesh never changes, and its count of references is atomic.
+unsafe impl Send for Mesh {}
+unsafe impl Sync for Mesh {}
+
+impl Drop for Mesh {
+    fn drop(&mut self) {
+        unsafe { sys::nurbs_mesh_destroy(self.handle.as_ptr()) }
+    }
+}
+
+impl Clone for Mesh {
+    /// Another handle on the same mesh. Panics when memory is exhausted.
+    fn clone(&self) -> Mesh {
+        Mesh::made(|out| unsafe { sys::nurbs_mesh_clone(self.raw(), out) }).expect("cloning a mesh")
+    }
+}
+
+impl fmt::Debug for Mesh {
+    /// How much it holds.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Mesh").field(&self.counts()).finish()
+    }
+}
+
+impl Mesh {
+    pub(crate) fn made(call: impl FnOnce(*mut *mut sys::nurbs_mesh) -> i32) -> Result<Mesh> {
+        let mut out = null_mut();
+        check(call(&mut out))?;
+        let handle = NonNull::new(out).expect("the library returned success without a mesh");
+        Ok(Mesh { handle })
     }
 
-    /// The same as `mesh_curve`; it can be watched and stopped.
-    pub fn mesh_curve_with(
-        &self,
-        chord: f64,
-        angle: f64,
-        longest: f64,
-        call: &mut Call,
-    ) -> Result<CurvePolyline> {
-        let mut bound = 0.0;
-        let mut reached = 0;
-        let mut fill = |cap, params, points, count| unsafe {
-            sys::nurbs_mesh_curve_with(
-                self.raw(),
-                chord,
-                angle,
-                longest,
-                cap,
-                params,
-                points,
-                &mut bound,
-                &mut reached,
-                count,
-                call.options(),
-            )
-        };
-        let mut count = 0;
-        check(fill(0, null_mut(), null_mut(), &mut count))?;
-        let n = count as usize;
-        let mut params = vec![0.0; n];
-        let mut points = vec![0.0; n * self.dimension()? as usize];
-        check(fill(count, params.as_mut_ptr(), points.as_mut_ptr(), &mut count))?;
-        Ok(CurvePolyline { params, points, bound, reached: reached != 0 })
+    /// The handle, for the functions of [`sys`]. It lives as long as this mesh.
+    pub fn raw(&self) -> *const sys::nurbs_mesh {
+        self.handle.as_ptr()
     }
 }

@@ -46,6 +46,13 @@ pub struct nurbs_meet {
     _private: [u8; 0],
 }
 
+/// Triangles in place of shapes; immutable, reference counted, opaque. \since 1.1 Never made or moved on this
+/// side.
+#[repr(C)]
+pub struct nurbs_mesh {
+    _private: [u8; 0],
+}
+
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
@@ -360,6 +367,22 @@ pub struct nurbs_read_options {
     pub kinds: u32,
     /// 0
     pub reserved: u32,
+}
+
+/// How near to a shape its mesh is to be; fill with nurbs_mesh_options_init() first. NULL stands for the
+/// defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are
+/// given hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_mesh_options {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// the largest distance of shape and mesh, both ways, \> 0; INFINITY
+    pub chord: f64,
+    /// the same as a share of the extent, \>= 0; 0: no limit; 1e-3
+    pub relative_chord: f64,
+    /// length of sides of triangles, \>= 0; 0: no limit; 0
+    pub longest: f64,
 }
 
 /// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
@@ -958,6 +981,10 @@ pub const NURBS_SIDE_ON: i32 = 0;
 pub const NURBS_SIDE_OUTSIDE: i32 = -1;
 /// not known
 pub const NURBS_SIDE_UNDECIDED: i32 = 2;
+
+// --- Flags of meshes
+/// nurbs_mesh_triangles() and its kind: corners are points, not vertices.
+pub const NURBS_MESH_WELDED: u32 = 0x01000000;
 
 // --- Formats of files
 /// STEP: an exchange structure of ISO 10303-21, by AP214
@@ -5313,6 +5340,189 @@ extern "C" {
         reached: *mut i32,
         count: *mut i64,
         call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Fills an options struct with the defaults.
+    pub fn nurbs_mesh_options_init(options: *mut nurbs_mesh_options, struct_size: i64) -> nurbs_status;
+    /// Triangles in place of a whole surface.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_surface(
+        g: *const nurbs,
+        options: *const nurbs_mesh_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_surface() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_surface_with(
+        g: *const nurbs,
+        options: *const nurbs_mesh_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these and
+    /// the border a constrained Delaunay triangulation.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_face(
+        face: *const nurbs_face,
+        options: *const nurbs_mesh_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_face() as a call that can be watched and ended; the limit of work is as for
+    /// nurbs_mesh_surface_with().
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_face_with(
+        face: *const nurbs_face,
+        options: *const nurbs_mesh_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// Triangles in place of all faces of a model, as of nurbs_mesh_face().
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_model(
+        model: *const nurbs_model,
+        options: *const nurbs_mesh_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_model() as a call that can be watched and ended; the limit of work is as for
+    /// nurbs_mesh_surface_with().
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_model_with(
+        model: *const nurbs_model,
+        options: *const nurbs_mesh_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// Another handle on the same mesh, in constant time.
+    pub fn nurbs_mesh_clone(mesh: *const nurbs_mesh, out: *mut *mut nurbs_mesh) -> nurbs_status;
+    /// Frees a handle on a mesh.
+    ///
+    /// May be null: `mesh`.
+    pub fn nurbs_mesh_destroy(mesh: *mut nurbs_mesh);
+    /// How much a mesh holds.
+    ///
+    /// May be null: `points`, `vertices`, `triangles`, `faces`, `edges`, `edge_points`.
+    pub fn nurbs_mesh_counts(
+        mesh: *const nurbs_mesh,
+        points: *mut i64,
+        vertices: *mut i64,
+        triangles: *mut i64,
+        faces: *mut i64,
+        edges: *mut i64,
+        edge_points: *mut i64,
+    ) -> nurbs_status;
+    /// How far a mesh and its shape are from each other: the most of all faces.
+    ///
+    /// May be null: `from_shape`, `from_mesh`, `reached`.
+    pub fn nurbs_mesh_bound(
+        mesh: *const nurbs_mesh,
+        from_shape: *mut f64,
+        from_mesh: *mut f64,
+        reached: *mut i32,
+    ) -> nurbs_status;
+    /// The points of a mesh.
+    ///
+    /// May be null: `points`, `count`.
+    pub fn nurbs_mesh_points(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        points: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_mesh_points() in single precision, each number rounded once to the nearest float.
+    ///
+    /// May be null: `points`, `count`.
+    pub fn nurbs_mesh_points_f32(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        points: *mut f32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The vertices of a mesh, those of each face one after the other.
+    ///
+    /// May be null: `own_points`, `params`, `normals`, `count`.
+    pub fn nurbs_mesh_vertices(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        own_points: *mut i64,
+        params: *mut f64,
+        normals: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The vertices of a mesh as programs that draw want them, in single precision: with their points in
+    /// place of numbers of points.
+    ///
+    /// May be null: `points`, `params`, `normals`, `count`.
+    pub fn nurbs_mesh_vertices_f32(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        points: *mut f32,
+        params: *mut f32,
+        normals: *mut f32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The triangles of a mesh, those of each face one after the other.
+    ///
+    /// May be null: `corners`, `count`.
+    pub fn nurbs_mesh_triangles(
+        mesh: *const nurbs_mesh,
+        flags: u32,
+        cap: i64,
+        corners: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_mesh_triangles() in 32 bits.
+    ///
+    /// May be null: `corners`, `count`.
+    pub fn nurbs_mesh_triangles_i32(
+        mesh: *const nurbs_mesh,
+        flags: u32,
+        cap: i64,
+        corners: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// What of a mesh stands for which face.
+    ///
+    /// May be null: `first_vertices`, `vertex_counts`, `first_triangles`, `triangle_counts`, `from_shape`,
+    /// `from_mesh`, `reaches`, `count`.
+    pub fn nurbs_mesh_faces(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        first_vertices: *mut i64,
+        vertex_counts: *mut i64,
+        first_triangles: *mut i64,
+        triangle_counts: *mut i64,
+        from_shape: *mut f64,
+        from_mesh: *mut f64,
+        reaches: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The polylines that stand for edges in a mesh.
+    ///
+    /// May be null: `own_edges`, `firsts`, `sizes`, `bounds`, `reaches`, `count`.
+    pub fn nurbs_mesh_edges(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        own_edges: *mut i64,
+        firsts: *mut i64,
+        sizes: *mut i64,
+        bounds: *mut f64,
+        reaches: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The vertices of the polylines that stand for edges in a mesh: each from the start of its edge to the
+    /// end.
+    ///
+    /// May be null: `own_points`, `count`.
+    pub fn nurbs_mesh_edge_points(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        own_points: *mut i64,
+        count: *mut i64,
     ) -> nurbs_status;
     // --- Writing files
     /// Fills an options struct with the defaults.

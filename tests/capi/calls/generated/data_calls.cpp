@@ -967,6 +967,94 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_trim(in.meet, in.face, &o.meet);
      }},
+    {"mesh_options_init",
+     [](const Inputs &, Output &) -> nurbs_status {
+         nurbs_mesh_options options;
+         return nurbs_mesh_options_init(&options, sizeof(nurbs_mesh_options));
+     }},
+    {"mesh_surface",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 1;
+         options.relative_chord = 0;
+         return nurbs_mesh_surface(in.surface, &options, &o.mesh);
+     }},
+    {"mesh_surface by length",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 10;
+         options.relative_chord = 0;
+         options.longest = 1.5;
+         return nurbs_mesh_surface(in.surface, &options, &o.mesh);
+     }},
+    {"mesh_face",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 1;
+         options.relative_chord = 0;
+         return nurbs_mesh_face(in.face, &options, &o.mesh);
+     }},
+    {"mesh_model",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 1;
+         options.relative_chord = 0;
+         return nurbs_mesh_model(in.model, &options, &o.mesh);
+     }},
+    {"mesh_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_points(in.mesh, 16, o.values, o.spans);
+     }},
+    {"mesh_points_f32",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_points_f32(in.mesh, 16, o.singles, o.spans);
+     }},
+    {"mesh_vertices",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_vertices(in.mesh, 16, o.spans, o.values, o.values + 32, o.spans + 16);
+     }},
+    {"mesh_vertices normals",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_vertices(in.mesh, 16, nullptr, nullptr, o.values, nullptr);
+     }},
+    {"mesh_vertices_f32",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_vertices_f32(in.mesh, 8, o.singles, o.singles + 24, o.singles + 40, o.spans);
+     }},
+    {"mesh_triangles",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_triangles(in.mesh, 0, 16, o.spans, o.spans + 48);
+     }},
+    {"mesh_triangles welded",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_triangles(in.mesh, NURBS_MESH_WELDED, 16, o.spans, o.spans + 48);
+     }},
+    {"mesh_triangles_i32",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_triangles_i32(in.mesh, 0, 16, o.states, o.spans);
+     }},
+    {"mesh_faces",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_faces(in.mesh, 2, o.spans, o.spans + 2, o.spans + 4, o.spans + 6, o.values, o.values
+             + 2, o.states, o.spans + 8);
+     }},
+    {"mesh_edges",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_edges(in.mesh, 4, o.spans, o.spans + 4, o.spans + 8, o.values, o.states, o.spans +
+             12);
+     }},
+    {"mesh_edge_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_edge_points(in.mesh, 16, o.spans, o.spans + 16);
+     }},
+    {"mesh_clone",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_clone(in.mesh, &o.mesh);
+     }},
     {"meet_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_clone(in.meet, &o.meet);
@@ -978,6 +1066,15 @@ const Call group[] = {
              return made_another_meet.status();
          }
          nurbs_meet_destroy(made_another_meet.release());
+         return NURBS_OK;
+     }},
+    {"mesh_destroy",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         Made made_another_mesh(in, make_another_mesh);
+         if (made_another_mesh.status() != NURBS_OK) {
+             return made_another_mesh.status();
+         }
+         nurbs_mesh_destroy(made_another_mesh.release());
          return NURBS_OK;
      }},
     {"meet_branches",
@@ -1466,6 +1563,47 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_meet_trim_with(in.meet, in.face, &call, &o.meet);
+     }},
+    {"mesh_surface_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 1;
+         options.relative_chord = 0;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_surface_with(in.surface, &options, &call, &o.mesh);
+     }},
+    {"mesh_surface_with by length",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 10;
+         options.relative_chord = 0;
+         options.longest = 1.5;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_surface_with(in.surface, &options, &call, &o.mesh);
+     }},
+    {"mesh_face_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 1;
+         options.relative_chord = 0;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_face_with(in.face, &options, &call, &o.mesh);
+     }},
+    {"mesh_model_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 1;
+         options.relative_chord = 0;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_model_with(in.model, &options, &call, &o.mesh);
      }},
 };
 

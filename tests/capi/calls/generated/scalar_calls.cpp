@@ -80,6 +80,15 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_counts(in.meet, o.spans, o.spans + 1, o.states);
      }},
+    {"mesh_counts",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_counts(in.mesh, o.spans, o.spans + 1, o.spans + 2, o.spans + 3, o.spans + 4, o.spans
+             + 5);
+     }},
+    {"mesh_bound",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_bound(in.mesh, o.values, o.values + 1, o.states);
+     }},
     {"model_face_name",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_face_name(in.model, 1, o.text, 16, o.spans);

@@ -126,6 +126,14 @@ nurbs_status make_meet(const Inputs &in, nurbs_meet **out) {
     return nurbs_surface_sections(in.surface, normal, 2, offsets, 0.001, out);
 }
 
+nurbs_status make_mesh(const Inputs &in, nurbs_mesh **out) {
+    nurbs_mesh_options options;
+    (void)nurbs_mesh_options_init(&options, sizeof options);
+    options.chord = 1;
+    options.relative_chord = 0;
+    return nurbs_mesh_face(in.face, &options, out);
+}
+
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
     return nurbs_clone(in.curve, out);
 }
@@ -188,6 +196,10 @@ nurbs_status make_another_model(const Inputs &in, nurbs_model **out) {
 
 nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out) {
     return nurbs_meet_clone(in.meet, out);
+}
+
+nurbs_status make_another_mesh(const Inputs &in, nurbs_mesh **out) {
+    return nurbs_mesh_clone(in.mesh, out);
 }
 
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out) {
@@ -274,6 +286,7 @@ Inputs make_inputs() {
     CHECK_OK(make_model(in, &in.model));
     CHECK_OK(make_layered(in, &in.layered));
     CHECK_OK(make_meet(in, &in.meet));
+    CHECK_OK(make_mesh(in, &in.mesh));
     return in;
 }
 

@@ -18,6 +18,7 @@ struct Inputs {
     nurbs_face *face;
     nurbs_model *model, *layered;
     nurbs_meet *meet;
+    nurbs_mesh *mesh;
 };
 
 inline constexpr nurbs *Inputs::*const splines[] = {&Inputs::curve, &Inputs::loop, &Inputs::surface,
@@ -28,6 +29,7 @@ inline constexpr nurbs_statistics *Inputs::*const all_statistics[] = {&Inputs::n
 inline constexpr nurbs_face *Inputs::*const faces_made[] = {&Inputs::face};
 inline constexpr nurbs_model *Inputs::*const models[] = {&Inputs::model, &Inputs::layered};
 inline constexpr nurbs_meet *Inputs::*const meets[] = {&Inputs::meet};
+inline constexpr nurbs_mesh *Inputs::*const meshes[] = {&Inputs::mesh};
 
 namespace arrays {
 inline constexpr double new_knots[] = {0.3, 0.6};
@@ -266,6 +268,7 @@ nurbs_status make_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_model(const Inputs &in, nurbs_model **out);
 nurbs_status make_layered(const Inputs &in, nurbs_model **out);
 nurbs_status make_meet(const Inputs &in, nurbs_meet **out);
+nurbs_status make_mesh(const Inputs &in, nurbs_mesh **out);
 nurbs_status make_copy(const Inputs &in, nurbs **out);
 nurbs_status make_half(const Inputs &in, nurbs **out);
 nurbs_status make_ramp(const Inputs &in, nurbs **out);
@@ -279,6 +282,7 @@ nurbs_status make_faces(const Inputs &in, nurbs_list **out);
 nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_another_model(const Inputs &in, nurbs_model **out);
 nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out);
+nurbs_status make_another_mesh(const Inputs &in, nurbs_mesh **out);
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_ball_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_ball(const Inputs &in, nurbs_model **out);
