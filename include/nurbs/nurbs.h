@@ -8051,7 +8051,7 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
- * given there is one of some seconds, and more for many control points.
+ * given there is one of about two million triangles, and more for many control points.
  *
  * Costs: some microseconds for a triangle.
  * \param[in] g a surface of dimension 2 or 3.
