@@ -15,7 +15,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// About five seconds, and more for many control points.
+// About two million triangles, and more for many control points.
 constexpr int64_t usual_work_for_meshes = 4000000000, work_for_a_point = 20000;
 
 void check_limits(const mesh::MeshRule &rule) {

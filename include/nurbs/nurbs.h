@@ -8174,15 +8174,16 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  *
  * The domain is halved into cells until two triangles over each do, along the axis that needs it more. Cells end
  * where the surface may have a crease or a jump. Vertices are at corners of cells, and cells of different sizes
- * meet without a gap, so that all vertices lie on the surface: they are as nurbs_eval() has them, bit for bit, at
- * their parameters, from the side of their triangles where the surface jumps there. Across a jump there is
+ * meet without a gap, so that all points lie on the surface: they are as nurbs_eval() has them, bit for bit, at
+ * the parameters of one of their vertices, and but for rounding at those of the others, from the side of the
+ * triangles where the surface jumps there. Across a jump there is
  * nothing; so it is between the steps of an axis of degree 0. A side of the domain that is one point is one
  * point of the mesh (a pole), and opposite sides that are equal as to points (a closed or periodic axis) have
  * the same points: exactly equal ones here, to the tolerance of the face in nurbs_mesh_face().
  *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
- * given there is one of some seconds, and more for many control points.
+ * given there is one of about two million triangles, and more for many control points.
  *
  * Costs: some microseconds for a triangle.
  * \param[in] g a surface of dimension 2 or 3.

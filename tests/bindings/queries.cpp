@@ -151,6 +151,17 @@ static void curve_shapes() {
     EXPECT(tops.found == (std::vector{extremum_maximum, extremum_saddle, extremum_maximum}));
     const CurvePolyline chain = mesh_curve(circle({}, 1), 1e-2);
     EXPECT(chain.reached && chain.bound <= 1e-2 && chain.points.size() == 2 * chain.params.size());
+    MeshOptions limits;
+    limits.chord = 1e-2;
+    limits.relative_chord = 0;
+    const Mesh ball = Mesh::of_surface(sphere({}, 1), limits), same_ball = ball;
+    const MeshCounts held = same_ball.counts();
+    const MeshBound far = ball.bound();
+    EXPECT(held.faces == 1 && held.triangles == 2 * held.points - 4 && held.vertices > held.points);
+    EXPECT(far.reached && far.from_shape <= 1e-2 && far.from_mesh <= 1e-2);
+    const MeshVertices corners = ball.vertices();
+    EXPECT(std::cmp_equal(3 * corners.points.size(), corners.normals.size()));
+    EXPECT(status_of([&] { (void)ball.triangles(1); }) == Status::flags);
     const Hits zeros = roots(Spline::create_bezier({2}, 1, {0.75, -1.25, 0.75}));
     EXPECT(near(zeros.params, {0.25, 0.75}) && zeros.kinds == (std::vector{hit_crossing, hit_crossing}) &&
            zeros.complete);

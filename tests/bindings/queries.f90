@@ -259,6 +259,7 @@ contains
         call expect(near(gaps, [0.75d0]) .and. near(params(1, :), [0.25d0, 0.25d0]) .and. complete, 'a line through a plane')
         call expect(all(kinds == NURBS_HIT_CROSSING) .and. all(shape(boxes) == [2, 2, 1]), 'its kind')
         call sections_of_the_ball()
+        call triangles_of_the_ball()
         call singular_points(base, 1d-3, params, boxes)
         call expect(size(params, 1) == 0 .and. size(boxes, 3) == 0, 'none')
     end subroutine surface_shapes
@@ -288,6 +289,33 @@ contains
         call copy%branch(2, space, on_surface, status)
         call expect(status == NURBS_ERROR_INDEX, 'no second branch')
     end subroutine sections_of_the_ball
+
+    subroutine triangles_of_the_ball()
+        type(nurbs_mesh) :: mesh, copy
+        type(nurbs_mesh_options) :: options
+        real(c_double), allocatable :: xyz(:, :), normals(:, :), params(:, :)
+        integer(c_int64_t), allocatable :: corners(:, :), at(:)
+        integer(c_int64_t) :: points, triangles
+        integer(c_int32_t) :: status
+        real(c_double) :: from_shape
+        logical :: reached
+        call default_mesh_options(options)
+        options%chord = 1d-2
+        call mesh%of_surface(ball, options)
+        copy = mesh
+        call mesh%destroy()
+        call copy%counts(points, triangles=triangles)
+        call copy%bound(from_shape, reached=reached)
+        call expect(triangles == 2*points - 4 .and. reached .and. from_shape <= 1d-2, 'triangles around a ball')
+        call copy%points(xyz)
+        call copy%vertices(at, params, normals)
+        call copy%triangles(corners, flags=NURBS_MESH_WELDED)
+        call expect(all(shape(xyz) == [int(points), 3]) .and. minval(at) == 1 .and. maxval(at) == points, 'points of vertices')
+        call expect(all(shape(corners) == [int(triangles), 3]) .and. maxval(corners) == points, 'corners')
+        call expect(all(abs(sum(normals**2, dim=2) - 1) < 1d-14), 'normals')
+        call copy%triangles(corners, flags=1, status=status)
+        call expect(status == NURBS_ERROR_FLAGS, 'a flag that there is not')
+    end subroutine triangles_of_the_ball
 
     subroutine folds()
         type(nurbs_spline) :: g

@@ -335,6 +335,53 @@ class Sections(unittest.TestCase):
         self.assertIn("not complete", repr(meet))
 
 
+class Meshes(unittest.TestCase):
+    def test_of_a_sphere(self):
+        mesh = nurbs.sphere(2).mesh(1e-2)
+        counts, bound = mesh.counts, mesh.bound
+        self.assertEqual((counts.triangles, counts.faces, counts.edges), (2 * counts.points - 4, 1, 0))
+        self.assertTrue(bound.reached and 0 < bound.from_shape <= 4e-3 and 0 < bound.from_mesh <= 4e-3)
+        near(np.linalg.norm(mesh.points, axis=1), np.full(counts.points, 2.0))
+        vertices = mesh.vertices
+        self.assertEqual(mesh.vertex_triangles.max(), counts.vertices - 1)
+        np.testing.assert_array_equal(vertices.points[mesh.vertex_triangles], mesh.triangles)
+        near(nurbs.sphere(2)(mesh.params), mesh.points[vertices.points])
+        near(mesh.normals, mesh.points[vertices.points] / 2, by=1e-9)
+        a, b, c = mesh.points[mesh.triangles.T]
+        self.assertTrue((np.einsum("ij,ij->i", np.cross(b - a, c - a), a + b + c) > 0).all())
+        self.assertEqual(repr(mesh), f"<Mesh of {counts.triangles} triangles, {counts.points} points and 1 faces>")
+
+    def test_in_single_precision(self):
+        mesh = nurbs.torus(3, 1).mesh(relative=0.1)
+        drawn = mesh.vertices_f32
+        np.testing.assert_array_equal(drawn.points, mesh.points_f32[mesh.vertices.points])
+        np.testing.assert_array_equal(drawn.normals, mesh.normals.astype(np.float32))
+        self.assertEqual((mesh.triangles_i32(True) == mesh.triangles).all(), True)
+        self.assertEqual(mesh.triangles_i32().dtype, np.int32)
+
+    def test_of_faces_and_models(self):
+        face = nurbs.Face.create(nurbs.plane([2, 0, 0], [0, 4, 0]), [1], [nurbs.circle(0.25, center=[0.5, 0.5])])
+        mesh, twice = face.mesh(1e-3), nurbs.Model.create([face, face]).mesh(1e-3)
+        self.assertEqual((mesh.counts.faces, twice.counts.faces), (1, 2))
+        self.assertEqual(mesh.faces.triangle_counts.tolist(), [mesh.counts.triangles])
+        self.assertEqual(twice.edges.sizes.sum(), len(twice.edge_points))
+        near(mesh.points[mesh.edge_points[0]], mesh.points[mesh.edge_points[-1]])
+
+    def test_are_constant(self):
+        mesh = copy.deepcopy(nurbs.sphere().mesh())
+        for wrong in (lambda: setattr(mesh, "points", 1), lambda: delattr(mesh, "_handle")):
+            self.assertRaises(AttributeError, wrong)
+        self.assertRaises(TypeError, nurbs.Mesh)
+        self.assertRaises(TypeError, pickle.dumps, mesh)
+
+    def test_are_refused_or_ended(self):
+        ball = nurbs.sphere()
+        for arguments in ((0,), (inf, 0), (1, -1), (1, 0, -1)):
+            self.assertRaises(nurbs.ArgumentError, ball.mesh, *arguments)
+        self.assertRaises(nurbs.ArgumentError, nurbs.circle().mesh)
+        self.assertFalse(ball.mesh(1e-6, work=1000).bound.reached)
+
+
 class Features(unittest.TestCase):
     def test_features(self):
         bend = nurbs.Spline.bezier([[0, 0], [1, 2], [2, -2], [3, 0]])

@@ -5,7 +5,7 @@ mod common;
 
 use common::{close, near, status_of, QUARTERS};
 use nurbs::{enclosed_area, enclosed_volume, sys};
-use nurbs::{ClosestPointsMut, Meet, Placement, Records, Result, Search, Spline, Turn};
+use nurbs::{ClosestPointsMut, Meet, Mesh, MeshOptions, Placement, Records, Result, Search, Spline, Turn};
 use std::f64::consts::PI;
 
 const CERTIFIED: i32 = sys::NURBS_CLOSEST_CERTIFIED;
@@ -171,6 +171,13 @@ fn curve_shapes() -> Result<()> {
     assert_eq!(tops.found, [sys::NURBS_EXTREMUM_SADDLE]);
     let line = circle(1.)?.mesh_curve(1e-2, 0., 0.)?;
     assert!(line.reached && line.bound <= 1e-2 && line.points.len() == 2 * line.params.len());
+    let limits = MeshOptions::new()?.chord(1e-2).relative_chord(0.);
+    let floor = Mesh::of_surface(&floor_plane()?, Some(&limits))?.clone();
+    let held = floor.counts()?;
+    assert!(held.points == 4 && held.triangles == 2 && held.faces == 1 && floor.bound()?.reached);
+    assert!(floor.vertices()?.normals.iter().all(|n| near(n, &[0., 0., 1.])));
+    assert_eq!(floor.triangles(sys::NURBS_MESH_WELDED)?.len(), 2);
+    assert_eq!(status_of(floor.triangles(1)), sys::NURBS_ERROR_FLAGS);
     let zeros = Spline::bezier(&[2], 1, &[0.75, -1.25, 0.75], None)?.roots(0., 0.)?;
     assert!(near(&zeros.params, &[0.25, 0.75]) && zeros.complete && zeros.ranges.len() == 2);
     assert_eq!(circle(1.)?.curve_level(1, &[1., 2., 0.], 0.)?.kinds, [sys::NURBS_HIT_CROSSING; 2]);

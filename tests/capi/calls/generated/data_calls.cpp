@@ -996,7 +996,7 @@ const Call group[] = {
          options.chord = 1;
          options.relative_chord = 0;
          return nurbs_mesh_face(in.face, &options, &o.mesh);
-     }},
+     }, true},
     {"mesh_model",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_mesh_options options;
@@ -1004,7 +1004,7 @@ const Call group[] = {
          options.chord = 1;
          options.relative_chord = 0;
          return nurbs_mesh_model(in.model, &options, &o.mesh);
-     }},
+     }, true},
     {"mesh_points",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_mesh_points(in.mesh, 16, o.values, o.spans);
@@ -1594,7 +1594,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_mesh_face_with(in.face, &options, &call, &o.mesh);
-     }},
+     }, true},
     {"mesh_model_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_mesh_options options;
@@ -1604,7 +1604,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_mesh_model_with(in.model, &options, &call, &o.mesh);
-     }},
+     }, true},
 };
 
 } // namespace
