@@ -12,8 +12,6 @@ namespace {
 
 // Rounds in which edges get more vertices for the sake of faces.
 constexpr int most_edge_rounds = 12;
-// More than a million triangles, and some seconds where no end is near.
-constexpr int64_t usual_work_of_meshes = 6000000000;
 // Of the tolerance, for edges: their segments, and what faces make of them.
 constexpr double share_of_edges = 0.8;
 
@@ -179,8 +177,6 @@ bool ModelMesher::divide_edges(std::vector<bool> &old) {
 
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule) {
     check_surface(surface);
-    const UsualLimit limit(usual_work_of_meshes);
-    const LimitedSearch search;
     std::vector<Interval> box;
     const MeshRule own = settled(rule, extent_of(surface.effective(), box));
     Mesh mesh;
@@ -196,8 +192,6 @@ MeshPtr mesh_of(const model::Model &model, const MeshRule &rule) {
     for (const model::ModelFace &face : model.faces) {
         check_surface(*face.face->surface());
     }
-    const UsualLimit limit(usual_work_of_meshes);
-    const LimitedSearch search;
     return std::make_shared<const Mesh>(ModelMesher(model, settled(model, rule)).mesh());
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace nrb::mesh {
 
@@ -51,7 +52,9 @@ private:
     int32_t add_line(size_t k, double t, bool from_left);
     void look_at(Item item);
     [[nodiscard]] bool at_border(const Item &item) const noexcept;
-    [[nodiscard]] Cut cut_of(const HessianBox &box, const CellBend &bend) const noexcept;
+    [[nodiscard]] std::optional<size_t> wide_axis(const Rectangle &part) const noexcept;
+    [[nodiscard]] Cut cut_of(const Rectangle &part, const HessianBox &box,
+                             const CellBend &bend) const noexcept;
     void make_nets(Item &item);
     struct Found {
         HessianBox box;
@@ -136,10 +139,12 @@ void CellTree::Builder::look_at(Item item) {
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.at_border = at_border(item);
-    const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
+    const bool small =
+        (!(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest) && !wide_axis(item.part).has_value();
     const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
-    if (flat || side == Side::outside || hopeless || work_ended() || !divide(item, cut_of(found.box, bend))) {
+    if (flat || side == Side::outside || hopeless || work_ended() ||
+        !divide(item, cut_of(item.part, found.box, bend))) {
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
 }
@@ -154,8 +159,22 @@ bool CellTree::Builder::at_border(const Item &item) const noexcept {
     return result;
 }
 
+// An axis along which a part is longer than cells may be.
+std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        if (part.side(k) > rule_.most_sides[k]) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
 // Where the surface is flat enough, across the longer side.
-Cut CellTree::Builder::cut_of(const HessianBox &box, const CellBend &bend) const noexcept {
+Cut CellTree::Builder::cut_of(const Rectangle &part, const HessianBox &box,
+                              const CellBend &bend) const noexcept {
+    if (const std::optional<size_t> wide = wide_axis(part)) {
+        return {*wide, 0.5};
+    }
     if (bend.in_parts(1, 1) <= rule_.chord) {
         return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
     }

@@ -13,8 +13,11 @@ namespace nrb::mesh {
 enum class Side { outside, border, inside };
 
 struct CellRule {
-    double chord = infinity;                       // in the units of the grid
-    double longest = 0;                            // diagonal of a cell; 0: no limit
+    double chord = infinity; // in the units of the grid
+    double longest = 0;      // diagonal of a cell; 0: no limit
+    // Longest sides of cells: around a closed axis there are three or more, between two poles two or more, so that no triangle has two
+    // corners in one point but those at a pole.
+    std::array<double, 2> most_sides{infinity, infinity};
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
 };
 

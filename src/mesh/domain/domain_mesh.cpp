@@ -101,6 +101,13 @@ CellRule DomainMesher::cell_rule() const {
     CellRule rule;
     rule.chord = grid_.scaled(rule_.chord) * share_of_estimate;
     rule.longest = grid_.scaled(rule_.longest);
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
+        const double parts = domain_.closed[k]                                    ? 3
+                             : domain_.collapsed[k][0] || domain_.collapsed[k][1] ? 2
+                                                                                  : 1;
+        rule.most_sides[k] = (axis.upper - axis.lower) / parts * (1 + 1e-9);
+    }
     if (domain_.inside) {
         rule.side = [this](const Rectangle &part) { return side_of(part); };
     }
