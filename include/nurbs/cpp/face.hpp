@@ -57,6 +57,13 @@ struct FaceHausdorffDistance {
     std::int32_t status;            ///< closest_certified, closest_budget.
 };
 
+/// Points and weights of a rule inside a face.
+struct FaceQuadrature {
+    std::vector<double> params;   ///< Parameters of the points.
+    std::vector<double> weights;  ///< Weights of the parameters.
+    std::vector<double> measures; ///< Weights of areas.
+};
+
 /// A trimmed face: a handle that is copied in constant time and freed by its destructor.
 class Face : public detail::FaceHandle {
 public:
@@ -271,8 +278,8 @@ public:
     }
     /// Points and weights for integrals of any function over it: so many nodes along each axis of a cell, 0 for
     /// one more than the degree.
-    [[nodiscard]] Returned<Quadrature> quadrature(std::int32_t nodes = 0) const {
-        Quadrature found{};
+    [[nodiscard]] Returned<FaceQuadrature> quadrature(std::int32_t nodes = 0) const {
+        FaceQuadrature found{};
         std::int64_t count = 0;
         const auto ask = [&](std::int64_t cap) {
             detail::call(nurbs_face_quadrature, get(), nodes, cap, found.params.data(), found.weights.data(),
@@ -286,8 +293,8 @@ public:
         return found;
     }
     /// The same; `call` can watch and end it.
-    [[nodiscard]] Returned<Quadrature> quadrature(std::int32_t nodes, const CallOptions &call) const {
-        Quadrature found{};
+    [[nodiscard]] Returned<FaceQuadrature> quadrature(std::int32_t nodes, const CallOptions &call) const {
+        FaceQuadrature found{};
         const detail::Watch watch(call);
         std::int64_t count = 0;
         const auto ask = [&](std::int64_t cap) {

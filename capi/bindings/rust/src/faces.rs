@@ -8,7 +8,7 @@ use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::Face;
 use crate::intersections::Rays;
-use crate::measure::{Measured, Moments, Quadrature};
+use crate::measure::{Measured, Moments};
 use crate::moments::moments_of;
 use crate::sizes::sum;
 use crate::spline::{some_handles, Spline};
@@ -79,6 +79,18 @@ pub struct FaceHausdorffDistance {
     pub params_b: [f64; 2],
     /// `NURBS_CLOSEST_CERTIFIED`, `NURBS_CLOSEST_BUDGET`.
     pub status: i32,
+}
+
+/// Points and weights of a rule inside a face.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FaceQuadrature {
+    /// Parameters of the points.
+    pub params: Vec<[f64; 2]>,
+    /// Weights of the parameters.
+    pub weights: Vec<f64>,
+    /// Weights of areas.
+    pub measures: Vec<f64>,
 }
 
 /// Trimmed faces: the part of a surface that loops of curves bound.
@@ -520,7 +532,7 @@ impl Face {
 
     /// Points and weights for integrals of any function over it: so many nodes along each axis of a cell, 0
     /// for one more than the degree.
-    pub fn quadrature(&self, nodes: i32) -> Result<Quadrature> {
+    pub fn quadrature(&self, nodes: i32) -> Result<FaceQuadrature> {
         let fill = |cap, params, weights, measures, count| unsafe {
             sys::nurbs_face_quadrature(self.raw(), nodes, cap, params, weights, measures, count)
         };
@@ -537,11 +549,11 @@ impl Face {
             measures.as_mut_ptr(),
             &mut count,
         ))?;
-        Ok(Quadrature { params, weights, measures })
+        Ok(FaceQuadrature { params, weights, measures })
     }
 
     /// The same as `quadrature`; it can be watched and stopped.
-    pub fn quadrature_with(&self, nodes: i32, call: &mut Call) -> Result<Quadrature> {
+    pub fn quadrature_with(&self, nodes: i32, call: &mut Call) -> Result<FaceQuadrature> {
         let mut fill = |cap, params, weights, measures, count| unsafe {
             sys::nurbs_face_quadrature_with(
                 self.raw(),
@@ -567,7 +579,7 @@ impl Face {
             measures.as_mut_ptr(),
             &mut count,
         ))?;
-        Ok(Quadrature { params, weights, measures })
+        Ok(FaceQuadrature { params, weights, measures })
     }
 
     /// An axis-aligned box that contains it; no side is farther from it than the tolerance.
