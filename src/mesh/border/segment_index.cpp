@@ -33,8 +33,9 @@ SegmentIndex::SegmentIndex(const FaceBorder &border) : border_(border) {
 }
 
 size_t SegmentIndex::column(size_t k, double x) const noexcept {
+    // A box without width has one column: not a number, or infinite, which no whole number holds.
     const double share = (x - box_.lower[k]) / box_.side(k) * static_cast<double>(columns_);
-    return share > 0 ? std::min(static_cast<size_t>(share), columns_ - 1) : 0;
+    return share > 0 ? static_cast<size_t>(std::min(share, static_cast<double>(columns_ - 1))) : 0;
 }
 
 // Apart along an axis, or all corners on one side of the line, with room for rounding.

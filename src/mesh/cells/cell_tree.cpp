@@ -19,6 +19,9 @@ constexpr int64_t most_nets = 32;
 // Multiply-adds of looking at a net, estimated, for each of its numbers.
 constexpr int64_t work_for_a_number = 24;
 
+// Of the estimates by which a cell is cut or not, and of all else that is made for it.
+constexpr int64_t work_of_a_cell = 2500;
+
 // Steps of places in a block, as a power of two.
 constexpr int raster = 36;
 // Where weights may pass through 0 surfaces may have no end.
@@ -99,7 +102,9 @@ int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
     return static_cast<int32_t>(lines.size() - 1);
 }
 
+// With half of the work, where that is limited: triangles take as much as cells.
 void CellTree::Builder::build() {
+    const HalfOfWork half;
     set_blocks();
     const int64_t across = std::ssize(tree_.blocks_[1]) - 1,
                   count = (std::ssize(tree_.blocks_[0]) - 1) * across;
@@ -134,6 +139,7 @@ void CellTree::Builder::look_at(Item item) {
     if (item.parent >= 0) {
         tree_.nodes_[static_cast<size_t>(item.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
     }
+    count_work(work_of_a_cell);
     const Side side = rule_.side ? rule_.side(item.part) : Side::inside;
     make_nets(item);
     const Found found = box_of(item, side == Side::outside);

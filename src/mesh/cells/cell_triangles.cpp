@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/cells/cell_triangles.h"
 
+#include "base/watch.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace nrb::mesh {
@@ -8,6 +11,62 @@ namespace nrb::mesh {
 namespace {
 
 enum : unsigned { on_left = 1, on_right = 2, on_bottom = 4, on_top = 8 };
+
+constexpr size_t most_stops = 48;
+constexpr int64_t work_of_a_stop = 16;
+
+// How many stops lie on each side.
+class SideCounts {
+public:
+    template <typename Stops>
+    explicit SideCounts(const Stops &stops) : all_(stops.size()) {
+        for (const auto &stop : stops) {
+            for (size_t k = 0; k < 4; ++k) {
+                counts_[k] += stop.sides >> k & 1U;
+            }
+        }
+    }
+    // Whether the others lie on one side, without a stop on these sides.
+    [[nodiscard]] bool flat_without(unsigned sides) const noexcept {
+        bool flat = false;
+        for (size_t k = 0; k < 4; ++k) {
+            flat = flat || counts_[k] - (sides >> k & 1U) == all_ - 1;
+        }
+        return flat;
+    }
+    [[nodiscard]] unsigned fullest() const noexcept {
+        return 1U << static_cast<unsigned>(std::ranges::max_element(counts_) - counts_.begin());
+    }
+
+private:
+    size_t all_;
+    std::array<size_t, 4> counts_{};
+};
+
+// So that those on a side come first: they follow each other around the cell.
+template <typename Stops>
+void rotate_to_start(Stops &stops, unsigned side) {
+    const auto off = std::ranges::find_if(stops, [&](const auto &stop) { return (stop.sides & side) == 0; });
+    std::ranges::rotate(stops, off);
+    const auto on = std::ranges::find_if(stops, [&](const auto &stop) { return (stop.sides & side) != 0; });
+    std::ranges::rotate(stops, on);
+}
+
+// Of those on other sides, the one that lies least far along this side from the middle one.
+template <typename Stops>
+size_t opposite_of(const Stops &stops, unsigned side, size_t middle) {
+    const auto along = [&](const auto &stop) { return (side & (on_left | on_right)) != 0 ? stop.v : stop.u; };
+    size_t best = 0;
+    double least = infinity;
+    for (size_t i = middle; i < stops.size(); ++i) {
+        const double distance = std::abs(along(stops[i]) - along(stops[middle]));
+        if ((stops[i].sides & side) == 0 && distance < least) {
+            best = i;
+            least = distance;
+        }
+    }
+    return best;
+}
 
 } // namespace
 
@@ -23,32 +82,69 @@ void CellTriangles::make_two(const Cell &cell, const std::vector<int32_t> &borde
     }
 }
 
-void CellTriangles::set_stops(const PlaceTable &table, const Cell &cell, const std::vector<int32_t> &border) {
+CellTriangles::Stops CellTriangles::stops_of(const PlaceTable &table, const Cell &cell,
+                                             const std::vector<int32_t> &border) const {
     const Rectangle part = tree_.rectangle(cell);
-    stops_.clear();
+    Stops stops;
     for (const int32_t place : border) {
         const auto [u, v] = table.place(place).lines;
         const unsigned sides = (u == cell.lower[0] ? on_left : 0U) | (u == cell.upper[0] ? on_right : 0U) |
                                (v == cell.lower[1] ? on_bottom : 0U) | (v == cell.upper[1] ? on_top : 0U);
-        stops_.push_back({place, sides,
-                          (tree_.lines(0)[static_cast<size_t>(u)].t - part.lower[0]) / part.side(0),
-                          (tree_.lines(1)[static_cast<size_t>(v)].t - part.lower[1]) / part.side(1)});
+        stops.push_back({place, sides,
+                         (tree_.lines(0)[static_cast<size_t>(u)].t - part.lower[0]) / part.side(0),
+                         (tree_.lines(1)[static_cast<size_t>(v)].t - part.lower[1]) / part.side(1)});
+    }
+    return stops;
+}
+
+// The stop whose cut costs least in bends of the surface.
+size_t CellTriangles::best_ear(const Stops &stops, const Cell &cell) {
+    const Hessian height = cell.box.of(2), along = cell.box.of(0), across = cell.box.of(1);
+    const size_t n = stops.size();
+    const SideCounts counts(stops);
+    size_t best = 0;
+    double least = infinity;
+    for (size_t i = 0; i < n; ++i) {
+        const Stop &a = stops[i == 0 ? n - 1 : i - 1], &b = stops[i + 1 == n ? 0 : i + 1];
+        if ((a.sides & stops[i].sides & b.sides) != 0 || (n > 3 && counts.flat_without(stops[i].sides))) {
+            continue;
+        }
+        const double u = b.u - a.u, v = b.v - a.v;
+        const double bend = std::abs(height.along(u, v)) + height.beside(u, v) +
+                            (std::abs(along.along(u, v)) + std::abs(across.along(u, v))) / 16;
+        if (bend < least || least == infinity) {
+            least = bend;
+            best = i;
+        }
+    }
+    return best;
+}
+
+void CellTriangles::cut_ears(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out) {
+    while (stops.size() >= 3) {
+        const size_t n = stops.size(), i = best_ear(stops, cell);
+        count_work(work_of_a_stop * static_cast<int64_t>(n));
+        out.push_back({stops[(i + n - 1) % n].place, stops[i].place, stops[(i + 1) % n].place});
+        stops.erase(stops.begin() + static_cast<int64_t>(i));
     }
 }
 
-// Whether the others lie on one side.
-bool CellTriangles::flat_without(size_t i) const noexcept {
-    unsigned sides = ~0U;
-    for (size_t k = 0; k < stops_.size(); ++k) {
-        sides &= k == i ? ~0U : stops_[k].sides;
+// From the middle of the side with most stops to what is opposite: both parts have an eighth of the stops or more.
+void CellTriangles::make_in_parts(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out) {
+    if (stops.size() <= most_stops) {
+        return cut_ears(std::move(stops), cell, out);
     }
-    return sides != 0;
-}
-
-bool CellTriangles::is_ear(size_t i) const noexcept {
-    const size_t n = stops_.size();
-    const unsigned common = stops_[(i + n - 1) % n].sides & stops_[i].sides & stops_[(i + 1) % n].sides;
-    return common == 0 && (n == 3 || !flat_without(i));
+    const unsigned side = SideCounts(stops).fullest();
+    rotate_to_start(stops, side);
+    const auto on_side = static_cast<size_t>(
+        std::ranges::count_if(stops, [&](const Stop &stop) { return (stop.sides & side) != 0; }));
+    const size_t middle = on_side / 2, opposite = opposite_of(stops, side, middle);
+    Stops rest(stops.begin() + static_cast<int64_t>(opposite), stops.end());
+    rest.insert(rest.end(), stops.begin(), stops.begin() + static_cast<int64_t>(middle) + 1);
+    stops.erase(stops.begin() + static_cast<int64_t>(opposite) + 1, stops.end());
+    stops.erase(stops.begin(), stops.begin() + static_cast<int64_t>(middle));
+    make_in_parts(std::move(stops), cell, out);
+    make_in_parts(std::move(rest), cell, out);
 }
 
 void CellTriangles::make(const PlaceTable &table, const Cell &cell, const std::vector<int32_t> &border,
@@ -56,31 +152,7 @@ void CellTriangles::make(const PlaceTable &table, const Cell &cell, const std::v
     if (border.size() == 4) {
         return make_two(cell, border, out);
     }
-    set_stops(table, cell, border);
-    const Hessian height = cell.box.of(2), along = cell.box.of(0), across = cell.box.of(1);
-    while (stops_.size() >= 3) {
-        const size_t n = stops_.size();
-        size_t best = 0;
-        double least = infinity;
-        for (size_t i = 0; i < n; ++i) {
-            if (!is_ear(i)) {
-                continue;
-            }
-            const Stop &a = stops_[(i + n - 1) % n], &b = stops_[(i + 1) % n];
-            const double u = b.u - a.u, v = b.v - a.v;
-            const double bend = std::abs(height.along(u, v)) + height.beside(u, v) +
-                                (std::abs(along.along(u, v)) + std::abs(across.along(u, v))) / 16;
-            if (bend < least || least == infinity) {
-                least = bend;
-                best = i;
-            }
-        }
-        out.push_back({stops_[(best + n - 1) % n].place, stops_[best].place, stops_[(best + 1) % n].place});
-        stops_.erase(stops_.begin() + static_cast<int64_t>(best));
-        if (stops_.size() < 3) {
-            break;
-        }
-    }
+    make_in_parts(stops_of(table, cell, border), cell, out);
 }
 
 } // namespace nrb::mesh

@@ -9,7 +9,8 @@
 
 namespace nrb::mesh {
 
-// Cuts off ears, first those over which the surface bends least, and none that would leave nothing but one side.
+// Cuts off ears, first those over which the surface bends least, and none that would leave nothing but one side. Cells with many
+// places are halved before, since ears take time in proportion to the square of their number.
 class CellTriangles {
 public:
     explicit CellTriangles(const CellTree &tree) : tree_(tree) {}
@@ -24,14 +25,16 @@ private:
         unsigned sides; // of the cell on which it lies, as bits
         double u, v;    // in the cell
     };
+    using Stops = std::vector<Stop>;
     void make_two(const Cell &cell, const std::vector<int32_t> &border,
                   std::vector<std::array<int32_t, 3>> &out) const;
-    void set_stops(const PlaceTable &table, const Cell &cell, const std::vector<int32_t> &border);
-    [[nodiscard]] bool is_ear(size_t i) const noexcept;
-    [[nodiscard]] bool flat_without(size_t i) const noexcept;
+    [[nodiscard]] Stops stops_of(const PlaceTable &table, const Cell &cell,
+                                 const std::vector<int32_t> &border) const;
+    void make_in_parts(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
+    void cut_ears(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
+    [[nodiscard]] static size_t best_ear(const Stops &stops, const Cell &cell);
 
     const CellTree &tree_;
-    std::vector<Stop> stops_;
 };
 
 } // namespace nrb::mesh

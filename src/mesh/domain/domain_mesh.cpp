@@ -19,15 +19,16 @@ namespace {
 constexpr double share_of_estimate = 0.97;
 constexpr int most_rounds = 16;
 // Multiply-adds of a triangle in a round, estimated.
-constexpr int64_t work_of_triangle = 1500;
+constexpr int64_t work_of_triangle = 3000;
 
 // Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
 class DomainMesher {
 public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule)
         : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
+          chord_(within_reach(rule.chord, 1e-3)), longest_(within_reach(rule.longest, 1e-2)),
           cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
-          proof_(domain, cells_, sites_, grid_.scaled(rule.chord)) {}
+          proof_(domain, cells_, sites_, grid_.scaled(chord_)) {}
 
     DomainMesh run() {
         for (;; ++round_) {
@@ -53,7 +54,9 @@ private:
     [[nodiscard]] Side side_of(const Rectangle &part) const;
     void make_cells();
     void make_strip();
+    [[nodiscard]] double rounding(double least_weight) const noexcept;
     [[nodiscard]] double rounding() const noexcept;
+    [[nodiscard]] double within_reach(double length, double share) const noexcept;
     void prove();
     [[nodiscard]] MeshBound mesh_bound() const;
     void set_borders(MeshBound &bound) const;
@@ -69,8 +72,8 @@ private:
     };
     [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
     [[nodiscard]] bool is_over(size_t triangle) const noexcept {
-        const bool far = !(distances_[triangle].most() <= rule_.chord);
-        return far || (rule_.longest > 0 && !(longest_side(triangles_[triangle]) <= rule_.longest));
+        const bool far = !(distances_[triangle].most() <= chord_);
+        return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] int parts_for(double distance) const noexcept;
@@ -84,6 +87,7 @@ private:
     const MeshRule &rule_;
     const pieces::PieceGrid &grid_;
     SegmentIndex index_;
+    double chord_, longest_; // that triangles are made for
     CellGrid cells_;
     Sites sites_;
     TriangleProof proof_;
@@ -99,8 +103,8 @@ private:
 
 CellRule DomainMesher::cell_rule() const {
     CellRule rule;
-    rule.chord = grid_.scaled(rule_.chord) * share_of_estimate;
-    rule.longest = grid_.scaled(rule_.longest);
+    rule.chord = grid_.scaled(chord_) * share_of_estimate;
+    rule.longest = grid_.scaled(longest_);
     for (size_t k = 0; k < 2; ++k) {
         const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
         const double parts = domain_.closed[k]                                    ? 3
@@ -224,15 +228,26 @@ MeshBound DomainMesher::mesh_bound() const {
 
 // What moves the pieces, and points that are evaluated. Where weights have either sign, that is relative to the least of the
 // surface.
+double DomainMesher::rounding(double least_weight) const noexcept {
+    constexpr int divisions = 64; // no cell is the result of more
+    return grid_.moved() + grid_.moved_by_weights(grid_.radius(), least_weight, divisions) +
+           8 * grid_.value_error() * grid_.radius() * (grid_.positive() ? 1 : 1 / least_weight) +
+           4 * eps * grid_.size();
+}
+
 double DomainMesher::rounding() const noexcept {
     double least = 1;
     for (const Cell &cell : cells_.tree().cells()) {
         least = cell.box.certain() ? std::min(least, cell.box.least_weight()) : least;
     }
-    constexpr int divisions = 64; // no cell is the result of more
-    return grid_.moved() + grid_.moved_by_weights(grid_.radius(), least, divisions) +
-           8 * grid_.value_error() * grid_.radius() * (grid_.positive() ? 1 : 1 / least) +
-           4 * eps * grid_.size();
+    return rounding(least);
+}
+
+// No triangles are nearer, or smaller, than rounding allows, however many there are. Then a mesh for the eye is made: for a
+// share of the size.
+double DomainMesher::within_reach(double length, double share) const noexcept {
+    const bool wanted = length > 0 && length < infinity;
+    return wanted && !(grid_.scaled(length) > rounding(1)) ? grid_.unscaled(share * grid_.size()) : length;
 }
 
 void DomainMesher::prove() {
@@ -282,7 +297,7 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
 // What is beside a segment shrinks with the square of its length.
 int DomainMesher::parts_for(double distance) const noexcept {
     constexpr double most = 8;
-    const double parts = std::ceil(std::sqrt(distance / rule_.chord));
+    const double parts = std::ceil(std::sqrt(distance / chord_));
     return static_cast<int>(parts >= 2 ? std::min(parts, most) : 2);
 }
 
@@ -333,7 +348,7 @@ bool DomainMesher::improve() {
         if (split.border >= 0) {
             int &parts = weak_.try_emplace(split.border, 2).first->second;
             parts = std::max(parts, parts_for(distances_[i].most()));
-        } else if (split.size > rule_.chord / 4) {
+        } else if (split.size > chord_ / 4) {
             more.push_back(split.place);
         }
     }
@@ -411,7 +426,8 @@ DomainMesh DomainMesher::output() {
     for (size_t i = 0; i < triangles_.size() && !over; ++i) {
         over = is_over(i);
     }
-    result.reached = crossed_.empty() && !result.triangles.empty() && !over && is_whole();
+    result.reached =
+        chord_ <= rule_.chord && crossed_.empty() && !result.triangles.empty() && !over && is_whole();
     for (const int32_t segment : crossed_) {
         weak_.try_emplace(segment, 2);
     }

@@ -17,7 +17,7 @@ namespace {
 
 // Parts that are smaller, in the frame, are not divided for the sake of an angle: they hold a cusp.
 constexpr double least_turn = 0x1p-20;
-constexpr int64_t work_of_a_point = 100;
+constexpr int64_t work_of_a_point = 300;
 
 // The direction at an end of a piece with positive weights, and how far it may be off.
 struct Direction {
