@@ -7656,7 +7656,8 @@ NURBS_API nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const
  * nothing else, and their ends become one vertex. A closed curve has a vertex where it begins.
  *
  * Faces keep their order and their surfaces, and are named by their numbers. Their tolerances become as large as the
- * distances of their curves from the edges, and as is needed for them to close up as they do. Faces that hang
+ * distances of their curves from the edges, as a thousandth of the tolerance, and as is needed for them to close up
+ * as they do. Faces that hang
  * together by edges with two uses are seen from the side of the first one of them: others that are turned against
  * it have `against` in nurbs_model_face(). nurbs_model_volume() tells what closed ones hold.
  *

@@ -6,6 +6,7 @@
 #include "closest/closest.h"
 #include "closest/pair/hausdorff.h"
 #include "eval/curve_point.h"
+#include "face/made/along_feet.h"
 #include "numeric/vector3.h"
 #include "refine/forms/parametrization.h"
 #include "spline/part.h"
@@ -36,6 +37,11 @@ std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePt
     } catch (const Error &) { // knots would merge
         return std::nullopt;
     }
+}
+
+// Where parameters of nearest points belong together.
+double along_feet(const SplinePtr &a, const SplinePtr &b, bool against, double tolerance) {
+    return distance_along_feet(a, against ? refine::reverse(*b, 0, false) : b, tolerance);
 }
 
 using Ends = std::array<Vector3, 2>;
@@ -107,6 +113,10 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
     const std::optional<double> equal = at_equal_parameters(image.curve, coedge.edge, coedge.against);
     if (equal && *equal + image.distance <= face.tolerance()) {
         return {*equal + image.distance, image.proven};
+    }
+    const double along = along_feet(image.curve, coedge.edge, coedge.against, face.tolerance());
+    if (along + image.distance <= face.tolerance()) {
+        return {along + image.distance, image.proven};
     }
     return to_nearest(image, *coedge.edge, face.tolerance());
 }
@@ -184,12 +194,13 @@ std::optional<CurveMatch> match_within(const SplinePtr &a, const SplinePtr &b, d
             return CurveMatch{apart, against};
         }
     }
-    const std::optional<double> apart = two_sided(*a, *b, tolerance);
-    if (!apart) {
-        return std::nullopt;
-    }
     const bool against = directions.size() == 1 ? directions.front() : feet_fall(*a, *b, tolerance);
-    return CurveMatch{*apart, against};
+    const double along = along_feet(a, b, against, tolerance);
+    if (along <= tolerance) {
+        return CurveMatch{along, against};
+    }
+    const std::optional<double> apart = two_sided(*a, *b, tolerance);
+    return apart ? std::optional(CurveMatch{*apart, against}) : std::nullopt;
 }
 
 } // namespace nrb::face

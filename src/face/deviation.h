@@ -12,7 +12,7 @@ namespace nrb::face {
 SplinePtr edge_of(const Face &face, const Coedge &coedge);
 
 // Of a made one as it was found when it was made. Of two that were given: at equal parameters if that is within the tolerance of
-// the face, else from each to the nearest point of the other.
+// the face, or at those of nearest points, else from each to the nearest point of the other.
 Deviation deviation_of(const Face &face, const Coedge &coedge);
 
 // How far two curves in space, or their ends, are from each other somewhere, where that is more than the tolerance, else 0. They may
@@ -26,7 +26,7 @@ struct CurveMatch {
 };
 
 // Of curves for which a distance of at most the tolerance can be proven: at equal parameters, as far as their domains can be made the
-// same, else from each to the nearest point of the other one. Closed ones begin at the same place. Precondition: dimension 3,
+// same, else at those of nearest points, else from each to the nearest point of the other one. Closed ones begin at the same place. Precondition: dimension 3,
 // tolerance > 0.
 std::optional<CurveMatch> match_within(const SplinePtr &a, const SplinePtr &b, double tolerance);
 

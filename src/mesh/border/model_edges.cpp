@@ -18,6 +18,12 @@ namespace {
 // Rounds of adding vertices for the sake of faces, each between two others.
 constexpr int most_polyline_rounds = 12;
 
+// Whether a vertex would be where one end of a segment is, but for rounding: two faces ask for one place of their edge.
+bool is_beside(double param, Interval segment) noexcept {
+    const double room = 0x1p-20 * (segment.upper - segment.lower);
+    return param - segment.lower <= room || segment.upper - param <= room;
+}
+
 } // namespace
 
 ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : model_(model), borders_(model) {
@@ -307,7 +313,8 @@ std::vector<int64_t> ModelEdges::add_vertex(int64_t number, double param) {
     const auto at = static_cast<size_t>(number);
     EdgeLine &line = lines_[at];
     const auto next = std::ranges::lower_bound(line.params, param);
-    if (next == line.params.begin() || next == line.params.end() || *next == param) {
+    if (next == line.params.begin() || next == line.params.end() ||
+        is_beside(param, {*(next - 1), *next})) {
         return {};
     }
     const std::vector<double> x = eval::curve_point(*curves_[at], param, false);

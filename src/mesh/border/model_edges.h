@@ -55,7 +55,7 @@ public:
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[use_at(face, loop, index)].line);
     }
-    // A further vertex of a polyline, unless it has one there; the faces that have it. Points keep their numbers.
+    // A further vertex of a polyline, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
     std::vector<int64_t> add_vertex(int64_t line, double param);
 
 private:

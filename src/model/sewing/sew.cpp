@@ -7,7 +7,6 @@
 #include "model/sections/shared_borders.h"
 #include "model/sewing/side_pieces.h"
 #include "model/sewing/twice.h"
-#include "refine/parts/cut.h"
 
 #include <algorithm>
 #include <map>
@@ -103,7 +102,8 @@ private:
     // Pieces are in the order of faces.
     void add_face(size_t number) {
         const Patch &patch = patches_[number];
-        face::FaceParts parts{patch.given->surface(), {}, patch.given->tolerance(), true};
+        const double least = tolerance_ / 1024; // so that curves can be made to it
+        face::FaceParts parts{patch.given->surface(), {}, std::max(patch.given->tolerance(), least), true};
         parts.loops.resize(patch.loops.size());
         bool left_out = false;
         const std::vector<SidePiece> &all = pieces_.all();
@@ -130,12 +130,10 @@ private:
     }
 
     face::Coedge coedge_of(const SidePiece &piece) {
-        const SplinePtr &curve = sides_[piece.side].curve;
+        const Side &side = sides_[piece.side];
         const int64_t edge = edge_of(piece.leader);
         face::Coedge coedge;
-        coedge.curve = piece.whole
-                           ? curve
-                           : refine::cut_axis(curve, 0, piece.range.lower, piece.range.upper, {true, true});
+        coedge.curve = piece.whole ? side.curve : curve_part(side, piece.range);
         coedge.edge = model_.edges[static_cast<size_t>(edge)].curve;
         coedge.key = edge + 1;
         coedge.against = piece.against;

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/watch.h"
 #include "bounds/box.h"
+#include "build/polylines.h"
 #include "eval/curve_point.h"
 #include "face/made/curve_under.h"
 #include "numeric/norm.h"
@@ -50,12 +51,6 @@ bool closes_thin(const face::Face &face, const face::Covering &wider, double tol
     });
 }
 
-// A curve along an axis from end to end, as natural boundaries are.
-struct StraightCurve {
-    int across;
-    double at, from, to;
-};
-
 std::optional<StraightCurve> along_axis(const Spline &curve, const face::Covering &covering) {
     if (curve.axis(0).degree() != 1 || curve.count(0) != 2 || curve.form() != Form::polynomial) {
         return std::nullopt;
@@ -83,14 +78,18 @@ SplinePtr iso_image(const Spline &surface, const Spline &curve, const StraightCu
     return refine::reparametrize(falls ? refine::reverse(*part, 0, false) : part, 0, curve.axis(0).domain());
 }
 
-face::MadeCurve image_of(const face::Face &face, const SplinePtr &curve, double tolerance) {
-    if (const auto straight = along_axis(*curve, face.covering())) {
+void set_image(const face::Face &face, double tolerance, Side &side) {
+    side.along = along_axis(*side.curve, face.covering());
+    if (side.along) {
         try {
-            return {iso_image(*face.surface(), *curve, *straight), 0, true};
+            side.image = iso_image(*face.surface(), *side.curve, *side.along);
+            return;
         } catch (const Error &) { // knots would merge
         }
     }
-    return face::edge_over(face.surface(), face.covering(), curve, tolerance / 16);
+    const face::MadeCurve made = face::edge_over(face.surface(), face.covering(), side.curve, tolerance / 16);
+    side.image = made.curve;
+    side.off = made.distance;
 }
 
 intersect::Box3 box_of(const Spline &curve) {
@@ -102,6 +101,23 @@ intersect::Box3 box_of(const Spline &curve) {
 }
 
 } // namespace
+
+SplinePtr curve_part(const Side &side, Interval range) {
+    if (!side.along) {
+        return refine::cut_axis(side.curve, 0, range.lower, range.upper, {true, true});
+    }
+    const StraightCurve &straight = *side.along;
+    const Interval domain = side.curve->axis(0).domain();
+    std::vector<double> points(4, straight.at);
+    for (const size_t k : {size_t{0}, size_t{1}}) {
+        const double share =
+            ((k == 0 ? range.lower : range.upper) - domain.lower) / (domain.upper - domain.lower);
+        points[2 * k + static_cast<size_t>(1 - straight.across)] =
+            straight.from <= straight.to ? parameter_in({straight.from, straight.to}, share)
+                                         : parameter_in({straight.to, straight.from}, 1 - share);
+    }
+    return build::polyline(2, std::move(points), {range.lower, range.upper});
+}
 
 Patch patch_of(const face::FacePtr &face, double tolerance) {
     Patch patch{face, face->loops(), is_whole(*face), face->tolerance()};
@@ -125,9 +141,7 @@ std::vector<Side> sides_of(const std::vector<Patch> &patches, double tolerance) 
             for (size_t i = 0; i < loops[loop].size(); ++i) {
                 Side side{static_cast<int64_t>(patch), static_cast<int64_t>(loop), static_cast<int64_t>(i),
                           loops[loop][i].curve};
-                const face::MadeCurve made = image_of(*patches[patch].given, side.curve, tolerance);
-                side.image = made.curve;
-                side.off = made.distance;
+                set_image(*patches[patch].given, tolerance, side);
                 side.box = box_of(*side.image);
                 sides.push_back(std::move(side));
                 count_work(1 << 12);
