@@ -82,6 +82,7 @@ private:
     void add_fixed(int64_t face);
     void fix_behind(const face::BorderPlace &place, bool turned, const LinePassage &passage);
     void fix(const face::BorderPlace &place, const face::Point2 &x);
+    void align_fixed(size_t line);
     void make_line(size_t line, const PolylineRule &rule);
     [[nodiscard]] std::vector<double> fixed_params(size_t line) const;
     [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params,
