@@ -224,19 +224,19 @@ nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int6
 }
 
 nurbs_status nurbs_model_edge_gaps(const nurbs_model *model, int64_t cap, int64_t *uses, double *gaps,
-                                   int32_t *proven, int64_t *count) {
+                                   int32_t *bounded, int64_t *count) {
     return guard([&] {
         const model::Model &own = model_of(model);
         const int64_t filled = checked_cap(cap, std::ssize(own.edges));
         check_apart({memory("uses", uses, filled), memory("gaps", gaps, filled),
-                     memory("proven", proven, filled), memory("count", count, 1)},
+                     memory("bounded", bounded, filled), memory("count", count, 1)},
                     {});
-        const bool wanted = gaps != nullptr || proven != nullptr;
+        const bool wanted = gaps != nullptr || bounded != nullptr;
         const std::vector<face::Deviation> found = model::edge_gaps(own, wanted ? filled : 0);
         for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(uses, i, static_cast<int64_t>(own.edges[i].uses.size()));
             put(gaps, i, wanted ? found[i].distance : 0);
-            put(proven, i, wanted && found[i].proven ? 1 : 0);
+            put(bounded, i, wanted && found[i].proven ? 1 : 0);
         }
         put(count, static_cast<int64_t>(own.edges.size()));
     });

@@ -7789,12 +7789,12 @@ NURBS_API nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t i
  * \param[in] cap length of the arrays, 0 to ask for the number of edges.
  * \param[out] uses [cap] or NULL.
  * \param[out] gaps [cap] or NULL: distances; 0 of an edge that no face uses.
- * \param[out] proven [cap] or NULL: 1 if that is a bound, 0 if it is the largest one seen.
+ * \param[out] bounded [cap] or NULL: 1 if that is a bound, 0 if it is the largest one seen.
  * \param[out] count or NULL: the number of edges.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_edge_gaps(const nurbs_model *model, int64_t cap, int64_t *uses,
-                                             double *gaps, int32_t *proven, int64_t *count);
+                                             double *gaps, int32_t *bounded, int64_t *count);
 
 /** \brief The point of a vertex, in the coordinates of its part.
  * \param[in] model a model.

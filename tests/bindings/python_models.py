@@ -164,7 +164,7 @@ class Models(unittest.TestCase):
         self.assertEqual(set(gaps.uses.tolist()), {1})
         sewn = nurbs.Model.sew(faces, 1e-6, 0.001)
         found = sewn.edge_gaps()
-        self.assertEqual((set(found.uses.tolist()), set(found.proven.tolist()), sewn.unit), ({2}, {1}, 0.001))
+        self.assertEqual((set(found.uses.tolist()), set(found.bounded.tolist()), sewn.unit), ({2}, {1}, 0.001))
         self.assertTrue(np.all(found.gaps < 1e-6))
         self.assertAlmostEqual(sewn.volume(1e-9).volume, 64 * math.pi, 6)
         self.assertEqual(status_of(lambda: nurbs.Model.sew([], 1e-6)), nurbs.NURBS_ERROR_COUNT)

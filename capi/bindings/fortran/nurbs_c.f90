@@ -4230,13 +4230,13 @@ module nurbs_c
         !> How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how
         !> far the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation()
         !> finds it.
-        function nurbs_model_edge_gaps(model, cap, uses, gaps, proven, count) bind(c) result(r)
+        function nurbs_model_edge_gaps(model, cap, uses, gaps, bounded, count) bind(c) result(r)
             import
             type(c_ptr), value :: model
             integer(c_int64_t), value :: cap
             integer(c_int64_t), intent(inout), optional :: uses(*), count
             real(c_double), intent(inout), optional :: gaps(*)
-            integer(c_int32_t), intent(inout), optional :: proven(*)
+            integer(c_int32_t), intent(inout), optional :: bounded(*)
             integer(c_int32_t) :: r
         end function nurbs_model_edge_gaps
         !> The point of a vertex, in the coordinates of its part.

@@ -216,23 +216,21 @@ contains
     end subroutine edge_uses
 
     !> How well faces meet at its edges: the number of uses of each, and how far the curves of faces are from it.
-    subroutine edge_gaps(this, uses, gaps, proven, status)
+    subroutine edge_gaps(this, uses, gaps, bounded, status)
         class(nurbs_model), intent(in) :: this
         integer(c_int64_t), allocatable, intent(inout) :: uses(:)
         real(c_double), allocatable, intent(inout) :: gaps(:)
-        logical, allocatable, intent(inout) :: proven(:)
+        integer(c_int32_t), allocatable, intent(inout) :: bounded(:)
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
         integer(c_int64_t) :: n
-        integer(c_int32_t), allocatable :: proven_c(:)
         n = 0
-        proven_c = 0
         code = nurbs_model_edge_gaps(this%handle, 0_c_int64_t, count=n)
         if (allocated(uses)) deallocate (uses)
         if (allocated(gaps)) deallocate (gaps)
-        allocate (uses(n), gaps(n), proven_c(n))
-        if (code == NURBS_OK) code = nurbs_model_edge_gaps(this%handle, n, uses, gaps, proven_c)
-        proven = proven_c /= 0
+        if (allocated(bounded)) deallocate (bounded)
+        allocate (uses(n), gaps(n), bounded(n))
+        if (code == NURBS_OK) code = nurbs_model_edge_gaps(this%handle, n, uses, gaps, bounded)
         call settle(code, status)
     end subroutine edge_gaps
 

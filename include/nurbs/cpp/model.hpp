@@ -60,9 +60,9 @@ struct ModelEdge {
 
 /// How well faces meet at the edges of a model.
 struct EdgeGaps {
-    std::vector<std::int64_t> uses;   ///< How many uses each edge has, 1 where a face ends.
-    std::vector<double> gaps;         ///< How far the curves of faces are from the edge, at most.
-    std::vector<std::int32_t> proven; ///< 1 if that is a bound, 0 if it is the largest distance seen.
+    std::vector<std::int64_t> uses;    ///< How many uses each edge has, 1 where a face ends.
+    std::vector<double> gaps;          ///< How far the curves of faces are from the edge, at most.
+    std::vector<std::int32_t> bounded; ///< 1 if that is a bound, 0 if it is the largest distance seen.
 };
 
 /// A use of a part.
@@ -227,12 +227,12 @@ public:
         std::int64_t count = 0;
         const auto ask = [&](std::int64_t cap) {
             detail::call(nurbs_model_edge_gaps, get(), cap, found.uses.data(), found.gaps.data(),
-                         found.proven.data(), &count);
+                         found.bounded.data(), &count);
         };
         ask(0);
         found.uses = detail::room<std::int64_t>(count);
         found.gaps = detail::room(count);
-        found.proven = detail::room<std::int32_t>(count);
+        found.bounded = detail::room<std::int32_t>(count);
         ask(count);
         return found;
     }

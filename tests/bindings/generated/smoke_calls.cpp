@@ -783,7 +783,7 @@ void data(const Inputs &in) {
         const auto found = in.model.edge_gaps();
         show("uses", found.uses);
         show("gaps", found.gaps);
-        show("proven", found.proven);
+        show("bounded", found.bounded);
     }
     by_hand("model_clone");
     by_hand("model_destroy");

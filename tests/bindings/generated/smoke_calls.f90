@@ -1647,11 +1647,11 @@ contains
         block
             integer(c_int64_t), allocatable :: uses_found(:)
             real(c_double), allocatable :: gaps_found(:)
-            logical, allocatable :: proven_found(:)
-            call model%edge_gaps(uses=uses_found, gaps=gaps_found, proven=proven_found)
+            integer(c_int32_t), allocatable :: bounded_found(:)
+            call model%edge_gaps(uses=uses_found, gaps=gaps_found, bounded=bounded_found)
             call show('uses', uses_found)
             call show('gaps', gaps_found)
-            call show('proven', proven_found)
+            call show('bounded', bounded_found)
         end block
         call by_hand('model_clone')
         call by_hand('model_destroy')

@@ -1361,7 +1361,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.model.edge_gaps()?;
         show("uses", &found.uses);
         show("gaps", &found.gaps);
-        show("proven", &found.proven);
+        show("bounded", &found.bounded);
     }
     by_hand("model_clone");
     by_hand("model_destroy");

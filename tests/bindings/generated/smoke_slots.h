@@ -177,7 +177,7 @@ inline constexpr Slot slots[] = {
     {"model_sew", "out", "model", 0, 1},
     {"model_edge_gaps", "uses", "spans", 0, 8},
     {"model_edge_gaps", "gaps", "values", 0, 8},
-    {"model_edge_gaps", "proven", "states", 0, 8},
+    {"model_edge_gaps", "bounded", "states", 0, 8},
     {"model_edge_gaps", "count", "spans", 8, 1},
     {"model_clone", "out", "model", 0, 1},
     {"model_face", "part", "spans", 0, 1},

@@ -62,7 +62,7 @@ class EdgeGaps(NamedTuple):
 
     uses: Int64s
     gaps: Floats
-    proven: Int32s
+    bounded: Int32s
 
 
 class FaceSolid(NamedTuple):
@@ -421,7 +421,8 @@ class Model:
         """How well faces meet at its edges."""
         n = self.counts.edges
         found = EdgeGaps(numpy.empty(n, numpy.int64), numpy.empty(n), numpy.empty(n, numpy.int32))
-        get(ctypes.c_int64, lib.nurbs_model_edge_gaps, self._handle, n, *(array.ctypes.data for array in found))
+        get(ctypes.c_int64, lib.nurbs_model_edge_gaps, self._handle, n, found.uses.ctypes.data, found.gaps.ctypes.data,
+            found.bounded.ctypes.data)
         return found
 
     def vertex(self, index: int) -> Floats:

@@ -3,7 +3,7 @@
 //! Models: faces with the edges that they share, the vertices at which edges meet, and the parts to which
 //! they belong.
 
-use crate::arrays::{exactly, flat, if_given, rows, truths, Records};
+use crate::arrays::{exactly, flat, if_given, rows, Records};
 use crate::call::Call;
 use crate::error::{check, value, Result};
 use crate::face::{face_handles, Face};
@@ -83,7 +83,7 @@ pub struct EdgeGaps {
     /// How far the curves of faces are from the edge, at most.
     pub gaps: Vec<f64>,
     /// 1 if that is a bound, 0 if it is the largest distance seen.
-    pub proven: Vec<bool>,
+    pub bounded: Vec<i32>,
 }
 
 /// A use of a part.
@@ -318,17 +318,17 @@ impl Model {
     /// How well faces meet at its edges: the number of uses of each, and how far the curves of faces are from
     /// it.
     pub fn edge_gaps(&self) -> Result<EdgeGaps> {
-        let fill = |cap, uses, gaps, proven, count| unsafe {
-            sys::nurbs_model_edge_gaps(self.raw(), cap, uses, gaps, proven, count)
+        let fill = |cap, uses, gaps, bounded, count| unsafe {
+            sys::nurbs_model_edge_gaps(self.raw(), cap, uses, gaps, bounded, count)
         };
         let mut count = 0;
         check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
         let n = count as usize;
         let mut uses = vec![0; n];
         let mut gaps = vec![0.0; n];
-        let mut proven = vec![0; n];
-        check(fill(count, uses.as_mut_ptr(), gaps.as_mut_ptr(), proven.as_mut_ptr(), &mut count))?;
-        Ok(EdgeGaps { uses, gaps, proven: truths(proven) })
+        let mut bounded = vec![0; n];
+        check(fill(count, uses.as_mut_ptr(), gaps.as_mut_ptr(), bounded.as_mut_ptr(), &mut count))?;
+        Ok(EdgeGaps { uses, gaps, bounded })
     }
 
     /// The point of a vertex.

@@ -5083,13 +5083,13 @@ extern "C" {
     /// the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation() finds
     /// it.
     ///
-    /// May be null: `uses`, `gaps`, `proven`, `count`.
+    /// May be null: `uses`, `gaps`, `bounded`, `count`.
     pub fn nurbs_model_edge_gaps(
         model: *const nurbs_model,
         cap: i64,
         uses: *mut i64,
         gaps: *mut f64,
-        proven: *mut i32,
+        bounded: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
     /// The point of a vertex, in the coordinates of its part.
