@@ -29,19 +29,22 @@ MadeCurve over(const Face &face, const Coedge &coedge) {
 }
 
 // The two as curves of equal parameters, if their domains can be made the same.
-std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePtr &edge, bool against) {
+std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePtr &edge, bool against,
+                                          double tolerance) {
     try {
         const SplinePtr along = against ? refine::reverse(*edge, 0, false) : edge;
         const SplinePtr same = refine::reparametrize(along, 0, image->axis(0).domain());
-        return bounds::deviation(*image, *same).upper;
+        return bounds::deviation_below(*image, *same, tolerance);
     } catch (const Error &) { // knots would merge
         return std::nullopt;
     }
 }
 
-// Where parameters of nearest points belong together.
+// Where parameters of nearest points belong together, those on the one or on the other.
 double along_feet(const SplinePtr &a, const SplinePtr &b, bool against, double tolerance) {
-    return distance_along_feet(a, against ? refine::reverse(*b, 0, false) : b, tolerance);
+    const SplinePtr along = against ? refine::reverse(*b, 0, false) : b;
+    const double there = distance_along_feet(a, along, tolerance);
+    return there <= tolerance ? there : std::min(there, distance_along_feet(along, a, tolerance));
 }
 
 using Ends = std::array<Vector3, 2>;
@@ -110,7 +113,8 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
     if (coedge.edge == nullptr) {
         return {image.distance, image.proven};
     }
-    const std::optional<double> equal = at_equal_parameters(image.curve, coedge.edge, coedge.against);
+    const std::optional<double> equal =
+        at_equal_parameters(image.curve, coedge.edge, coedge.against, face.tolerance());
     if (equal && *equal + image.distance <= face.tolerance()) {
         return {*equal + image.distance, image.proven};
     }
@@ -132,7 +136,7 @@ double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance)
         }
     }
     for (const bool against : {false, true}) {
-        if (at_equal_parameters(a, b, against).value_or(HUGE_VAL) <= tolerance) {
+        if (at_equal_parameters(a, b, against, tolerance).value_or(HUGE_VAL) <= tolerance) {
             return 0;
         }
     }
@@ -189,7 +193,7 @@ std::optional<CurveMatch> match_within(const SplinePtr &a, const SplinePtr &b, d
         return std::nullopt;
     }
     for (const bool against : directions) {
-        const double apart = at_equal_parameters(a, b, against).value_or(HUGE_VAL);
+        const double apart = at_equal_parameters(a, b, against, tolerance).value_or(HUGE_VAL);
         if (apart <= tolerance) {
             return CurveMatch{apart, against};
         }

@@ -50,25 +50,29 @@ public:
             nodes_.push_back({foot(b, knot, a, from_), knot});
         }
         nodes_.push_back({from_.upper, to_.upper});
+        for (const bool upper : {false, true}) {
+            apart_ = std::max(apart_, distance(eval::end_point(a, upper).data(),
+                                               eval::end_point(b, upper).data(), a.dim()));
+        }
         std::ranges::sort(nodes_, {}, &Node::from);
         leave_out_near();
     }
 
-    // As many cubics as bring a few places to within a distance, as a scalar spline over the domain of a; null where that takes
-    // too many.
-    [[nodiscard]] SplinePtr map(double near) const {
+    // As many cubics as bring a few places to within a share of what the distances of feet leave of the tolerance, as a scalar spline
+    // over the domain of a; null where that takes too many, or feet are farther than the tolerance.
+    [[nodiscard]] SplinePtr map(double share) {
         std::vector<Node> waiting(nodes_.rbegin(), nodes_.rend() - 1);
         std::vector<double> knots(cubic + 1, from_.lower), points{to_.lower};
         for (Node before = nodes_.front(); !waiting.empty();) {
             const Node next = waiting.back();
             const std::array<double, 4> ordinates = cubic_between(before, next);
             const double middle = parameter_in({before.from, next.from}, 0.5);
-            if (is_near(before, next, ordinates, near) || !(before.from < middle && middle < next.from)) {
+            if (is_near(before, next, ordinates, share) || !(before.from < middle && middle < next.from)) {
                 points.insert(points.end(), ordinates.begin() + 1, ordinates.end());
                 knots.insert(knots.end(), cubic, next.from);
                 before = next;
                 waiting.pop_back();
-            } else if (points.size() + waiting.size() > most_ordinates) {
+            } else if (points.size() + waiting.size() > most_ordinates || apart_ > tolerance_) {
                 return nullptr;
             } else {
                 waiting.push_back({middle, foot(a_, middle, b_, {before.to, next.to})});
@@ -80,15 +84,16 @@ public:
     }
 
 private:
-    [[nodiscard]] double foot(const Spline &curve, double t, const Spline &other, Interval range) const {
+    double foot(const Spline &curve, double t, const Spline &other, Interval range) {
         if (!(range.lower < range.upper)) {
             return range.lower;
         }
         const std::vector<double> x = eval::curve_point(curve, t, false);
         const Interval part[] = {range};
-        return closest::locator_of(other)
-            .nearest({x.data(), part, tolerance_ / 64, closest::usual_budget(other), false, true})
-            .params[0];
+        const closest::Foot found = closest::locator_of(other).nearest(
+            {x.data(), part, tolerance_ / 64, closest::usual_budget(other), false, true});
+        apart_ = std::max(apart_, found.distance);
+        return found.params[0];
     }
 
     // Both parameters rise, by no less than a little.
@@ -109,7 +114,7 @@ private:
     }
 
     // Through the feet at a third and two thirds, with Bezier ordinates that stay in the domain.
-    [[nodiscard]] std::array<double, 4> cubic_between(const Node &start, const Node &end) const {
+    std::array<double, 4> cubic_between(const Node &start, const Node &end) {
         std::array<double, 4> v{start.to, 0, 0, end.to};
         for (const size_t k : {size_t{1}, size_t{2}}) {
             const double t = parameter_in({start.from, end.from}, static_cast<double>(k) / cubic);
@@ -120,7 +125,8 @@ private:
     }
     // Between the places that the cubic goes through.
     [[nodiscard]] bool is_near(const Node &start, const Node &end, const std::array<double, 4> &c,
-                               double near) const {
+                               double share) const {
+        const double near = apart_ + share * (tolerance_ - apart_);
         return std::ranges::all_of(std::array{0.125, 0.5, 0.875}, [&](double x) {
             const double y = 1 - x;
             const double s = y * y * y * c[0] + 3 * y * x * (y * c[1] + x * c[2]) + x * x * x * c[3];
@@ -134,7 +140,7 @@ private:
 
     const Spline &a_, &b_;
     Interval from_, to_;
-    double tolerance_;
+    double tolerance_, apart_ = 0; // the largest distance of a foot
     std::vector<Node> nodes_;
 };
 
@@ -145,12 +151,12 @@ double distance_along_feet(const SplinePtr &a, const SplinePtr &b, double tolera
         return infinity;
     }
     try {
-        const FootMap feet(*a, *b, tolerance);
+        FootMap feet(*a, *b, tolerance);
         double best = infinity;
-        for (const double share : {0.75, 0.125}) {
-            const SplinePtr map = best > tolerance ? feet.map(share * tolerance) : nullptr;
+        for (const double share : {0.5, 0.0625}) {
+            const SplinePtr map = best > tolerance ? feet.map(share) : nullptr;
             if (map != nullptr) {
-                best = std::min(best, bounds::deviation(*a, *refine::compose(b, map)).upper);
+                best = std::min(best, bounds::deviation_below(*a, *refine::compose(b, map), tolerance));
             }
         }
         return best;
