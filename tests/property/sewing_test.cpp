@@ -362,7 +362,12 @@ TEST(Sewing, PiecesOfClosedSurfacesAreClosed) {
         const Model model = sewn(faces_of(patches), 1e-9 * placing.size);
         const Gaps gaps = gaps_of(model.get());
         EXPECT_EQ(gaps.with(2), std::ssize(gaps.uses)) << seed;
-        expect_closed(model.get(), 5e-2 * placing.size, ball ? 2 : 0);
+        const Closedness mesh = mesh_of(model.get(), 5e-2 * placing.size);
+        EXPECT_EQ(mesh.free_sides, 0) << seed;
+        if (!ball) { // at a pole two places of a domain are one point, and so may be two sides of triangles
+            EXPECT_EQ(mesh.crowded_sides, 0) << seed;
+            EXPECT_EQ(mesh.euler, 0) << seed;
+        }
         double volume = 0;
         require_ok(nurbs_model_volume(model.get(), 1e-6, &volume, nullptr, nullptr, nullptr, nullptr));
         EXPECT_NEAR(volume / std::pow(placing.size, 3), ball ? 4 * pi / 3 : pi * pi, 1e-4) << seed;
@@ -388,6 +393,43 @@ TEST(Sewing, AClosedCylinder) {
         require_ok(nurbs_model_volume(model.get(), 1e-9, &volume, nullptr, nullptr, nullptr, nullptr));
         EXPECT_NEAR(volume, pi * 1.5 * 1.5 * 4, 1e-6);
     }
+}
+
+// A corner of one side is cut off by less than the tolerance: the small curve is left out.
+TEST(Sewing, WhatIsSmallerThanTheToleranceIsLeftOut) {
+    constexpr double small = 1e-5;
+    Faces faces = faces_of(cube());
+    const Handle ground = solids::plane({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    const std::array<std::array<double, 2>, 5> corners{{{0, 0}, {1 - small, 0}, {1, small}, {1, 1}, {0, 1}}};
+    Patches curves;
+    std::vector<const nurbs *> given;
+    for (size_t i = 0; i < 5; ++i) {
+        curves.push_back(solids::segment(corners[i], corners[(i + 1) % 5]));
+        given.push_back(curves.back().get());
+    }
+    const int64_t five = 5;
+    nurbs_face *face = nullptr;
+    require_ok(
+        nurbs_face_create(ground.get(), 1, &five, given.data(), nullptr, nullptr, 0, 0, nullptr, &face));
+    faces[0] = Face(face);
+    const Model model = sewn(faces, 1e-3);
+    expect_counts(model.get(), {6, 12, 8, 12, 0});
+    expect_closed(model.get(), 1e-1, 2);
+    EXPECT_NEAR(gaps_of(model.get()).largest(), small, 1e-3 * small);
+    const Model finer = sewn(faces, 1e-6); // to which nothing is small
+    expect_counts(finer.get(), {6, 15, 10, 12, 3});
+}
+
+// A surface that is thinner than the tolerance does not make one of what is on both of its sides.
+TEST(Sewing, SliversAreFaces) {
+    Patches patches;
+    patches.push_back(solids::plane({0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}));
+    patches.push_back(solids::plane({0, 0, 0}, {1, 0, 0}, {0, -1, 0}));
+    const Model sliver = sewn(faces_of(patches), 1e-3);
+    EXPECT_EQ(counts_of(sliver.get()).faces, 2);
+    EXPECT_EQ(uses_of(sliver.get()), (std::vector<int64_t>{0, 3, 0, 1}));
+    const Model exact = sewn(faces_of(patches), 1e-9);
+    EXPECT_EQ(uses_of(exact.get()), (std::vector<int64_t>{0, 6, 1}));
 }
 
 // Three half planes at one line.

@@ -119,10 +119,15 @@ private:
             return closes_alike(face::Covering(*parts.surface, tolerance),
                                 face::Covering(*parts.surface, patch.tolerance));
         };
-        if (left_out || !closes(parts.tolerance)) {
+        if (!closes(parts.tolerance)) {
             parts.tolerance = std::max(parts.tolerance, patch.natural ? tolerance_ : patch.tolerance);
         }
         parts.keep_gaps = patch.given->has_gaps();
+        if (left_out && closes(std::max(parts.tolerance, tolerance_))) {
+            parts.tolerance = std::max(parts.tolerance, tolerance_);
+        } else if (left_out) { // of a surface that is nowhere wider
+            parts.keep_gaps = true;
+        }
         ModelFace made;
         made.name = std::to_string(number);
         made.face = named(number, [&] { return std::make_shared<const face::Face>(parts, nullptr); });
