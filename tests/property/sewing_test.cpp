@@ -323,6 +323,11 @@ TEST(Sewing, PiecesOfASurfaceAreWholeAgain) {
         const faces::Ground ground = faces::wavy(random);
         const int cuts = random.whole(1, 12);
         Handle given = made([&](nurbs **out) { return nurbs_clone(ground.surface.get(), out); });
+        for (const int axis : {0, 1}) {
+            if (random.chance(30)) {
+                given = made([&](nurbs **out) { return nurbs_unclamp(given.get(), axis, 0, out); });
+            }
+        }
         const Patches patches = shuffled(random, pieces(random, std::move(given), cuts));
         const Model model = sewn(faces_of(patches), 1e-9),
                     again = sewn(faces_of(shuffled(random, patches)), 1e-9);
@@ -430,6 +435,44 @@ TEST(Sewing, SliversAreFaces) {
     EXPECT_EQ(uses_of(sliver.get()), (std::vector<int64_t>{0, 3, 0, 1}));
     const Model exact = sewn(faces_of(patches), 1e-9);
     EXPECT_EQ(uses_of(exact.get()), (std::vector<int64_t>{0, 6, 1}));
+}
+
+// A periodic side, in the plane of whose ends lie planes with their circles.
+TEST(Sewing, PeriodicSidesMeetTrimmedPlanes) {
+    const Handle bent =
+        create({{3, 1},
+                {9, 2},
+                {{-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {0, 0, 1, 1}},
+                3,
+                [] {
+                    Vec points;
+                    for (int i = 0; i < 9; ++i) {
+                        const double angle = (i % 6) * pi / 3;
+                        for (const double z : {0.0, 2.0}) {
+                            points.insert(points.end(), {std::cos(angle), std::sin(angle), z});
+                        }
+                    }
+                    return points;
+                }(),
+                {},
+                NURBS_PERIODIC});
+    Faces faces;
+    faces.push_back(whole(bent));
+    for (const double z : {0.0, 2.0}) {
+        const Handle rim = iso(bent.get(), 1, z / 2);
+        const Vec in_plane{0.25, 0, 0, 0, 0.25, 0}, middle{0.5, 0.5};
+        const Handle loop = made(
+            [&](nurbs **out) { return nurbs_transform(rim.get(), 2, in_plane.data(), middle.data(), out); });
+        const nurbs *given[] = {loop.get()};
+        const int64_t one = 1;
+        nurbs_face *face = nullptr;
+        require_ok(nurbs_face_create(solids::plane({-2, -2, z}, {4, 0, 0}, {0, 4, 0}).get(), 1, &one, given,
+                                     nullptr, nullptr, 1e-9, 0, nullptr, &face));
+        faces.emplace_back(face);
+    }
+    const Model model = sewn(faces, 1e-9);
+    expect_counts(model.get(), {3, 2, 2, 2, 0});
+    expect_closed(model.get(), 1e-2, 2);
 }
 
 // Three half planes at one line.
