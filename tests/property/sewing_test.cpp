@@ -325,7 +325,10 @@ TEST(Sewing, PiecesOfASurfaceAreWholeAgain) {
         Handle given = made([&](nurbs **out) { return nurbs_clone(ground.surface.get(), out); });
         for (const int axis : {0, 1}) {
             if (random.chance(30)) {
-                given = made([&](nurbs **out) { return nurbs_unclamp(given.get(), axis, 0, out); });
+                given = made([&](nurbs **out) {
+                    return nurbs_unclamp(given.get(), axis, NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END,
+                                         out);
+                });
             }
         }
         const Patches patches = shuffled(random, pieces(random, std::move(given), cuts));
