@@ -55,5 +55,8 @@ namespace nrb::capi {
 inline void give(SplinePtr spline, ::nurbs **out) {
     *out = new ::nurbs{std::move(spline)};
 }
+inline void give(model::Model made, ::nurbs_model **out) {
+    *out = new ::nurbs_model{std::make_shared<const model::Model>(std::move(made))};
+}
 
 } // namespace nrb::capi

@@ -7,15 +7,15 @@
 #include "read_settings.h"
 #include "watched.h"
 
-#include "base/checked.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "io/file.h"
 #include "io/formats.h"
-#include "model/from_faces.h"
+#include "model/edge_gaps.h"
 #include "model/numbering.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -88,10 +88,6 @@ void put_layers(const std::vector<int64_t> &own, int64_t cap, int64_t *layers, i
     put(count, std::ssize(own));
 }
 
-void give(model::Model made, nurbs_model **out) {
-    *out = new nurbs_model{std::make_shared<const model::Model>(std::move(made))};
-}
-
 } // namespace
 
 nurbs_status nurbs_read_model(const void *bytes, int64_t size, const nurbs_read_options *options,
@@ -119,32 +115,6 @@ nurbs_status nurbs_read_model_file(const char *path, const nurbs_read_options *o
 nurbs_status nurbs_read_model_file_with(const char *path, const nurbs_read_options *options,
                                         const nurbs_call_options *call, nurbs_model **out) {
     return watched(call, out, [&] { return nurbs_read_model_file(path, options, out); });
-}
-
-nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const *faces, double metres,
-                                nurbs_model **out) {
-    return guard([&] {
-        require_out(out);
-        check_length(count, "count");
-        checked_array(count, "faces");
-        if (count > 0) {
-            require(faces, "faces");
-        }
-        model::check_metres(metres);
-        std::vector<face::FacePtr> given;
-        for (int64_t i = 0; i < count; ++i) {
-            if (faces[i] == nullptr) {
-                fail(Status::null, "faces[%lld] is NULL", static_cast<long long>(i));
-            }
-            const int dim = faces[i]->face->surface()->dim();
-            if (dim != 3) {
-                fail(Status::dimension, "faces[%lld] has dimension %d, expected 3", static_cast<long long>(i),
-                     dim);
-            }
-            given.push_back(faces[i]->face);
-        }
-        give(model::model_of_faces(given, metres), out);
-    });
 }
 
 nurbs_status nurbs_model_clone(const nurbs_model *model, nurbs_model **out) {
@@ -226,7 +196,7 @@ nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index, int64_t *
         check_apart(
             {memory("part", part, 1), memory("end_vertices", end_vertices, 2), memory("shape", shape, 1)},
             {});
-        capi::give(edge.curve, out);
+        give(edge.curve, out);
         put(part, edge.part);
         put_all(end_vertices, edge.vertices);
         put(shape, shape_of(edge.shape));
@@ -250,6 +220,25 @@ nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int6
             places[3 * i + 2] = use.index;
         }
         put(count, static_cast<int64_t>(edge.uses.size()));
+    });
+}
+
+nurbs_status nurbs_model_edge_gaps(const nurbs_model *model, int64_t cap, int64_t *uses, double *gaps,
+                                   int32_t *bounded, int64_t *count) {
+    return guard([&] {
+        const model::Model &own = model_of(model);
+        const int64_t filled = checked_cap(cap, std::ssize(own.edges));
+        check_apart({memory("uses", uses, filled), memory("gaps", gaps, filled),
+                     memory("bounded", bounded, filled), memory("count", count, 1)},
+                    {});
+        const bool wanted = gaps != nullptr || bounded != nullptr;
+        const std::vector<face::Deviation> found = model::edge_gaps(own, wanted ? filled : 0);
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(uses, i, static_cast<int64_t>(own.edges[i].uses.size()));
+            put(gaps, i, wanted ? found[i].distance : 0);
+            put(bounded, i, wanted && found[i].proven ? 1 : 0);
+        }
+        put(count, static_cast<int64_t>(own.edges.size()));
     });
 }
 

@@ -7630,6 +7630,60 @@ NURBS_API nurbs_status nurbs_read_model_file_with(const char *path, const nurbs_
 NURBS_API nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const *faces, double metres,
                                           nurbs_model **out);
 
+/** \brief A model of patches that do not know each other, with one part and one use of it: pieces of their
+ * boundaries that lie along each other become common edges, so that nurbs_mesh_model() makes a mesh without gaps.
+ * A whole surface is sewn as the face without loops of nurbs_face_create().
+ *
+ * **When two pieces are one edge.** The boundary of a face is what its surface makes of the curves of its loops;
+ * edges in space that it was given are left out. Ends of these curves that are no farther from each other than the
+ * tolerance are one vertex. Where a vertex is within the tolerance of a curve that does not end there, the curve is
+ * cut if a common edge begins or ends there, as where two sides meet a longer one. Pieces between the same vertices
+ * are one edge if each is proven to lie within the tolerance of the other, and their ends of each other (nearest
+ * ones at equal parameters, else the two-sided Hausdorff distance): of curves whose distance is below the tolerance
+ * by less than a thousandth of it that may be left open, and then they are not. There is no limit to the faces at an
+ * edge. Where not all pieces are within the tolerance of each other those that most others are near to have the
+ * others at them, so that the order of the faces changes no count.
+ *
+ * **Nothing is moved.** The curve of an edge is one of the pieces: that of the first face, where there are two.
+ * How far those of the others are from it is in nurbs_face_deviation(), and in nurbs_model_edge_gaps() with the
+ * number of uses, by which free edges are told from common ones. Curves of edges are clamped; those along a
+ * parameter have the degree of the surface along it.
+ *
+ * **What closes up in itself.** A face that is the whole of its surface has its boundaries at the tolerance of
+ * sewing: those that meet are no edges (a seam), and those that are no larger than the tolerance are poles, unless
+ * the whole surface is so thin that two of its sides would meet all along. Of other faces two curves of one loop may
+ * be one edge. Pieces of curves within the tolerance of a point are left out of loops, unless these consist of
+ * nothing else, and their ends become one vertex. A closed curve has a vertex where it begins.
+ *
+ * Faces keep their order and their surfaces, and are named by their numbers. Their tolerances become as large as the
+ * distances of their curves from the edges, as a thousandth of the tolerance, and as is needed for them to close up
+ * as they do. Faces that hang
+ * together by edges with two uses are seen from the side of the first one of them: others that are turned against
+ * it have `against` in nurbs_model_face(). nurbs_model_volume() tells what closed ones hold.
+ *
+ * Costs: some nearest points and one comparison of curves for each edge; for n sides that end at the same two
+ * vertices n^2 comparisons.
+ * \param[in] count number of faces, at least 1.
+ * \param[in] faces [count] faces of surfaces of dimension 3, no two of them the same in surface and curves.
+ * \param[in] tolerance the largest distance in space that counts as none, > 0 and finite.
+ * \param[in] metres metres per unit of length, >= 0; 0 leaves it open.
+ * \param[out] out the new model.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _FACTOR, _NOT_CONVERGED,
+ *   _NOT_REPRESENTABLE; _SAME naming two faces that are the same; _ORIENTATION, _GAP or _OUTSIDE_DOMAIN naming a
+ *   face that is nothing at the tolerance.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_sew(int64_t count, const nurbs_face *const *faces, double tolerance,
+                                       double metres, nurbs_model **out);
+
+/** \brief nurbs_model_sew() as a call that can be watched and ended.
+ * \param[in] count,faces,tolerance,metres as for nurbs_model_sew().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_model_sew(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_sew_with(int64_t count, const nurbs_face *const *faces, double tolerance,
+                                            double metres, const nurbs_call_options *call, nurbs_model **out);
+
 /** \brief Another handle on the same model, in constant time.
  * \param[in] model a model.
  * \param[out] out the new handle.
@@ -7728,6 +7782,19 @@ NURBS_API nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index,
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap,
                                              int64_t *places, int64_t *count);
+
+/** \brief How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how far
+ * the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation() finds it.
+ * \param[in] model a model.
+ * \param[in] cap length of the arrays, 0 to ask for the number of edges.
+ * \param[out] uses [cap] or NULL.
+ * \param[out] gaps [cap] or NULL: distances; 0 of an edge that no face uses.
+ * \param[out] bounded [cap] or NULL: 1 if that is a bound, 0 if it is the largest one seen.
+ * \param[out] count or NULL: the number of edges.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_edge_gaps(const nurbs_model *model, int64_t cap, int64_t *uses,
+                                             double *gaps, int32_t *bounded, int64_t *count);
 
 /** \brief The point of a vertex, in the coordinates of its part.
  * \param[in] model a model.

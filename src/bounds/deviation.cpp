@@ -288,4 +288,13 @@ pieces::Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval
     return pieces.enclosure(pieces.uppers());
 }
 
+double deviation_below(const Spline &f, const Spline &g, double limit) {
+    constexpr pieces::SearchLimits close{0x1p-10, 6000};
+    const DeviationPieces pieces(f, g);
+    const std::vector<double> uppers = pieces.uppers();
+    const pieces::Enclosure found = pieces.enclosure(uppers);
+    const bool open = found.lower <= limit && found.upper > limit;
+    return open ? pieces.enclosure(uppers, close).upper : found.upper;
+}
+
 } // namespace nrb::bounds

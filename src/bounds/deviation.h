@@ -67,4 +67,8 @@ private:
 pieces::Enclosure deviation(const Spline &f, const Spline &g);
 pieces::Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part);
 
+// An upper bound of the same, whose search goes on while the bounds leave open whether the deviation is above the limit, until they
+// agree to a thousandth.
+double deviation_below(const Spline &f, const Spline &g, double limit);
+
 } // namespace nrb::bounds

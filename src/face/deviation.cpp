@@ -6,6 +6,7 @@
 #include "closest/closest.h"
 #include "closest/pair/hausdorff.h"
 #include "eval/curve_point.h"
+#include "face/made/along_feet.h"
 #include "numeric/vector3.h"
 #include "refine/forms/parametrization.h"
 #include "spline/part.h"
@@ -28,14 +29,22 @@ MadeCurve over(const Face &face, const Coedge &coedge) {
 }
 
 // The two as curves of equal parameters, if their domains can be made the same.
-std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePtr &edge, bool against) {
+std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePtr &edge, bool against,
+                                          double tolerance) {
     try {
         const SplinePtr along = against ? refine::reverse(*edge, 0, false) : edge;
         const SplinePtr same = refine::reparametrize(along, 0, image->axis(0).domain());
-        return bounds::deviation(*image, *same).upper;
+        return bounds::deviation_below(*image, *same, tolerance);
     } catch (const Error &) { // knots would merge
         return std::nullopt;
     }
+}
+
+// Where parameters of nearest points belong together, those on the one or on the other.
+double along_feet(const SplinePtr &a, const SplinePtr &b, bool against, double tolerance) {
+    const SplinePtr along = against ? refine::reverse(*b, 0, false) : b;
+    const double there = distance_along_feet(a, along, tolerance);
+    return there <= tolerance ? there : std::min(there, distance_along_feet(along, a, tolerance));
 }
 
 using Ends = std::array<Vector3, 2>;
@@ -50,14 +59,19 @@ Ends ends_of(const Spline &curve) {
     return ends;
 }
 
-// The larger distance of two ends, of those that are nearer; 0 for curves that are closed, to whose ends nothing is tied.
+// The larger distance of two ends, of curves that run alike or against each other.
+double distance_of_ends(const Ends &x, const Ends &y, bool against) noexcept {
+    const size_t first = against ? 1 : 0;
+    return std::max(length(x[0] - y[first]), length(x[1] - y[1 - first]));
+}
+
+// Of those that are nearer; 0 for curves that are closed, to whose ends nothing is tied.
 double distance_of_ends(const Spline &a, const Spline &b, double tolerance) {
     const Ends x = ends_of(a), y = ends_of(b);
     if (length(x[0] - x[1]) <= tolerance && length(y[0] - y[1]) <= tolerance) {
         return 0;
     }
-    return std::min(std::max(length(x[0] - y[0]), length(x[1] - y[1])),
-                    std::max(length(x[0] - y[1]), length(x[1] - y[0])));
+    return std::min(distance_of_ends(x, y, false), distance_of_ends(x, y, true));
 }
 
 // How far a place of a curve is from another one, if any of some is farther than the tolerance.
@@ -99,9 +113,14 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
     if (coedge.edge == nullptr) {
         return {image.distance, image.proven};
     }
-    const std::optional<double> equal = at_equal_parameters(image.curve, coedge.edge, coedge.against);
+    const std::optional<double> equal =
+        at_equal_parameters(image.curve, coedge.edge, coedge.against, face.tolerance());
     if (equal && *equal + image.distance <= face.tolerance()) {
         return {*equal + image.distance, image.proven};
+    }
+    const double along = along_feet(image.curve, coedge.edge, coedge.against, face.tolerance());
+    if (along + image.distance <= face.tolerance()) {
+        return {along + image.distance, image.proven};
     }
     return to_nearest(image, *coedge.edge, face.tolerance());
 }
@@ -117,7 +136,7 @@ double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance)
         }
     }
     for (const bool against : {false, true}) {
-        if (at_equal_parameters(a, b, against).value_or(HUGE_VAL) <= tolerance) {
+        if (at_equal_parameters(a, b, against, tolerance).value_or(HUGE_VAL) <= tolerance) {
             return 0;
         }
     }
@@ -126,6 +145,66 @@ double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance)
     };
     const double distance = std::max(least(*a, *b), least(*b, *a));
     return distance > tolerance ? distance : 0;
+}
+
+namespace {
+
+// Whether places of a follow one another on b from its end to its start; what is near both ends of closed curves decides nothing.
+bool feet_fall(const Spline &a, const Spline &b, double tolerance) {
+    double at[2];
+    for (const size_t k : {size_t{0}, size_t{1}}) {
+        const std::vector<double> x =
+            eval::curve_point(a, parameter_in(a.axis(0).domain(), k == 0 ? 0.375 : 0.625), false);
+        at[k] = closest::locator_of(b)
+                    .nearest({x.data(), nullptr, tolerance / 16, closest::usual_budget(b), false, true})
+                    .params[0];
+    }
+    return at[0] > at[1];
+}
+
+// Within the tolerance for certain: once more closely, where the first search leaves that open.
+std::optional<double> two_sided(const Spline &a, const Spline &b, double tolerance) {
+    for (const double share : {0x1p-4, 0x1p-10}) {
+        const auto there = closest::one_sided_distance(a, b, share * tolerance, most_compared),
+                   back = closest::one_sided_distance(b, a, share * tolerance, most_compared);
+        if (std::max(there.at_least, back.at_least) > tolerance) {
+            break;
+        }
+        if (const double most = std::max(there.at_most, back.at_most); most <= tolerance) {
+            return most;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+// What is cheap comes first, as above.
+std::optional<CurveMatch> match_within(const SplinePtr &a, const SplinePtr &b, double tolerance) {
+    const Ends x = ends_of(*a), y = ends_of(*b);
+    std::vector<bool> directions;
+    for (const bool against : {false, true}) {
+        if (distance_of_ends(x, y, against) <= tolerance) {
+            directions.push_back(against);
+        }
+    }
+    if (directions.empty() || far_place(*a, *b, tolerance) > tolerance ||
+        far_place(*b, *a, tolerance) > tolerance) {
+        return std::nullopt;
+    }
+    for (const bool against : directions) {
+        const double apart = at_equal_parameters(a, b, against, tolerance).value_or(HUGE_VAL);
+        if (apart <= tolerance) {
+            return CurveMatch{apart, against};
+        }
+    }
+    const bool against = directions.size() == 1 ? directions.front() : feet_fall(*a, *b, tolerance);
+    const double along = along_feet(a, b, against, tolerance);
+    if (along <= tolerance) {
+        return CurveMatch{along, against};
+    }
+    const std::optional<double> apart = two_sided(*a, *b, tolerance);
+    return apart ? std::optional(CurveMatch{*apart, against}) : std::nullopt;
 }
 
 } // namespace nrb::face

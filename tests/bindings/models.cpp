@@ -2,6 +2,7 @@
 // Models through the C++ wrapper: bushing.step, the path of which is the argument.
 #include "expect.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -31,6 +32,22 @@ static void copies(const Model &model) {
     const Model two = Model::create(faces, 0.001);
     EXPECT(two.counts().faces == 2 && two.face_name(1) == "1" && two.part(0).empty());
     EXPECT(status_of([&] { (void)Model::create(faces, -1); }) == Status::factor);
+}
+
+// Its faces know each other again, without their keys.
+static void sewn(const Model &model) {
+    std::vector<Face> faces;
+    for (std::int64_t i = 0; i < 4; ++i) {
+        faces.push_back(ModelFace(model.face(i)).face);
+    }
+    const Model again = Model::sew(faces, 1e-6, 0.001),
+                watched = Model::sew(faces, 1e-6, 0.001, CallOptions());
+    EXPECT(again.counts().edges == 6 && watched.counts().edges == 6);
+    const EdgeGaps gaps = again.edge_gaps();
+    EXPECT(gaps.uses == std::vector<std::int64_t>(6, 2) && gaps.bounded == std::vector<std::int32_t>(6, 1));
+    EXPECT(*std::max_element(gaps.gaps.begin(), gaps.gaps.end()) < 1e-6);
+    EXPECT(status_of([&] { (void)Model::sew(faces, 0); }) == Status::tolerance);
+    EXPECT(status_of([&] { (void)Model::sew({}, 1); }) == Status::count);
 }
 
 // The same again of what is written, to memory and to a file.
@@ -99,6 +116,7 @@ int main(int count, char **arguments) {
         const Model model = Model::read_file(arguments[1]);
         is_the_bushing(model);
         copies(model);
+        sewn(model);
         written(model);
         bytes(model);
         rays(model);

@@ -30,6 +30,7 @@ program models
     call expect(text == '1', 'a number as a name')
     call two%get_use(1, parent, part)
     call expect(parent == 0 .and. part == 1, 'the part in the whole')
+    call sew_faces(model)
     call written()
     call cast_rays()
     call cut()
@@ -135,6 +136,26 @@ contains
         call bushing%face(5, bore, status=code)
         call expect(code == NURBS_ERROR_INDEX, 'no fifth face')
     end subroutine is_the_bushing
+
+    subroutine sew_faces(bushing)
+        type(nurbs_model), intent(in) :: bushing
+        type(nurbs_model) :: again
+        type(nurbs_face) :: all_faces(4)
+        integer(c_int64_t), allocatable :: uses(:)
+        real(c_double), allocatable :: gaps(:)
+        integer(c_int32_t), allocatable :: bounded(:)
+        integer :: k
+        do k = 1, 4
+            call bushing%face(k, all_faces(k))
+        end do
+        call again%sew(all_faces, 1d-6, 0.001d0)
+        call again%edge_gaps(uses, gaps, bounded)
+        call expect(size(uses) == 6 .and. all(uses == 2) .and. all(gaps < 1d-6) .and. all(bounded == 1), 'sewn faces')
+        call again%sew(all_faces, 1d-6, call=nurbs_call(work=1), status=code)
+        call expect(code == NURBS_ERROR_WORK, 'a limit of work for sewing')
+        call again%sew(all_faces, 0d0, status=code)
+        call expect(code == NURBS_ERROR_TOLERANCE, 'no tolerance')
+    end subroutine sew_faces
 
     subroutine bytes_and_back(bushing)
         type(nurbs_model), intent(in) :: bushing

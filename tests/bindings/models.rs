@@ -25,6 +25,20 @@ fn is_the_bushing(model: &Model) -> Result<()> {
     Ok(())
 }
 
+/// Its faces know each other again, without their keys.
+fn sewn(model: &Model) -> Result<()> {
+    let faces = (0..4).map(|i| Ok(model.face(i)?.face)).collect::<Result<Vec<Face>>>()?;
+    let given: Vec<&Face> = faces.iter().collect();
+    let again = Model::sew(&given, 1e-6, 0.001)?;
+    assert_eq!(again.counts()?.edges, Model::sew_with(&given, 1e-6, 0.001, &mut Call::new())?.counts()?.edges);
+    let gaps = again.edge_gaps()?;
+    assert_eq!((gaps.uses, gaps.bounded), (vec![2; 6], vec![1; 6]));
+    assert!(gaps.gaps.iter().all(|gap| *gap < 1e-6));
+    assert_eq!(status_of(Model::sew(&given, 0.0, 0.0)), sys::NURBS_ERROR_TOLERANCE);
+    assert_eq!(status_of(Model::sew(&[], 1.0, 0.0)), sys::NURBS_ERROR_COUNT);
+    Ok(())
+}
+
 /// The same again of what is written, to memory and to a file.
 fn written(model: &Model) -> Result<()> {
     let bytes = model.write(sys::NURBS_FORMAT_STEP, None)?;
@@ -87,6 +101,7 @@ fn main() -> Result<()> {
     is_the_bushing(&model)?;
     is_the_bushing(&model.clone())?;
     sections(&model)?;
+    sewn(&model)?;
     written(&model)?;
     bytes(&model)?;
     rays(&model)?;

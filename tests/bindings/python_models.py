@@ -158,6 +158,22 @@ class Models(unittest.TestCase):
         self.assertEqual(status_of(lambda: nurbs.Model(self.model.faces[:2]).volume()), nurbs.NURBS_ERROR_GAP)
         self.assertEqual(status_of(lambda: self.model.volume(work=1)), nurbs.NURBS_ERROR_WORK)
 
+    def test_sewing(self):
+        faces = [nurbs.Face(face.surface, face.curves, tolerance=1e-6) for face in self.model.faces]
+        gaps = nurbs.Model(faces).edge_gaps()
+        self.assertEqual(set(gaps.uses.tolist()), {1})
+        sewn = nurbs.Model.sew(faces, 1e-6, 0.001)
+        found = sewn.edge_gaps()
+        self.assertEqual((set(found.uses.tolist()), set(found.bounded.tolist()), sewn.unit), ({2}, {1}, 0.001))
+        self.assertTrue(np.all(found.gaps < 1e-6))
+        self.assertAlmostEqual(sewn.volume(1e-9).volume, 64 * math.pi, 6)
+        self.assertEqual(status_of(lambda: nurbs.Model.sew([], 1e-6)), nurbs.NURBS_ERROR_COUNT)
+        self.assertEqual(status_of(lambda: nurbs.Model.sew(faces, 0)), nurbs.NURBS_ERROR_TOLERANCE)
+        self.assertEqual(status_of(lambda: nurbs.Model.sew(faces + faces[:1], 1e-6)), nurbs.NURBS_ERROR_SAME)
+        self.assertEqual(status_of(lambda: nurbs.Model.sew(faces, 1e-6, work=1)), nurbs.NURBS_ERROR_WORK)
+        with self.assertRaises(TypeError):
+            nurbs.Model.sew([BUSHING], 1e-6)
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))

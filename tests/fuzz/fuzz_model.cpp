@@ -455,6 +455,45 @@ Face any_face(Input &in) {
     return Face(face);
 }
 
+// Faces keep their numbers, edges have the uses that they tell, and what is sewn can be sewn again.
+void sew(Input &in, const std::vector<const nurbs_face *> &given) {
+    const nurbs_call_options call = limited(5'000'000);
+    const double tolerance = in.rarely() ? in.anything() : std::ldexp(1, -in.below(30));
+    nurbs_model *out = reinterpret_cast<nurbs_model *>(fuzz::poison());
+    Model model = MODEL_MADE(
+        nurbs_model_sew_with(std::ssize(given), given.data(), tolerance, in.below(2), &call, &out), out);
+    if (!model) {
+        return;
+    }
+    const Counts n = counts_of(model.get());
+    FUZZ_REQUIRE(n.faces == std::ssize(given));
+    std::vector<int64_t> uses(static_cast<size_t>(n.edges));
+    std::vector<double> gaps(uses.size());
+    FUZZ_REQUIRE(nurbs_model_edge_gaps(model.get(), n.edges, uses.data(), nullptr, nullptr, nullptr) ==
+                 NURBS_OK);
+    for (int64_t i = 0; i < n.edges; ++i) {
+        FUZZ_REQUIRE(use_places(model.get(), n, i) == uses[static_cast<size_t>(i)]);
+        use_edge(model.get(), n, i);
+    }
+    if (n.faces <= 3 &&
+        FUZZ_OK(nurbs_model_edge_gaps(model.get(), n.edges, nullptr, gaps.data(), nullptr, nullptr))) {
+        for (const double gap : gaps) {
+            FUZZ_REQUIRE(gap >= 0);
+        }
+    }
+    std::vector<Face> faces;
+    std::vector<const nurbs_face *> again;
+    for (int64_t i = 0; i < n.faces; ++i) {
+        faces.push_back(face_of(model.get(), n, i));
+        again.push_back(faces.back().get());
+    }
+    out = nullptr;
+    model = MODEL_MADE(n.faces <= 2 ? nurbs_model_sew(n.faces, again.data(), tolerance, 0, &out)
+                                    : nurbs_model_sew_with(n.faces, again.data(), tolerance, 0, &call, &out),
+                       out);
+    FUZZ_REQUIRE(!model || counts_of(model.get()).faces == n.faces);
+}
+
 void of_faces(Input &in) {
     std::vector<Face> faces;
     std::vector<const nurbs_face *> given;
@@ -476,6 +515,7 @@ void of_faces(Input &in) {
     }
     FUZZ_REQUIRE(nurbs_model_clone(model.get(), &clone) == NURBS_OK);
     model.reset();
+    sew(in, given);
     faces.clear();
     const Model kept(clone);
     FUZZ_REQUIRE(counts_of(clone).faces == count);

@@ -4129,6 +4129,27 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_create
+        !> A model of patches that do not know each other, with one part and one use of it: pieces of their
+        !> boundaries that lie along each other become common edges, so that nurbs_mesh_model() makes a mesh
+        !> without gaps.
+        function nurbs_model_sew(count, faces, tolerance, metres, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: faces(*)
+            real(c_double), value :: tolerance, metres
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_sew
+        !> nurbs_model_sew() as a call that can be watched and ended.
+        function nurbs_model_sew_with(count, faces, tolerance, metres, call, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: faces(*)
+            real(c_double), value :: tolerance, metres
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_sew_with
         !> Another handle on the same model, in constant time.
         function nurbs_model_clone(model, out) bind(c) result(r)
             import
@@ -4206,6 +4227,18 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: places(*), count
             integer(c_int32_t) :: r
         end function nurbs_model_edge_uses
+        !> How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how
+        !> far the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation()
+        !> finds it.
+        function nurbs_model_edge_gaps(model, cap, uses, gaps, bounded, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: uses(*), count
+            real(c_double), intent(inout), optional :: gaps(*)
+            integer(c_int32_t), intent(inout), optional :: bounded(*)
+            integer(c_int32_t) :: r
+        end function nurbs_model_edge_gaps
         !> The point of a vertex, in the coordinates of its part.
         function nurbs_model_vertex(model, index, point) bind(c) result(r)
             import

@@ -5,15 +5,15 @@
 module nurbs_models
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_counts, &
-        nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
-        nurbs_model_edge_uses, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, nurbs_model_instances, &
-        nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, nurbs_model_classify, nurbs_model_area, &
-        nurbs_model_volume, nurbs_model_splines, nurbs_model_spline_layers, nurbs_model_layer_count, &
-        nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, nurbs_read_model_with, &
-        nurbs_read_model_file_with, nurbs_model_rays_with, nurbs_model_ray_hits_with, nurbs_model_closest_points_with, &
-        nurbs_model_classify_with, nurbs_model_area_with, nurbs_model_volume_with, nurbs_model_write_file_with, &
-        nurbs_read_options, nurbs_write_options
+    use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_sew, &
+        nurbs_model_counts, nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, &
+        nurbs_model_edge, nurbs_model_edge_uses, nurbs_model_edge_gaps, nurbs_model_vertex, nurbs_model_part, &
+        nurbs_model_use, nurbs_model_instances, nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, &
+        nurbs_model_classify, nurbs_model_area, nurbs_model_volume, nurbs_model_splines, nurbs_model_spline_layers, &
+        nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, &
+        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_sew_with, nurbs_model_rays_with, &
+        nurbs_model_ray_hits_with, nurbs_model_closest_points_with, nurbs_model_classify_with, nurbs_model_area_with, &
+        nurbs_model_volume_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -26,9 +26,9 @@ module nurbs_models
     !> Faces and the edges that they share, in parts; an assignment makes another handle on the same model.
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
-        procedure :: read, read_file, create, counts, face, face_name, face_solid, face_layers, edge, edge_uses, vertex
-        procedure :: part, get_use, instances, rays, ray_hits, closest_points, classify, get_area, get_volume, splines
-        procedure :: spline_layers, layer_count, layer, write_file, from_bytes
+        procedure :: read, read_file, create, sew, counts, face, face_name, face_solid, face_layers, edge, edge_uses
+        procedure :: edge_gaps, vertex, part, get_use, instances, rays, ray_hits, closest_points, classify, get_area
+        procedure :: get_volume, splines, spline_layers, layer_count, layer, write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -83,6 +83,28 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine create
+
+    !> A model of faces that do not know each other: pieces of their boundaries within the tolerance become common
+    !> edges.
+    subroutine sew(this, faces, tolerance, metres, status, call)
+        class(nurbs_model), intent(inout) :: this
+        type(nurbs_face), intent(in) :: faces(:)
+        real(c_double), intent(in) :: tolerance
+        real(c_double), intent(in), optional :: metres
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: count
+        type(c_ptr) :: made
+        count = size(faces, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_model_sew_with(count, handles_of(faces), tolerance, given(metres, 0d0), watched(call), made)
+        else
+            code = nurbs_model_sew(count, handles_of(faces), tolerance, given(metres, 0d0), made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine sew
 
     !> How much it holds.
     subroutine counts(this, parts, uses, faces, edges, vertices, status)
@@ -192,6 +214,25 @@ contains
         if (code == NURBS_OK) places = transpose(places_c) + 1
         call settle(code, status)
     end subroutine edge_uses
+
+    !> How well faces meet at its edges: the number of uses of each, and how far the curves of faces are from it.
+    subroutine edge_gaps(this, uses, gaps, bounded, status)
+        class(nurbs_model), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: uses(:)
+        real(c_double), allocatable, intent(inout) :: gaps(:)
+        integer(c_int32_t), allocatable, intent(inout) :: bounded(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_model_edge_gaps(this%handle, 0_c_int64_t, count=n)
+        if (allocated(uses)) deallocate (uses)
+        if (allocated(gaps)) deallocate (gaps)
+        if (allocated(bounded)) deallocate (bounded)
+        allocate (uses(n), gaps(n), bounded(n))
+        if (code == NURBS_OK) code = nurbs_model_edge_gaps(this%handle, n, uses, gaps, bounded)
+        call settle(code, status)
+    end subroutine edge_gaps
 
     !> The point of a vertex.
     subroutine vertex(this, index, point, status)

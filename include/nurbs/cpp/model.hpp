@@ -58,6 +58,13 @@ struct ModelEdge {
     std::int32_t shape;                   ///< The kind of its curve: a shape, that of none for a spline.
 };
 
+/// How well faces meet at the edges of a model.
+struct EdgeGaps {
+    std::vector<std::int64_t> uses;    ///< How many uses each edge has, 1 where a face ends.
+    std::vector<double> gaps;          ///< How far the curves of faces are from the edge, at most.
+    std::vector<std::int32_t> bounded; ///< 1 if that is a bound, 0 if it is the largest distance seen.
+};
+
 /// A use of a part.
 struct ModelUse {
     std::int64_t parent;                            ///< The part in which it is placed, -1 for the whole.
@@ -141,6 +148,20 @@ public:
         return detail::made<Model>(nurbs_model_create, detail::length(faces),
                                    detail::handle_list(faces).data(), metres);
     }
+    /// A model of faces that do not know each other: pieces of their boundaries within the tolerance become
+    /// common edges.
+    [[nodiscard]] static Returned<Model> sew(std::span<const Face> faces, double tolerance,
+                                             double metres = 0) {
+        return detail::made<Model>(nurbs_model_sew, detail::length(faces), detail::handle_list(faces).data(),
+                                   tolerance, metres);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> sew(std::span<const Face> faces, double tolerance, double metres,
+                                             const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_model_sew_with, detail::length(faces),
+                                   detail::handle_list(faces).data(), tolerance, metres, watch.get());
+    }
     /// How much it holds.
     [[nodiscard]] Returned<ModelCounts> counts() const {
         ModelCounts found{};
@@ -199,6 +220,21 @@ public:
         values = detail::room<std::int64_t>(count, 3);
         ask(count);
         return values;
+    }
+    /// How well faces meet at its edges: the number of uses of each, and how far the curves of faces are from it.
+    [[nodiscard]] Returned<EdgeGaps> edge_gaps() const {
+        EdgeGaps found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_model_edge_gaps, get(), cap, found.uses.data(), found.gaps.data(),
+                         found.bounded.data(), &count);
+        };
+        ask(0);
+        found.uses = detail::room<std::int64_t>(count);
+        found.gaps = detail::room(count);
+        found.bounded = detail::room<std::int32_t>(count);
+        ask(count);
+        return found;
     }
     /// The point of a vertex.
     [[nodiscard]] Returned<std::array<double, 3>> vertex(std::int64_t index) const {

@@ -18,6 +18,12 @@ namespace {
 // Rounds of adding vertices for the sake of faces, each between two others.
 constexpr int most_polyline_rounds = 12;
 
+// Whether a vertex would be where one end of a segment is, but for rounding: two faces ask for one place of their edge.
+bool is_beside(double param, Interval segment) noexcept {
+    const double room = 0x1p-20 * (segment.upper - segment.lower);
+    return param - segment.lower <= room || segment.upper - param <= room;
+}
+
 } // namespace
 
 ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : model_(model), borders_(model) {
@@ -41,6 +47,7 @@ ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : mo
     }
     Steps steps(std::ssize(lines_));
     for (size_t line = 0; line < lines_.size(); ++line, steps.next()) {
+        align_fixed(line);
         make_line(line, rule);
     }
     for (Use &use : uses_) {
@@ -177,6 +184,31 @@ void ModelEdges::fix(const face::BorderPlace &place, const face::Point2 &x) {
     use.fixed.push_back({place.param, use.pairing->on_edge(place.param), x});
 }
 
+// What faces have at one place of an edge, but for rounding, is at one parameter, and so is what is at its ends.
+void ModelEdges::align_fixed(size_t line) {
+    const Interval domain = curves_[line]->axis(0).domain();
+    const double room = 0x1p-36 * (domain.upper - domain.lower);
+    std::vector<std::pair<Fixed *, size_t>> all;
+    for (const size_t at : users_[line]) {
+        for (Fixed &fixed : uses_[at].fixed) {
+            all.emplace_back(&fixed, at);
+        }
+    }
+    std::ranges::sort(all, {}, [](const auto &own) { return own.first->edge; });
+    double before = domain.lower;
+    size_t by = uses_.size(); // any other face may be there, too
+    for (const auto &[fixed, use] : all) {
+        if (fixed->edge - before <= room && use != by) {
+            fixed->edge = before;
+        } else if (domain.upper - fixed->edge <= room) {
+            fixed->edge = domain.upper;
+        } else {
+            before = fixed->edge;
+            by = use;
+        }
+    }
+}
+
 std::vector<double> ModelEdges::fixed_params(size_t line) const {
     const Interval domain = curves_[line]->axis(0).domain();
     std::vector<double> result;
@@ -307,7 +339,7 @@ std::vector<int64_t> ModelEdges::add_vertex(int64_t number, double param) {
     const auto at = static_cast<size_t>(number);
     EdgeLine &line = lines_[at];
     const auto next = std::ranges::lower_bound(line.params, param);
-    if (next == line.params.begin() || next == line.params.end() || *next == param) {
+    if (next == line.params.begin() || next == line.params.end() || is_beside(param, {*(next - 1), *next})) {
         return {};
     }
     const std::vector<double> x = eval::curve_point(*curves_[at], param, false);

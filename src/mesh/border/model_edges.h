@@ -55,7 +55,7 @@ public:
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[use_at(face, loop, index)].line);
     }
-    // A further vertex of a polyline, unless it has one there; the faces that have it. Points keep their numbers.
+    // A further vertex of a polyline, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
     std::vector<int64_t> add_vertex(int64_t line, double param);
 
 private:
@@ -82,6 +82,7 @@ private:
     void add_fixed(int64_t face);
     void fix_behind(const face::BorderPlace &place, bool turned, const LinePassage &passage);
     void fix(const face::BorderPlace &place, const face::Point2 &x);
+    void align_fixed(size_t line);
     void make_line(size_t line, const PolylineRule &rule);
     [[nodiscard]] std::vector<double> fixed_params(size_t line) const;
     [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params,

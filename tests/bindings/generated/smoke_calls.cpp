@@ -770,6 +770,21 @@ void data(const Inputs &in) {
         const auto found = n::Model::create(std::vector<n::Face>{in.face, in.face}, 0.001);
         show("out", found);
     }
+    {
+        begin("model_sew");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const auto found = n::Model::sew(std::vector<n::Face>{in.face, ball_face}, 1e-06, 0.001);
+        show("out", found);
+    }
+    {
+        begin("model_edge_gaps");
+        const auto found = in.model.edge_gaps();
+        show("uses", found.uses);
+        show("gaps", found.gaps);
+        show("bounded", found.bounded);
+    }
     by_hand("model_clone");
     by_hand("model_destroy");
     {
@@ -1238,6 +1253,14 @@ void data(const Inputs &in) {
         n::ReadOptions options;
         options.unit = 0.001;
         const auto found = n::Model::read_file(solid_path(), options, watched());
+        show("out", found);
+    }
+    {
+        begin("model_sew_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const auto found = n::Model::sew(std::vector<n::Face>{in.face, ball_face}, 1e-06, 0.001, watched());
         show("out", found);
     }
     by_hand("model_write_with");

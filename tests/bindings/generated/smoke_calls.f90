@@ -1630,6 +1630,29 @@ contains
             call found%create(faces=faces_given, metres=0.001d0)
             call show('out', found)
         end block
+        call begin('model_sew')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_face) :: faces_given(2)
+            type(nurbs_model) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = face
+            faces_given(2) = ball_face
+            call found%sew(faces=faces_given, tolerance=1d-06, metres=0.001d0)
+            call show('out', found)
+        end block
+        call begin('model_edge_gaps')
+        block
+            integer(c_int64_t), allocatable :: uses_found(:)
+            real(c_double), allocatable :: gaps_found(:)
+            integer(c_int32_t), allocatable :: bounded_found(:)
+            call model%edge_gaps(uses=uses_found, gaps=gaps_found, bounded=bounded_found)
+            call show('uses', uses_found)
+            call show('gaps', gaps_found)
+            call show('bounded', bounded_found)
+        end block
         call by_hand('model_clone')
         call by_hand('model_destroy')
         call begin('model_face')
@@ -2350,6 +2373,20 @@ contains
             options_given%unit = 0.001d0
             call found%read_file(path=written('smoke_calls_fortran.solid', solid_text), options=options_given, &
                 call=watching)
+            call show('out', found)
+        end block
+        call begin('model_sew_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_face) :: faces_given(2)
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = face
+            faces_given(2) = ball_face
+            call found%sew(faces=faces_given, tolerance=1d-06, metres=0.001d0, call=watching)
             call show('out', found)
         end block
         call by_hand('model_write_with')

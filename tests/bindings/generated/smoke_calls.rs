@@ -1343,6 +1343,26 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::create(&[&given.face, &given.face], 0.001)?;
         show("out", &found);
     }
+    begin("model_sew");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let found = Model::sew(&[&given.face, &ball_face], 1e-06, 0.001)?;
+        show("out", &found);
+    }
+    begin("model_edge_gaps");
+    {
+        let found = given.model.edge_gaps()?;
+        show("uses", &found.uses);
+        show("gaps", &found.gaps);
+        show("bounded", &found.bounded);
+    }
     by_hand("model_clone");
     by_hand("model_destroy");
     begin("model_face");
@@ -1954,6 +1974,24 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::read_file_with(
             written("smoke_calls_rust.solid", SOLID),
             Some(&nurbs::ReadOptions::new()?.unit(0.001)),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("model_sew_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let found = Model::sew_with(
+            &[&given.face, &ball_face],
+            1e-06,
+            0.001,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

@@ -282,6 +282,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_fair, lib.nurbs_fair_with),
         (lib.nurbs_read, lib.nurbs_read_with),
         (lib.nurbs_read_file, lib.nurbs_read_file_with),
+        (lib.nurbs_model_sew, lib.nurbs_model_sew_with),
         (lib.nurbs_read_model, lib.nurbs_read_model_with),
         (lib.nurbs_read_model_file, lib.nurbs_read_model_file_with),
     ]),

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from ._bytes import Contents
     from ._calls import Progress
 
-__all__ = ["EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelInstances", "ModelPoints",
+__all__ = ["EdgeGaps", "EdgeUse", "FaceSolid", "Model", "ModelCounts", "ModelEdge", "ModelFace", "ModelInstances", "ModelPoints",
            "ModelRayHits", "ModelRays", "ModelUse"]
 
 _Item = TypeVar("_Item")
@@ -54,6 +54,15 @@ class EdgeUse(NamedTuple):
     face: int
     loop: int
     place: int
+
+
+class EdgeGaps(NamedTuple):
+    """Of each edge (n,) the number of its uses, 1 where a face ends, how far the curves of faces are from it at most, and
+    whether that is a bound: 1, or 0 if it is the largest distance seen."""
+
+    uses: Int64s
+    gaps: Floats
+    bounded: Int32s
 
 
 class FaceSolid(NamedTuple):
@@ -189,6 +198,13 @@ class _Items(Sequence, Generic[_Item]):  # type: ignore[type-arg]
         return f"<{self._size} {self._what} of a Model>"
 
 
+def _handles_of(faces: List[Face]) -> Any:
+    for face in faces:
+        if not isinstance(face, Face):
+            raise TypeError(f"expected faces, not a {type(face).__name__}")
+    return (ctypes.c_void_p * len(faces))(*(face._handle for face in faces))
+
+
 class Model:
     """Faces with the edges that they share, the vertices at which edges meet, and the parts to which they belong.
 
@@ -215,11 +231,15 @@ class Model:
     def create(cls, faces: Iterable[Face], metres: float = 0.0) -> Model:
         """The same as Model(faces, metres)."""
         given = list(faces)
-        for face in given:
-            if not isinstance(face, Face):
-                raise TypeError(f"expected faces, not a {type(face).__name__}")
-        array = (ctypes.c_void_p * len(given))(*(face._handle for face in given))
-        return cls._made(lib.nurbs_model_create, len(given), array, metres)
+        return cls._made(lib.nurbs_model_create, len(given), _handles_of(given), metres)
+
+    @classmethod
+    def sew(cls, faces: Iterable[Face], tolerance: float, metres: float = 0.0, *, progress: Progress = None,
+            work: Optional[int] = None) -> Model:
+        """A model of faces that do not know each other: pieces of their boundaries that are within the tolerance of each
+        other become common edges. edge_gaps() tells how well they meet, and which edges are free. Raises ArgumentError."""
+        given = list(faces)
+        return cls._made(watched(lib.nurbs_model_sew, progress, work), len(given), _handles_of(given), tolerance, metres)
 
     @classmethod
     def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
@@ -396,6 +416,14 @@ class Model:
                              numpy.int64)
         get(ctypes.c_int64, lib.nurbs_model_edge_uses, self._handle, index, len(places), places.ctypes.data)
         return tuple(EdgeUse(*place) for place in places.tolist())
+
+    def edge_gaps(self) -> EdgeGaps:
+        """How well faces meet at its edges."""
+        n = self.counts.edges
+        found = EdgeGaps(numpy.empty(n, numpy.int64), numpy.empty(n), numpy.empty(n, numpy.int32))
+        get(ctypes.c_int64, lib.nurbs_model_edge_gaps, self._handle, n, found.uses.ctypes.data, found.gaps.ctypes.data,
+            found.bounded.ctypes.data)
+        return found
 
     def vertex(self, index: int) -> Floats:
         """The point of a vertex (3,), in the coordinates of its part."""

@@ -74,6 +74,18 @@ pub struct ModelEdge {
     pub shape: i32,
 }
 
+/// How well faces meet at the edges of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct EdgeGaps {
+    /// How many uses each edge has, 1 where a face ends.
+    pub uses: Vec<i64>,
+    /// How far the curves of faces are from the edge, at most.
+    pub gaps: Vec<f64>,
+    /// 1 if that is a bound, 0 if it is the largest distance seen.
+    pub bounded: Vec<i32>,
+}
+
 /// A use of a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -193,6 +205,30 @@ impl Model {
         Model::made(|out| unsafe { sys::nurbs_model_create(faces.len() as i64, faces.as_ptr(), metres, out) })
     }
 
+    /// A model of faces that do not know each other: pieces of their boundaries within the tolerance become
+    /// common edges.
+    pub fn sew(faces: &[&Face], tolerance: f64, metres: f64) -> Result<Model> {
+        let faces = face_handles(faces);
+        Model::made(|out| unsafe {
+            sys::nurbs_model_sew(faces.len() as i64, faces.as_ptr(), tolerance, metres, out)
+        })
+    }
+
+    /// The same as `sew`; it can be watched and stopped.
+    pub fn sew_with(faces: &[&Face], tolerance: f64, metres: f64, call: &mut Call) -> Result<Model> {
+        let faces = face_handles(faces);
+        Model::made(|out| unsafe {
+            sys::nurbs_model_sew_with(
+                faces.len() as i64,
+                faces.as_ptr(),
+                tolerance,
+                metres,
+                call.options(),
+                out,
+            )
+        })
+    }
+
     /// How much it holds.
     pub fn counts(&self) -> Result<ModelCounts> {
         let mut parts = 0;
@@ -277,6 +313,22 @@ impl Model {
         let mut places = vec![[0; 3]; n];
         check(fill(count, places.as_mut_ptr().cast(), &mut count))?;
         Ok(places)
+    }
+
+    /// How well faces meet at its edges: the number of uses of each, and how far the curves of faces are from
+    /// it.
+    pub fn edge_gaps(&self) -> Result<EdgeGaps> {
+        let fill = |cap, uses, gaps, bounded, count| unsafe {
+            sys::nurbs_model_edge_gaps(self.raw(), cap, uses, gaps, bounded, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut uses = vec![0; n];
+        let mut gaps = vec![0.0; n];
+        let mut bounded = vec![0; n];
+        check(fill(count, uses.as_mut_ptr(), gaps.as_mut_ptr(), bounded.as_mut_ptr(), &mut count))?;
+        Ok(EdgeGaps { uses, gaps, bounded })
     }
 
     /// The point of a vertex.

@@ -4976,6 +4976,27 @@ extern "C" {
         metres: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
+    /// A model of patches that do not know each other, with one part and one use of it: pieces of their
+    /// boundaries that lie along each other become common edges, so that nurbs_mesh_model() makes a mesh
+    /// without gaps.
+    pub fn nurbs_model_sew(
+        count: i64,
+        faces: *const *const nurbs_face,
+        tolerance: f64,
+        metres: f64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_model_sew() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_model_sew_with(
+        count: i64,
+        faces: *const *const nurbs_face,
+        tolerance: f64,
+        metres: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
     /// Another handle on the same model, in constant time.
     pub fn nurbs_model_clone(model: *const nurbs_model, out: *mut *mut nurbs_model) -> nurbs_status;
     /// Frees a handle on a model.
@@ -5056,6 +5077,19 @@ extern "C" {
         index: i64,
         cap: i64,
         places: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how far
+    /// the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation() finds
+    /// it.
+    ///
+    /// May be null: `uses`, `gaps`, `bounded`, `count`.
+    pub fn nurbs_model_edge_gaps(
+        model: *const nurbs_model,
+        cap: i64,
+        uses: *mut i64,
+        gaps: *mut f64,
+        bounded: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
     /// The point of a vertex, in the coordinates of its part.

@@ -786,6 +786,23 @@ const Call group[] = {
          const nurbs_face *const faces[] = {in.face, in.face};
          return nurbs_model_create(2, faces, 0.001, &o.model);
      }},
+    {"model_sew",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         const nurbs_face *const faces[] = {in.face, made_ball_face};
+         return nurbs_model_sew(2, faces, 1e-06, 0.001, &o.model);
+     }},
+    {"model_edge_gaps",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_model_edge_gaps(in.model, 8, o.spans, o.values, o.states, o.spans + 8);
+     }},
     {"model_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_clone(in.model, &o.model);
@@ -1392,6 +1409,21 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_read_model_file_with(solid_path, &options, &call, &o.model);
      }, true},
+    {"model_sew_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         const nurbs_face *const faces[] = {in.face, made_ball_face};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_sew_with(2, faces, 1e-06, 0.001, &call, &o.model);
+     }},
     {"model_write_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
