@@ -2,7 +2,8 @@
 /* Paths of a ball over a face, to mill it: along the sections by planes, and along lines of one distance from the border. The
  * next pass is as far as it may be for the scallops in between to stay below a height, which is proven for each strip between
  * two passes; and how far the ball cuts into the face, or hangs above it, is proven for each segment of a path. Refuses a ball
- * that gouges. Writes the positions of the centre as a table, and a picture.
+ * that gouges. Writes a table of the positions of the centre, with these two
+ * bounds, and a picture.
  * Compile: cc -std=c99 toolpath.c $(pkg-config --cflags --libs nurbs) -lm -o toolpath */
 #include "toolpath/scallops.h"
 
@@ -123,13 +124,13 @@ static int hold(cells *all, strip *s) {
 /* The pass after the last one: the step is shortened until the scallops are low enough, and longer next time if they are lower
  * than that. */
 static pass next_pass(cells *all, const double *normal, const pass *last, double from, double highest,
-                      double *step, double *found) {
+                      double *step) {
     for (;;) {
         const double level = from + *step < highest ? from + *step : 0.5 * (from + highest);
         pass next = pass_at(all, normal, level);
         strip s = {last, &next, last == NULL ? -INFINITY : from, level, 0};
         if (hold(all, &s)) {
-            *found = fmax(*found, s.found);
+            next.scallop = s.found;
             *step = fmin(*step, level - from) *
                     fmin(1.5, fmax(1.05, sqrt(all->tool->scallop / fmax(s.found, 1e-300))));
             return next;
@@ -161,9 +162,8 @@ static job make_job(part *p, const tool *t, const nurbs *guide, const double *no
         }
         j.pass = room(j.pass, (size_t)(j.n + 1) * sizeof *j.pass);
         last = j.n > 0 ? &j.pass[j.n - 1] : NULL;
-        j.pass[j.n] =
-            next_pass(&all, normal, last, last == NULL ? low : last->level, high, &step, &j.scallop);
-        ++j.n;
+        j.pass[j.n] = next_pass(&all, normal, last, last == NULL ? low : last->level, high, &step);
+        j.scallop = fmax(j.scallop, j.pass[j.n++].scallop);
     }
     free_cells(&all);
     return j;
@@ -173,10 +173,12 @@ static job make_job(part *p, const tool *t, const nurbs *guide, const double *no
 
 static void tell(const job *j, const char *name) {
     double length = 0, chord = 0;
-    int i, lines = 0, positions = 0;
+    int i, k, lines = 0, positions = 0;
     for (i = 0; i < j->n; ++i) {
         length += j->pass[i].length;
-        chord = fmax(chord, j->pass[i].chord);
+        for (k = 0; k < j->pass[i].n; ++k) {
+            chord = fmax(chord, j->pass[i].chord[k]);
+        }
         lines += j->pass[i].lines;
         positions += j->pass[i].n;
     }
@@ -190,20 +192,37 @@ static void write_table(FILE *file, const job *j, const char *name) {
     for (i = 0; i < j->n; ++i) {
         const pass *a = &j->pass[i];
         for (k = 0; k < a->n; ++k) {
+            const double *at = a->centre[k];
             line += a->begins[k];
-            fprintf(file, "%s,%d,%d,%.12g,%.12g,%.12g\n", name, i + 1, line, a->centre[k][0], a->centre[k][1],
-                    a->centre[k][2]);
+            fprintf(file, "%s,%d,%d,%.12g,%.12g,%.12g,%.6g,%.6g\n", name, i + 1, line, at[0], at[1], at[2],
+                    a->chord[k], a->scallop);
         }
     }
 }
 
-/* The passes as they touch the face; what is drawn is about as large as the other pictures, so that lines are in front. */
+/* Every third position of a pass, as it touches the face. */
+static void draw_pass(gallery *picture, const pass *a, double scale) {
+    double way[6];
+    int k, c;
+    for (k = 3; k < a->n; k += 3) {
+        if (a->begins[k] || a->begins[k - 1] || a->begins[k - 2]) {
+            continue;
+        }
+        for (c = 0; c < 3; ++c) {
+            way[c] = scale * a->contact[k - 3][c];
+            way[3 + c] = scale * a->contact[k][c];
+        }
+        add_line(picture, "frame", way, 2, 3);
+    }
+}
+
+/* What is drawn is about as large as the other pictures, so that lines are in front. */
 static void draw(gallery *picture, const part *p, const job *j, const char *label) {
-    double matrix[9] = {0}, scale = 0, from[3], to[3];
+    double matrix[9] = {0}, scale = 0;
     nurbs *shown;
-    int i, k, c;
-    for (k = 0; k < 3; ++k) {
-        scale = fmax(scale, p->upper[k] - p->lower[k]);
+    int i;
+    for (i = 0; i < 3; ++i) {
+        scale = fmax(scale, p->upper[i] - p->lower[i]);
     }
     scale = 4 / scale;
     matrix[0] = matrix[4] = matrix[8] = scale;
@@ -211,18 +230,7 @@ static void draw(gallery *picture, const part *p, const job *j, const char *labe
     add_surface(picture, shown, 32, 32, p->outside > 0 ? OPEN : TURNED);
     nurbs_destroy(shown);
     for (i = 0; i < j->n; ++i) {
-        const pass *a = &j->pass[i];
-        for (k = 3; k < a->n; k += 3) {
-            const int start = a->begins[k] || a->begins[k - 1] || a->begins[k - 2] ? -1 : k - 3;
-            for (c = 0; c < 3 && start >= 0; ++c) {
-                from[c] = scale * a->contact[start][c];
-                to[c] = scale * a->contact[k][c];
-            }
-            if (start >= 0) {
-                const double both[6] = {from[0], from[1], from[2], to[0], to[1], to[2]};
-                add_line(picture, "frame", both, 2, 3);
-            }
-        }
+        draw_pass(picture, &j->pass[i], scale);
     }
     end_cell(picture, label);
 }
@@ -301,7 +309,7 @@ int main(int argc, char **argv) {
         return 1;
     }
     open_picture(&picture, argv[2], 2, 1);
-    fputs("kind,pass,line,x,y,z\n", table);
+    fputs("kind,pass,line,x,y,z,chord,scallop\n", table);
     make_all(&p, &t, table, &picture);
     close_picture(&picture);
     if (fclose(table) != 0) {

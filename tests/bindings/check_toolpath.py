@@ -21,7 +21,7 @@ RADIUS, SCALLOP, CHORD = 2.0, 0.05, 0.01
 
 
 def run(program, table, picture, *arguments):
-    """{kind: (what is told, [segments])}, segments as pairs of points"""
+    """{kind: (what is told, [segments])}, segments as pairs of points with their chord"""
     result = subprocess.run([program, table, picture, *map(str, arguments)], capture_output=True, text=True, timeout=250)
     print(result.stdout + result.stderr)
     assert result.returncode == 0 and not result.stderr
@@ -31,11 +31,13 @@ def run(program, table, picture, *arguments):
     places = [tuple(float(row[axis]) for axis in "xyz") for row in rows]
     for before, row, a, b in zip(rows, rows[1:], places, places[1:]):
         if all(before[key] == row[key] for key in ("kind", "pass", "line")):
-            found[row["kind"]][1].append((a, b))
-    for kind, ((passes, lines, positions, length, _, _), segments) in found.items():
+            found[row["kind"]][1].append((a, b, float(row["chord"])))
+    for kind, ((passes, lines, positions, length, scallop, chord), segments) in found.items():
         here = [row for row in rows if row["kind"] == kind]
         assert len(here) == positions and len({row["line"] for row in here}) == lines and passes >= 2
-        assert len(segments) == positions - lines and math.isclose(sum(math.dist(*s) for s in segments), length, rel_tol=1e-5)
+        assert len(segments) == positions - lines and math.isclose(sum(math.dist(a, b) for a, b, _ in segments), length, rel_tol=1e-5)
+        for name, bound in (("chord", chord), ("scallop", scallop)):
+            assert 0 <= min(float(row[name]) for row in here) and max(float(row[name]) for row in here) <= bound * (1 + 1e-3)
     return found
 
 
@@ -51,12 +53,12 @@ def check_face(found, height, samples):
     assert sorted(found) == ["border", "planes"]
     for (_, _, _, _, scallop, chord), segments in found.values():
         assert scallop <= SCALLOP and chord <= CHORD
-        for a, b in segments:
+        for a, b, own_chord in segments:
             assert abs(height(a) - RADIUS) < 1e-9
             middle = [0.5 * (x + y) for x, y in zip(a, b)]
-            assert abs(height(middle) - RADIUS) <= chord + 1e-9
+            assert abs(height(middle) - RADIUS) <= own_chord + 1e-9 and own_chord <= chord + 1e-6
         lifted = {share: max(min(from_segment([x + share * scallop * n for x, n in zip(point, normal)], a, b)
-                                 for a, b in segments if math.dist(point, a) < 1.5 * RADIUS)
+                                 for a, b, _ in segments if math.dist(point, a) < 1.5 * RADIUS)
                              for point, normal in samples) for share in (0.5, 1)}
         assert lifted[1] <= RADIUS + 1e-4 * scallop < lifted[0.5], f"scallops of {scallop}: {lifted}"
 

@@ -8,13 +8,14 @@
 
 /* The way of the centre along one level: position k goes straight to k + 1, unless a line begins there. */
 typedef struct pass {
-    double level;
+    double level, length;
     int n, lines;
     double (*centre)[3], (*contact)[3];
     char *begins;
-    double length,
-        chord; /* chord: no point of the part is nearer to the centre than the radius less chord, and the nearest one
-                           * no farther than the radius and chord */
+    double *
+        chord; /* of the segment that ends in a position: no point of the part is nearer to the centre than the radius less
+                     * the chord, and the nearest one no farther than the radius and the chord */
+    double scallop; /* no scallop between the pass before and this one is higher */
 } pass;
 
 static inline double distance(const double *a, const double *b) {
@@ -35,6 +36,7 @@ static inline void free_pass(pass *p) {
     free(p->centre);
     free(p->contact);
     free(p->begins);
+    free(p->chord);
 }
 
 /* What rounding may do to lengths: some hundred units of the largest coordinates, as the control points of a part of a surface,
@@ -114,30 +116,35 @@ static inline void add_line_of(pass *to, const part *p, const tool *t, const nur
     ++to->lines;
 }
 
+/* The chord at position i, whose centre is at least d from the part, as is the one before. */
+static inline double chord_at(const pass *a, int i, double d, const tool *t) {
+    const double chord = a->begins[i] ? t->radius - d
+                                      : chord_of((const double(*)[3])a->contact + i,
+                                                 (const double(*)[3])a->centre + i, d, t->radius);
+    const double *at = a->contact[i];
+    if (chord > t->chord) {
+        REFUSE("a ball of radius %g gouges: where it touches (%g, %g, %g), it may cut %.3g deep", t->radius,
+               at[0], at[1], at[2], chord);
+    }
+    return chord;
+}
+
 /* Lengths and chords of all segments, by distances of the centres from the whole face, which are proven. */
 static inline void measure_pass(pass *a, const part *p, const tool *t) {
     double *far = room(NULL, (size_t)(a->n + 1) * sizeof *far);
     int32_t *status = room(NULL, (size_t)(a->n + 1) * sizeof *status);
     const double tolerance = 0.02 * t->chord, rounding = rounding_of(p, t);
     int i;
+    a->chord = room(NULL, (size_t)(a->n + 1) * sizeof *a->chord);
     check(nurbs_face_closest_points(p->face, a->n, a->centre[0], 0, 0, tolerance, NULL, NULL, far, status));
     for (i = 0; i < a->n; ++i) {
-        const int begins = a->begins[i];
-        const double d = (begins ? far[i] : fmin(far[i - 1], far[i])) - tolerance - rounding;
-        double chord = begins ? t->radius - d
-                              : chord_of((const double(*)[3])a->contact + i,
-                                         (const double(*)[3])a->centre + i, d, t->radius);
-        chord = status[i] & NURBS_CLOSEST_CERTIFIED ? chord + rounding : INFINITY;
-        if (chord == INFINITY) {
+        const double least = a->begins[i] ? far[i] : fmin(far[i - 1], far[i]);
+        if (!(status[i] & NURBS_CLOSEST_CERTIFIED)) {
             REFUSE("how near the face is to (%g, %g, %g) is not proven", a->centre[i][0], a->centre[i][1],
                    a->centre[i][2]);
         }
-        if (chord > t->chord) {
-            REFUSE("a ball of radius %g gouges: where it touches (%g, %g, %g), it cuts %.3g deep", t->radius,
-                   a->contact[i][0], a->contact[i][1], a->contact[i][2], chord);
-        }
-        a->chord = fmax(a->chord, chord);
-        a->length += begins ? 0 : distance(a->centre[i - 1], a->centre[i]);
+        a->chord[i] = chord_at(a, i, least - tolerance - rounding, t) + rounding;
+        a->length += a->begins[i] ? 0 : distance(a->centre[i - 1], a->centre[i]);
     }
     free(status);
     free(far);
