@@ -9,6 +9,7 @@ from unittest import mock
 
 import nurbs
 from helpers import near, np, same
+from nurbs import _plot
 
 try:
     # Matplotlib and what it imports may be older than the interpreter.
@@ -116,6 +117,20 @@ class FacePlots(unittest.TestCase):
         near(after[len(before):], before @ turned[:, :3].T + turned[:, 3])
         near(edges_after[len(edges_before):], edges_before @ turned[:, :3].T + turned[:, 3])
         self.assertEqual(len(colors), 2 * len(before))
+
+    def test_faces_of_two_parts(self):
+        tiles = [nurbs.bilinear([[[x, 0, 0], [x, 1, 0]], [[x + 1, 0, 0], [x + 1, 1, 0]]]) for x in (0, 5)]
+        mesh = nurbs.Model.create([nurbs.Face(tile) for tile in tiles]).mesh()
+        moves = np.stack([np.eye(3, 4), np.eye(3, 4)])
+        moves[1, 2, 3] = 7  # the second part, and it alone, is lifted
+        places = nurbs.ModelInstances(np.full(2, -1), np.arange(2), np.arange(2), moves)
+        known = np.array([[1.0, 0, 0], [0, 1.0, 0]])
+        _, triangles, lines, colors = drawn(_plot.plot_model, mesh, None, None, True, 1.0, known, np.arange(2), places)
+        second = triangles[:, 0, 0] >= 5
+        same(triangles[..., 2], np.where(second, 7.0, 0.0)[:, None] * np.ones(3))
+        same(colors[:, 1] > colors[:, 0], second)
+        same(lines[..., 2], np.where(lines[:, 0, 0] >= 5, 7.0, 0.0)[:, None] * np.ones(2))
+        self.assertEqual((second.sum() * 2, len(lines)), (len(second), mesh.counts.edge_points - mesh.counts.edges))
 
     def test_a_model_without_faces(self):
         with self.assertRaisesRegex(ValueError, "no faces"):
