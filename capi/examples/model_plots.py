@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A picture of each file: its faces as triangles, proven to be within a thousandth of their sizes, as plot() draws them.
+"""A picture of each file: its faces as triangles, within a pixel of them.
 
     model_plots.py PICTURE.png FILE...
 
@@ -35,7 +35,7 @@ def read(path):
 
 
 def draw(path, ax):
-    read(path).plot(ax)
+    read(path).plot(ax, relative=4e-3)
     ax.view_init(vertical_axis=UP.get(path.stem, "z"))
     ax.set_axis_off()
     ax.set_title(path.name, fontsize=6.5, y=1)

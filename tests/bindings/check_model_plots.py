@@ -44,12 +44,12 @@ def main():
         print("SKIPPED: there is no Matplotlib")
         sys.exit(77)
     folder.mkdir(parents=True, exist_ok=True)
-    own = [models / "bushing.step", models / "models.igs"]
-    drawn, of_data = run(example, folder / "own.png", own), os.environ.get("NURBS_TEST_DATA")
-    if of_data:
-        drawn = run(example, folder / "models.png", own + [pathlib.Path(of_data, name) for name in DATA])
+    files, data = [models / "bushing.step", models / "models.igs"], os.environ.get("NURBS_TEST_DATA")
+    if data:
+        files += [pathlib.Path(data, name) for name in DATA]
     else:
         print("without NURBS_TEST_DATA: only the files of the examples are drawn")
+    drawn = run(example, folder / "models.png", files)
     expected = cells(shown)
     assert len(expected) == 18
     for index, (new, old) in enumerate(zip(drawn, expected)):
