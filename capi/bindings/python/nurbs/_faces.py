@@ -21,6 +21,7 @@ from ._intersections import cast
 from ._library import call, get, lib
 from ._measure import Measured, Moments, Quadrature, moments_of
 from ._mesh import Mesh
+from ._plot import _COLOR, plot_mesh
 from ._spline import Spline
 from .constants import NURBS_AS_ORIENTED, NURBS_CHECK_CROSSINGS, NURBS_KEEP_GAPS
 
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
 __all__ = ["Face", "FaceDeviation", "FaceEdge"]
 
 _Face = TypeVar("_Face", bound="Face")
+_SMALL = 0.05  # sides of triangles that are drawn: what is smaller is sorted by its depth without faults
 
 
 class FaceEdge(NamedTuple):
@@ -317,6 +319,14 @@ class Face:
              work: Optional[int] = None) -> Mesh:
         """Triangles in place of it; the limits are those of Spline.mesh()."""
         return Mesh._of(watched(lib.nurbs_mesh_face, progress, work), self._handle, chord, relative, longest)
+
+    def plot(self, ax: Any = None, *, color: Any = _COLOR, edges: bool = True, alpha: float = 1.0,
+             relative: float = 1e-3) -> Any:
+        """Draws triangles in place of it, shaded, proven to be within the share `relative` of its extent, and its edges,
+        into Matplotlib axes, new ones if None, and returns them. Raises ImportError without Matplotlib."""
+        box = self.box(math.inf)
+        longest = _SMALL * float(max(box.upper - box.lower))
+        return plot_mesh(self.mesh(relative=relative, longest=longest), ax, color, edges, alpha, self.surface.dimension)
 
 
 # A function, since cloudpickle, by which Dask sends programs, does not know class methods by their names.

@@ -13,6 +13,7 @@ from ._arrays import addresses
 from ._base import SplineBase
 from ._calls import watched
 from ._library import call, lib
+from ._plot import _COLOR, plot_mesh
 from .constants import NURBS_MESH_WELDED
 
 if TYPE_CHECKING:
@@ -257,6 +258,13 @@ class Mesh:
     def edge_points(self) -> Int64s:
         """The points (n,) that the polylines of edges have, one polyline after the other."""
         return self._filled(lib.nurbs_mesh_edge_points, numpy.empty(self.counts.edge_points, numpy.int64))
+
+    # --- Pictures ---
+
+    def plot(self, ax: Any = None, *, color: Any = _COLOR, edges: bool = True, alpha: float = 1.0) -> Any:
+        """Draws the triangles, shaded, and the polylines of edges into Matplotlib axes, new ones in space if None, and
+        returns them. Raises ImportError without Matplotlib."""
+        return plot_mesh(self, ax, color, edges, alpha)
 
     def _filled(self, function: Any, array: _Array) -> _Array:
         call(function, self._handle, len(array), array.ctypes.data, None)

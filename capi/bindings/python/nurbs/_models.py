@@ -15,12 +15,13 @@ import numpy
 from ._arrays import address, exactly, if_given, parameters, vector
 from ._bytes import given as given_bytes, pickled, written
 from ._calls import listed, watched
-from ._faces import Face
+from ._faces import _SMALL, Face
 from ._files import Note, SplineList, _options
 from ._library import call, get, lib, text
 from ._measure import EnclosedVolume, Measured, moments_of
 from ._meets import Meet
 from ._mesh import Mesh
+from ._plot import plot_model
 from ._spline import Spline
 from ._write import file_bytes, to_file
 from .constants import NURBS_FORMAT_STEP
@@ -550,6 +551,21 @@ class Model:
         """Triangles in place of all faces, in the coordinates of their parts, with common points along common edges; the limits
         are those of Spline.mesh()."""
         return Mesh._of(watched(lib.nurbs_mesh_model, progress, work), self._handle, chord, relative, longest)
+
+    def plot(self, ax: Any = None, *, color: Any = None, edges: bool = True, alpha: float = 1.0,
+             relative: float = 1e-3) -> Any:
+        """Draws triangles in place of its faces, shaded, within the share `relative` of the extent of each, as proven, and
+        its edges, each part where it stands, into Matplotlib axes, new ones if None, and returns them. The colours are
+        those of the faces where the file gives some, unless `color` is given. Raises ImportError without Matplotlib, ValueError if
+        there are no faces."""
+        faces = list(self.faces)
+        if not faces:
+            raise ValueError("the model has no faces that could be drawn")
+        known = numpy.array([face.colour or [math.nan] * 3 for face in faces])
+        boxes = [face.box(math.inf) for face in faces]
+        longest = _SMALL * max(float(max(box.upper - box.lower)) for box in boxes)
+        return plot_model(self.mesh(relative=relative, longest=longest), ax, color, edges, alpha, known,
+                          numpy.array([face.part for face in faces], int), self.instances())
 
 
 def _points(rows: Floats) -> Floats:

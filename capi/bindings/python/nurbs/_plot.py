@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of curves, surfaces and volumes, with Matplotlib, which is needed here only."""
+"""Pictures of splines, meshes, faces and models, with Matplotlib, which is needed here only."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ import numpy
 from ._base import SplineBase
 
 if TYPE_CHECKING:
-    from ._arrays import Floats
+    from ._arrays import Floats, Int64s
+    from ._mesh import Mesh
     from ._spline import Spline
 
 _COLOR, _NET = "#2f6db0", "#808080"
@@ -112,17 +113,20 @@ def _facets(surface: Spline, side: float) -> Floats:
     return facets
 
 
-def _shades(facets: Floats, color: Any, alpha: float) -> Floats:
-    """Colours of facets in space, lit from both sides."""
-    base = numpy.array(_matplotlib("colors").to_rgb(color))
-    across = facets[:, 2 * _SIDE] - facets[:, 0], facets[:, 3 * _SIDE] - facets[:, _SIDE]
-    normals = numpy.cross(*across)
+def _across(facets: Floats) -> Floats:
+    """Normals of facets, by their diagonals."""
+    normals: Floats = numpy.cross(facets[:, 2 * _SIDE] - facets[:, 0], facets[:, 3 * _SIDE] - facets[:, _SIDE])
+    return normals
+
+
+def _shades(normals: Floats, base: Floats, alpha: float) -> Floats:
+    """Colours of facets in space with these normals, lit from both sides."""
     lengths = numpy.linalg.norm(normals, axis=-1)
     lit = numpy.abs(normals @ _LIGHT) / numpy.where(lengths > 0, lengths, 1)
     shade = (0.5 + 0.5 * lit)[:, None]
     # Bright places tend to white, dark ones to black.
     rgb = base * shade + 0.55 * (1 - base) * shade**3
-    return numpy.concatenate([numpy.clip(rgb, 0, 1), numpy.full((len(facets), 1), alpha)], axis=1)
+    return numpy.concatenate([numpy.clip(rgb, 0, 1), numpy.full((len(normals), 1), alpha)], axis=1)
 
 
 def _draw_surfaces(ax: Any, surfaces: Iterable[Spline], color: Any, alpha: float) -> None:
@@ -136,9 +140,18 @@ def _draw_surfaces(ax: Any, surfaces: Iterable[Spline], color: Any, alpha: float
         ax.add_collection(_matplotlib("collections").PolyCollection(facets, facecolors=faces, **edges))
         ax.autoscale_view()
         return
+    _add_facets(ax, facets, facecolors=_shades(_across(facets), _rgb(color), alpha), **edges)
+
+
+def _rgb(color: Any) -> Floats:
+    return numpy.array(_matplotlib("colors").to_rgb(color))
+
+
+def _add_facets(ax: Any, facets: Floats, **looks: Any) -> None:
+    """Facets (n, corners, 3) in space."""
     toolkit = import_module("mpl_toolkits.mplot3d.art3d")
     had_data = ax.has_data()  # without the facets: else the limits of empty axes stay in view
-    ax.add_collection3d(toolkit.Poly3DCollection(facets, facecolors=_shades(facets, color, alpha), **edges))
+    ax.add_collection3d(toolkit.Poly3DCollection(facets, **looks))
     ax.auto_scale_xyz(*facets.reshape(-1, 3).T, had_data=had_data)
 
 
@@ -150,6 +163,80 @@ def _even_scales(ax: Any, dim: int) -> None:
         ax.set_box_aspect(sizes, zoom=0.95)
         for name, size in zip("xyz", sizes):
             ax.locator_params(axis=name, nbins=max(2, round(7 * size / max(sizes))))
+
+
+class _Picture:
+    """What plot() draws of a mesh: triangles, and the segments of the polylines of edges."""
+
+    def __init__(self, mesh: Mesh) -> None:
+        self.points, self.triangles, self.faces, edges = mesh.points, mesh.triangles, mesh.faces, mesh.edges
+        every, ends = mesh.edge_points, edges.firsts + edges.sizes - 1
+        starts = numpy.setdiff1d(numpy.arange(len(every)), ends)
+        self.segments: Int64s = numpy.stack([every[starts], every[starts + 1]], axis=-1)
+
+    def draw(self, ax: Any, colors: Floats, edges: bool, alpha: float, parts: Any = None, instances: Any = None) -> Any:
+        """Draws it with a colour (faces, 3) of each face; of a model, whose faces belong to `parts` (faces,), each part
+        where its instances stand."""
+        facets, lines, tints = self.points[self.triangles], self.points[self.segments], self._of_triangles(colors)
+        if instances is not None:
+            facets, lines, tints = self._placed(facets, lines, tints, self._of_triangles(parts), instances)
+        ax = _new_axes(3) if ax is None else ax
+        if ax.name == "3d":
+            _draw_triangles(ax, facets, lines if edges else lines[:0], tints, alpha)
+        else:
+            _draw_flat(ax, facets[..., :2], lines[..., :2] if edges else lines[:0, :, :2], tints, alpha)
+        _even_scales(ax, 3 if ax.name == "3d" else 2)
+        return ax
+
+    def _of_triangles(self, values: Any) -> Any:
+        """For each triangle what is given for its face."""
+        return numpy.repeat(values, self.faces.triangle_counts, axis=0)
+
+    def _placed(self, facets: Floats, lines: Floats, tints: Floats, parts: Int64s, instances: Any) -> Tuple[Floats, ...]:
+        of_points = numpy.full(len(self.points), -1)
+        of_points[self.triangles] = parts[:, None]
+        of_lines, placed = of_points[self.segments[:, 0]], []
+        for part, placement in zip(instances.parts, instances.placements):
+            here, move = parts == part, placement[:, :3].T
+            placed.append((facets[here] @ move + placement[:, 3], lines[of_lines == part] @ move + placement[:, 3],
+                           tints[here]))
+        return tuple(numpy.concatenate(arrays) for arrays in zip(*placed))
+
+
+def _draw_triangles(ax: Any, triangles: Floats, lines: Floats, tints: Floats, alpha: float) -> None:
+    """Triangles with lines in one collection, sorted by what is farthest of each: the lines come after triangles that they
+    are sides of, and before those in front."""
+    normals = numpy.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    faces = _shades(normals, tints, alpha)
+    inks = numpy.tile(numpy.array([0.05, 0.1, 0.15, alpha]), (len(lines), 1))
+    # A triangle has sides of its own colour, so that nothing shines through between two of them.
+    sides = faces if alpha == 1 else numpy.zeros_like(faces)
+    _add_facets(ax, numpy.concatenate([triangles, lines[:, [0, 1, 1]]]), facecolors=numpy.concatenate([faces, inks]),
+                edgecolors=numpy.concatenate([sides, inks]), zsort="max",
+                linewidths=numpy.repeat([0.2, 0.8], [len(triangles), len(lines)]))
+
+
+def _draw_flat(ax: Any, triangles: Floats, lines: Floats, tints: Floats, alpha: float) -> None:
+    collections = _matplotlib("collections")
+    faces = numpy.concatenate([tints, numpy.full((len(tints), 1), 0.35 * alpha)], axis=1)
+    ax.add_collection(collections.PolyCollection(triangles, facecolors=faces, edgecolors="#00000060", linewidths=0.3))
+    ax.add_collection(collections.LineCollection(lines, colors="black", linewidths=0.8))
+    ax.autoscale_view()
+
+
+def plot_mesh(mesh: Mesh, ax: Any, color: Any, edges: bool, alpha: float, dim: int = 3) -> Any:
+    """Draws a mesh in one colour, in the plane or in space; returns the axes."""
+    picture = _Picture(mesh)
+    ax = _new_axes(dim) if ax is None else ax
+    return picture.draw(ax, numpy.tile(_rgb(color), (len(picture.faces.triangle_counts), 1)), edges, alpha)
+
+
+def plot_model(mesh: Mesh, ax: Any, color: Any, edges: bool, alpha: float, known: Any, parts: Any, instances: Any) -> Any:
+    """Draws the mesh of a model where its parts stand, in the colours that are known of its faces, rows of NaN where none
+    is, or in one colour, if that is not None."""
+    rgb = _rgb(_COLOR if color is None else color)
+    colors = numpy.where(numpy.isnan(known) | (color is not None), rgb, known)
+    return _Picture(mesh).draw(ax, colors, edges, alpha, parts, instances)
 
 
 class Plots(SplineBase):
