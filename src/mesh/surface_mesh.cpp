@@ -108,7 +108,8 @@ public:
         std::vector<bool> old(parts_.size(), true);
         for (int round = 0; round < most_edge_rounds; ++round) {
             const Phase phase;
-            if (!mesh_faces(old, round + 1 == most_edge_rounds) || !divide_edges(old)) {
+            const bool last = round + 1 == most_edge_rounds; // after which no edge may change
+            if (!mesh_faces(old, last) || last || !divide_edges(old)) {
                 break;
             }
         }
