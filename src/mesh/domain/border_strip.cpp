@@ -89,7 +89,8 @@ void BorderStrip::add_places() {
         const auto point = static_cast<size_t>(table.point_of(place));
         if (touched_[static_cast<size_t>(place)]) {
             shared_[point] = true;
-            if (kept[point] || !dropped[point]) {
+            const bool of_line = cells_.ends_line_at_pole(place); // without it the line would end before the pole
+            if (kept[point] || !dropped[point] || of_line) {
                 add_point(cells_.param(place), place);
             }
         }
