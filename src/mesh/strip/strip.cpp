@@ -98,6 +98,7 @@ void Strip::fill_component(TriangleId start, const std::vector<Wall> &walls) {
             }
             const Wall &wall = walls[static_cast<size_t>(triangulation_.label(t, k))];
             triangle.border[at] = wall.border;
+            triangle.fixed[at] = !wall.passable;
             if (wall.passable) {
                 visit(next);
             } else if (const int32_t other = component_of_[static_cast<size_t>(next)];

@@ -19,7 +19,7 @@ struct Wall {
 struct StripTriangle {
     std::array<int32_t, 3> corners; // points, counterclockwise
     std::array<int32_t, 3> border;  // on the sides opposite of these, -1: none
-    std::array<bool, 3> fixed;      // sides that are walls
+    std::array<bool, 3> fixed;      // sides that are walls, and not passable
 };
 
 // The constrained Delaunay triangulation of places of the domain, on a grid of integers in which lengths are about as in space. Points that
