@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/domain/border_strip.h"
 
+#include "mesh/domain/pole_fins.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -89,7 +91,8 @@ void BorderStrip::add_places() {
         const auto point = static_cast<size_t>(table.point_of(place));
         if (touched_[static_cast<size_t>(place)]) {
             shared_[point] = true;
-            const bool of_line = cells_.ends_line_at_pole(place); // without it the line would end before the pole
+            const bool of_line =
+                cells_.ends_line_at_pole(place); // without it the line would end before the pole
             if (kept[point] || !dropped[point] || of_line) {
                 add_point(cells_.param(place), place);
             }
@@ -260,6 +263,10 @@ std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
             }
             result.push_back(piece);
         }
+    }
+    const auto is_pole = [](const std::array<bool, 2> &ends) { return ends[0] || ends[1]; };
+    if (std::ranges::any_of(domain_.collapsed, is_pole)) {
+        open_fins(sites, result);
     }
     return result;
 }
