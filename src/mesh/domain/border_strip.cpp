@@ -91,8 +91,7 @@ void BorderStrip::add_places() {
         const auto point = static_cast<size_t>(table.point_of(place));
         if (touched_[static_cast<size_t>(place)]) {
             shared_[point] = true;
-            const bool of_line =
-                cells_.ends_line_at_pole(place); // without it the line would end before the pole
+            const bool of_line = cells_.ends_line(place); // without it the line would end before it
             if (kept[point] || !dropped[point] || of_line) {
                 add_point(cells_.param(place), place);
             }
@@ -199,6 +198,19 @@ std::vector<int32_t> BorderStrip::crossed() const {
             if (b >= 0) {
                 result.push_back(b);
             }
+        }
+    }
+    return result;
+}
+
+// Points of the border come first.
+std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
+    std::vector<std::array<int32_t, 2>> result;
+    const auto &border = domain_.border.points;
+    for (size_t i = 0; i < border.size(); ++i) {
+        const int32_t first = border[static_cast<size_t>(strip_->first(static_cast<int32_t>(i)))].point;
+        if (first != border[i].point) {
+            result.push_back({first, border[i].point});
         }
     }
     return result;

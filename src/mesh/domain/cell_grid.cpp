@@ -57,14 +57,14 @@ bool CellGrid::is_at_end(int32_t place) const noexcept {
            lines[1] + 1 == std::ssize(tree_.lines(1));
 }
 
-bool CellGrid::ends_line_at_pole(int32_t place) const noexcept {
+bool CellGrid::ends_line(int32_t place) const noexcept {
     const std::array<double, 2> x = param(place);
     bool result = false;
     for (size_t k = 0; k < 2; ++k) {
         const auto &ends = tree_.block_ends(k);
-        const bool at_pole = (domain_.collapsed[k][0] && x[k] == ends.front()) ||
-                             (domain_.collapsed[k][1] && x[k] == ends.back());
-        result = result || (at_pole && std::ranges::binary_search(tree_.block_ends(1 - k), x[1 - k]));
+        const bool closes = (x[k] == ends.front() && (domain_.closed[k] || domain_.collapsed[k][0])) ||
+                            (x[k] == ends.back() && (domain_.closed[k] || domain_.collapsed[k][1]));
+        result = result || (closes && std::ranges::binary_search(tree_.block_ends(1 - k), x[1 - k]));
     }
     return result;
 }

@@ -35,7 +35,8 @@ public:
             make_strip();
             sites_.evaluate();
             prove();
-            if (round_ == most_rounds || work_ended() || !improve() || (domain_.border_grows && is_weak())) {
+            if (round_ == most_rounds || work_ended() || !improve() ||
+                (domain_.border_grows && (is_weak() || !united_.empty()))) {
                 return output();
             }
         }
@@ -93,8 +94,9 @@ private:
     std::vector<SiteTriangle> triangles_; // those of cells first
     std::vector<ProvenTriangle> proven_;
     std::vector<Distances> distances_;
-    std::vector<int32_t> crossed_; // segments of the border
-    std::map<int32_t, int> weak_;  // these, and into how many parts they are to be divided
+    std::vector<int32_t> crossed_;               // segments of the border
+    std::vector<std::array<int32_t, 2>> united_; // points of the border
+    std::map<int32_t, int> weak_;                // these, and into how many parts they are to be divided
 };
 
 CellRule DomainMesher::cell_rule() const {
@@ -176,6 +178,7 @@ void DomainMesher::make_strip() {
     }
     const BorderStrip strip(domain_, index_, cells_, extra_);
     crossed_ = strip.crossed();
+    united_ = strip.united();
     for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
         triangles_.push_back({piece.sites, -1, piece.border, piece.fixed});
     }
@@ -351,17 +354,21 @@ bool DomainMesher::improve() {
     return !over.empty() || !more.empty();
 }
 
-// Whether each side of a triangle is one of two triangles, or at the border.
+// Whether each side of a triangle is one of two triangles, or at the border, and of two in opposite directions.
 bool DomainMesher::is_whole() const {
     if (!domain_.inside) {
         return true;
     }
-    std::vector<std::array<int32_t, 2>> sides;
+    std::vector<std::array<int32_t, 2>> sides, directed;
     for (const SiteTriangle &triangle : triangles_) {
         const auto p = points_of(triangle);
+        const bool at_pole = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
         for (size_t k = 0; k < 3; ++k) {
             const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
             const Site &from = sites_[triangle.sites[(k + 1) % 3]], &to = sites_[triangle.sites[(k + 2) % 3]];
+            if (!at_pole) {
+                directed.push_back({a, b});
+            }
             if (a != b && triangle.border[k] < 0 && !(is_border(from) && is_border(to))) {
                 sides.push_back({std::min(a, b), std::max(a, b)});
             }
@@ -373,7 +380,8 @@ bool DomainMesher::is_whole() const {
             return false;
         }
     }
-    return true;
+    std::ranges::sort(directed);
+    return std::ranges::adjacent_find(directed) == directed.end();
 }
 
 // Without sites and points that no triangle has.
@@ -411,7 +419,10 @@ DomainMesh DomainMesher::output() {
     for (size_t i = 0; i < triangles_.size() && !over; ++i) {
         over = is_over(i);
     }
-    result.reached = crossed_.empty() && !result.triangles.empty() && !over && is_whole();
+    const bool whole = crossed_.empty() && !result.triangles.empty() && is_whole();
+    result.reached = whole && !over;
+    result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
+    result.united = united_;
     for (const int32_t segment : crossed_) {
         weak_.try_emplace(segment, 2);
     }
