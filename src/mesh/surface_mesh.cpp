@@ -148,6 +148,7 @@ public:
 private:
     // Those whose edges changed.
     bool mesh_faces(const std::vector<bool> &old, bool last);
+    void note_weak(const FaceBorder &border, const DomainMesh &part);
     // Where faces need it. Returns whether there is something new; then `old` tells for whom.
     bool change_edges(std::vector<bool> &old);
 
@@ -176,15 +177,26 @@ bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
         domain.cut = [&face](const Rectangle &part) { return face.trims().cuts(part.lower, part.upper); };
         parts_[i] = mesh_of(domain, rule_);
         united_.insert(united_.end(), parts_[i].united.begin(), parts_[i].united.end());
-        for (const auto &[segment, count] : parts_[i].weak) {
-            const BorderSegment &weak = domain.border.segments[static_cast<size_t>(segment)];
-            for (int part = 1; part < count && weak.line >= 0; ++part) {
-                const double share = static_cast<double>(part) / count;
-                weak_.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
-            }
-        }
+        note_weak(domain.border, parts_[i]);
     }
     return !weak_.empty() || !united_.empty();
+}
+
+void ModelMesher::note_weak(const FaceBorder &border, const DomainMesh &part) {
+    const auto add = [&](int32_t segment, double share) {
+        const BorderSegment &weak = border.segments[static_cast<size_t>(segment)];
+        if (weak.line >= 0) {
+            weak_.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
+        }
+    };
+    for (const auto &[segment, count] : part.weak) {
+        for (int i = 1; i < count; ++i) {
+            add(segment, static_cast<double>(i) / count);
+        }
+    }
+    for (const auto &[segment, share] : part.touched) {
+        add(segment, share);
+    }
 }
 
 bool ModelMesher::change_edges(std::vector<bool> &old) {

@@ -203,6 +203,18 @@ std::vector<int32_t> BorderStrip::crossed() const {
     return result;
 }
 
+std::vector<std::pair<int32_t, double>> BorderStrip::touched() const {
+    std::vector<std::pair<int32_t, double>> result;
+    for (const auto &[number, point] : strip_->touches()) {
+        const Wall &wall = walls_[static_cast<size_t>(number)];
+        const auto &a = points_[static_cast<size_t>(wall.from)], &b = points_[static_cast<size_t>(wall.to)],
+                   &x = points_[static_cast<size_t>(point)];
+        const size_t k = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1;
+        result.emplace_back(wall.border, (x[k] - a[k]) / (b[k] - a[k]));
+    }
+    return result;
+}
+
 // Points of the border come first.
 std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
     std::vector<std::array<int32_t, 2>> result;

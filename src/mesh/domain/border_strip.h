@@ -27,6 +27,8 @@ public:
     [[nodiscard]] std::vector<Piece> triangles(Sites &sites) const;
     // Segments of the border that cross each other.
     [[nodiscard]] std::vector<int32_t> crossed() const;
+    // Segments of the border on which other places are, and where: shares of them.
+    [[nodiscard]] std::vector<std::pair<int32_t, double>> touched() const;
     // Points of the border that cannot be told apart in the domain.
     [[nodiscard]] std::vector<std::array<int32_t, 2>> united() const;
 

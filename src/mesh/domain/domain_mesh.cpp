@@ -36,7 +36,7 @@ public:
             sites_.evaluate();
             prove();
             if (round_ == most_rounds || work_ended() || !improve() ||
-                (domain_.border_grows && (is_weak() || !united_.empty()))) {
+                (domain_.border_grows && (is_weak() || !united_.empty() || !touched_.empty()))) {
                 return output();
             }
         }
@@ -94,9 +94,10 @@ private:
     std::vector<SiteTriangle> triangles_; // those of cells first
     std::vector<ProvenTriangle> proven_;
     std::vector<Distances> distances_;
-    std::vector<int32_t> crossed_;               // segments of the border
-    std::vector<std::array<int32_t, 2>> united_; // points of the border
-    std::map<int32_t, int> weak_;                // these, and into how many parts they are to be divided
+    std::vector<int32_t> crossed_;                    // segments of the border
+    std::vector<std::array<int32_t, 2>> united_;      // points of the border
+    std::vector<std::pair<int32_t, double>> touched_; // segments
+    std::map<int32_t, int> weak_;                     // these, and into how many parts they are to be divided
 };
 
 CellRule DomainMesher::cell_rule() const {
@@ -179,6 +180,7 @@ void DomainMesher::make_strip() {
     const BorderStrip strip(domain_, index_, cells_, extra_);
     crossed_ = strip.crossed();
     united_ = strip.united();
+    touched_ = strip.touched();
     for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
         triangles_.push_back({piece.sites, -1, piece.border, piece.fixed});
     }
@@ -423,6 +425,7 @@ DomainMesh DomainMesher::output() {
     result.reached = whole && !over;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
     result.united = united_;
+    result.touched = touched_;
     for (const int32_t segment : crossed_) {
         weak_.try_emplace(segment, 2);
     }

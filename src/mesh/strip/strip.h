@@ -44,16 +44,19 @@ public:
     }
     // Walls that cross others, and are missing, with those.
     [[nodiscard]] const std::vector<std::array<int32_t, 2>> &crossings() const noexcept { return crossings_; }
+    // Walls of a border that go through other points, with those.
+    [[nodiscard]] const std::vector<std::array<int32_t, 2>> &touches() const noexcept { return touches_; }
 
 private:
     void add_walls(const std::vector<Wall> &walls);
     void set_components(const std::vector<Wall> &walls);
     void fill_component(TriangleId start, const std::vector<Wall> &walls);
+    void note_touches(TriangleId t, int k, const std::vector<Wall> &walls);
     void set_sides();
 
     Triangulation triangulation_;
     std::vector<int32_t> first_; // points of the vertices
-    std::vector<std::array<int32_t, 2>> crossings_;
+    std::vector<std::array<int32_t, 2>> crossings_, touches_;
     std::vector<Component> components_;
     std::vector<int32_t> component_of_; // triangles, -1: none yet
     struct Passage {
