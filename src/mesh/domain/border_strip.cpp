@@ -203,12 +203,21 @@ std::vector<int32_t> BorderStrip::crossed() const {
     return result;
 }
 
+int32_t BorderStrip::point_of_border(int32_t point) const noexcept {
+    const auto &border = domain_.border.points;
+    return static_cast<size_t>(point) < border.size() ? border[static_cast<size_t>(point)].point : -1;
+}
+
 std::vector<std::pair<int32_t, double>> BorderStrip::touched() const {
     std::vector<std::pair<int32_t, double>> result;
     for (const auto &[number, point] : strip_->touches()) {
         const Wall &wall = walls_[static_cast<size_t>(number)];
         const auto &a = points_[static_cast<size_t>(wall.from)], &b = points_[static_cast<size_t>(wall.to)],
                    &x = points_[static_cast<size_t>(point)];
+        const int32_t own = point_of_border(point);
+        if (own >= 0 && (own == point_of_border(wall.from) || own == point_of_border(wall.to))) {
+            continue; // an end, of another curve
+        }
         const size_t k = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1;
         result.emplace_back(wall.border, (x[k] - a[k]) / (b[k] - a[k]));
     }

@@ -49,6 +49,8 @@ private:
         double inside = 0; // the area of the fattest triangle, if its middle is inside, else the negative
     };
     [[nodiscard]] Vote vote_of(const Strip::Component &component) const;
+    // Of a place, -1: it is none of the border.
+    [[nodiscard]] int32_t point_of_border(int32_t point) const noexcept;
     [[nodiscard]] int32_t site_of(int32_t point, int32_t block, Sites &sites) const;
 
     const MeshDomain &domain_;
