@@ -105,13 +105,15 @@ void BorderStrip::add_walls() {
         const BorderSegment &segment = domain_.border.segments[i];
         walls_.push_back({segment.from, segment.to, static_cast<int32_t>(i)});
     }
+    const size_t first = walls_.size();
     add_staircase();
+    const std::set<Step> steps = steps_on_seams(first);
     for (size_t k = 0; k < 2; ++k) {
         const auto &ends = cells_.tree().block_ends(k);
         for (size_t i = 0; i < ends.size(); ++i) {
             const bool inner = i > 0 && i + 1 < ends.size();
             if (inner || domain_.closed[k]) {
-                add_line_walls(k, ends[i], inner);
+                add_line_walls(k, ends[i], inner, steps);
             }
         }
     }
@@ -128,9 +130,9 @@ int32_t BorderStrip::point_at(int32_t place) const {
 
 // Sides that a cell inside and one at the border have in opposite directions; both sides of a kink are one line of the plane.
 void BorderStrip::add_staircase() {
-    using Step = std::pair<int32_t, int32_t>;
-    std::vector<Step> of_inside;
-    std::set<Step> of_border;
+    using Ends = std::pair<int32_t, int32_t>;
+    std::vector<Ends> of_inside;
+    std::set<Ends> of_border;
     std::vector<int32_t> border;
     for (const Cell &cell : cells_.tree().cells()) {
         if (cell.side == Side::outside) {
@@ -149,14 +151,31 @@ void BorderStrip::add_staircase() {
             }
         }
     }
-    for (const Step &step : of_inside) {
+    for (const Ends &step : of_inside) {
         if (step.first >= 0 && step.second >= 0 && of_border.contains(step)) {
             walls_.push_back({step.first, step.second});
         }
     }
 }
 
-void BorderStrip::add_line_walls(size_t k, double t, bool passable) {
+// Sides of cells inside, from the wall on, that are on a seam: the axis and where they begin and end on it.
+std::set<BorderStrip::Step> BorderStrip::steps_on_seams(size_t first) const {
+    std::set<Step> result;
+    for (size_t i = first; i < walls_.size(); ++i) {
+        const auto &a = points_[static_cast<size_t>(walls_[i].from)],
+                   &b = points_[static_cast<size_t>(walls_[i].to)];
+        for (size_t k = 0; k < 2; ++k) {
+            if (domain_.closed[k] && a[k] == b[k]) {
+                result.insert(
+                    {static_cast<double>(k), std::min(a[1 - k], b[1 - k]), std::max(a[1 - k], b[1 - k])});
+            }
+        }
+    }
+    return result;
+}
+
+// A seam can be divided where no cell is on either side.
+void BorderStrip::add_line_walls(size_t k, double t, bool passable, const std::set<Step> &steps) {
     std::vector<std::pair<double, int32_t>> on;
     for (size_t i = 0; i < points_.size(); ++i) {
         if (points_[i][k] == t) {
@@ -165,7 +184,9 @@ void BorderStrip::add_line_walls(size_t k, double t, bool passable) {
     }
     std::ranges::sort(on);
     for (size_t i = 0; i + 1 < on.size(); ++i) {
-        walls_.push_back({on[i].second, on[i + 1].second, -1, passable});
+        const bool divisible =
+            passable || !steps.contains({static_cast<double>(k), on[i].first, on[i + 1].first});
+        walls_.push_back({on[i].second, on[i + 1].second, -1, passable, divisible});
     }
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/strip/strip.h"
 
 #include <map>
+#include <set>
 
 namespace nrb::mesh {
 
@@ -40,7 +41,9 @@ private:
     [[nodiscard]] bool is_wanted(int32_t place) const;
     void add_walls();
     void add_staircase();
-    void add_line_walls(size_t k, double t, bool passable);
+    using Step = std::array<double, 3>; // an axis, and an interval
+    [[nodiscard]] std::set<Step> steps_on_seams(size_t first) const;
+    void add_line_walls(size_t k, double t, bool passable, const std::set<Step> &steps);
     [[nodiscard]] int32_t point_at(int32_t place) const;
     [[nodiscard]] bool is_shared(int32_t place) const;
     void make_strip();

@@ -77,6 +77,7 @@ private:
     [[nodiscard]] int parts_for(double distance) const noexcept;
     [[nodiscard]] bool is_weak() const;
     void cut(const std::vector<int32_t> &cells);
+    void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
     [[nodiscard]] bool improve();
     [[nodiscard]] bool is_whole() const;
     [[nodiscard]] DomainMesh output();
@@ -318,6 +319,20 @@ void DomainMesher::cut(const std::vector<int32_t> &cells) {
     }
 }
 
+// On both sides of a seam.
+void DomainMesher::add_place(const std::array<double, 2> &place,
+                             std::vector<std::array<double, 2>> &places) const {
+    places.push_back(place);
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        if (domain_.closed[k] && (place[k] == ends.front() || place[k] == ends.back())) {
+            std::array<double, 2> other = place;
+            other[k] = place[k] == ends.front() ? ends.back() : ends.front();
+            places.push_back(other);
+        }
+    }
+}
+
 // Cells over the tolerance are cut, triangles of the strip get a new place.
 bool DomainMesher::improve() {
     std::vector<int32_t> over;
@@ -339,7 +354,7 @@ bool DomainMesher::improve() {
             int &parts = weak_.try_emplace(split.border, 2).first->second;
             parts = std::max(parts, parts_for(distances_[i].most()));
         } else if (split.size > rule_.chord / 4) {
-            more.push_back(split.place);
+            add_place(split.place, more);
         }
     }
     std::ranges::sort(more);

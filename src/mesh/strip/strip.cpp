@@ -98,7 +98,7 @@ void Strip::fill_component(TriangleId start, const std::vector<Wall> &walls) {
             }
             const Wall &wall = walls[static_cast<size_t>(triangulation_.label(t, k))];
             triangle.border[at] = wall.border;
-            triangle.fixed[at] = !wall.passable;
+            triangle.fixed[at] = !wall.divisible;
             if (wall.border >= 0) {
                 note_touches(t, k, walls);
             }

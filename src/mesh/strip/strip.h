@@ -11,15 +11,16 @@ namespace nrb::mesh {
 
 // A segment that is to be a side of triangles.
 struct Wall {
-    int32_t from, to;      // points
-    int32_t border = -1;   // segment of a border that it is
-    bool passable = false; // what is on both sides belongs together
+    int32_t from, to;       // points
+    int32_t border = -1;    // segment of a border that it is
+    bool passable = false;  // what is on both sides belongs together
+    bool divisible = false; // further points may come on it
 };
 
 struct StripTriangle {
     std::array<int32_t, 3> corners; // points, counterclockwise
     std::array<int32_t, 3> border;  // on the sides opposite of these, -1: none
-    std::array<bool, 3> fixed;      // sides that are walls, and not passable
+    std::array<bool, 3> fixed;      // sides that are walls, and not divisible
 };
 
 // The constrained Delaunay triangulation of places of the domain, on a grid of integers in which lengths are about as in space. Points that
