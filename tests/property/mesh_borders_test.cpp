@@ -359,6 +359,44 @@ TEST(MeshBorders, sides_that_are_points) {
     });
 }
 
+namespace {
+
+// Anywhere, so that borders come near seams, lines of kinks and their crossings.
+void expect_star(Random &random, uint64_t seed) {
+    const std::vector<Ground> grounds = faces::grounds(random);
+    const auto which = static_cast<size_t>(random.whole(1, 4));
+    const Ground &ground = grounds[which];
+    faces::Star outer{random.whole(1, 6), random.chance(50), false, 0};
+    outer.periodic = outer.degree > 1 && random.chance(50);
+    const double v = ground.closed[1]                  ? random.unit()
+                     : which == 3 && random.chance(50) ? random.between(0.42, 0.58)
+                                                       : 0.5;
+    const double u = ground.closed[0] ? random.unit() : 0.5;
+    outer.radius = random.between(0.05, 0.4);
+    const Handle star = create(faces::star(random, ground, ground.at(u, v), outer));
+    faces::Star inner{3, outer.rational, false, outer.radius * random.between(0.02, 0.15)};
+    inner.degree = random.whole(1, 5);
+    const Handle hole = create(faces::star(random, ground, ground.at(u, v), inner));
+    const bool with_hole = random.chance(60);
+    const double chord = random.magnitude(1e-3, 0.2);
+    faces::Curves loops{{star.get()}};
+    if (with_hole) {
+        loops.push_back({hole.get()});
+    }
+    const Face face = faces::face_of(ground.surface.get(), loops);
+    SCOPED_TRACE(seed);
+    expect_reached(ground.surface.get(), face.get(), chord, with_hole ? 0 : 1, seed);
+}
+
+} // namespace
+
+// In some of them, cuts of cells were beside each other by a rounding, or only a seam was left to be divided.
+TEST(MeshBorders, stars_with_holes_anywhere) {
+    for_each_case(87, 8, expect_star);
+    for_each_case(167, 2, expect_star);
+    for_each_case(545, 8, expect_star);
+}
+
 TEST(MeshBorders, degrees_13_and_1) {
     for_each_case(31, 4, [](Random &random, uint64_t seed) {
         SplineData data{{13, 1}, {14, 2}, {{}, {0, 0, 1, 1}}, 3, {}, {}, 0};
