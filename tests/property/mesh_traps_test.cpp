@@ -151,6 +151,18 @@ TEST(MeshTraps, seams_are_welded) {
     EXPECT_GT(mesh.at.size(), mesh.points.size()); // vertices on both sides of it
 }
 
+// CDT!133: refinement that does not end, and Oblikovati#1409: a limit of it that is taken for success. Between sides that meet at a
+// small angle there are few triangles.
+TEST(MeshTraps, refinement_ends_at_small_angles) {
+    Random random(4);
+    const Ground ground = faces::wavy(random);
+    for (const double angle : {1e-2, 1e-4, 1e-6}) {
+        const Handle needle = polygon({{0.1, 0.2}, {0.9, 0.3}, {0.9, 0.3 + angle}});
+        const Face face = faces::face_of(ground.surface.get(), {{needle.get()}});
+        EXPECT_LE(expect_meshed(face.get(), 1e-3, 1).triangles.size(), 2000U);
+    }
+}
+
 // build123d#1444: a coarse mesh that is there already in place of a finer one. Meshes do not depend on those before them.
 TEST(MeshTraps, meshes_do_not_depend_on_those_before) {
     for_each_case(5, 3, [](Random &random, uint64_t seed) {

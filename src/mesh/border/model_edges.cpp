@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/border/model_edges.h"
 
+#include "base/numbers.h"
 #include "base/watch.h"
 #include "build/polylines.h"
 #include "eval/curve_point.h"
