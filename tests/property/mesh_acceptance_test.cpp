@@ -13,6 +13,7 @@ namespace mesh_acceptance_test {
 
 using namespace support;
 using namespace support::meshes;
+using meshes::Point;
 using faces::pi;
 
 namespace {

@@ -9,6 +9,7 @@ namespace mesh_borders_test {
 
 using namespace support;
 using namespace support::meshes;
+using meshes::Point;
 using faces::Face;
 using faces::Ground;
 using faces::pi;

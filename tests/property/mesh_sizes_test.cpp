@@ -10,6 +10,7 @@ namespace mesh_sizes_test {
 
 using namespace support;
 using namespace support::meshes;
+using meshes::Point;
 using faces::pi;
 
 // Of surfaces; and as many of triangles.

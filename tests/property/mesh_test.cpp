@@ -15,6 +15,7 @@ namespace mesh_test {
 
 using namespace support;
 using namespace support::meshes;
+using meshes::Point;
 using faces::pi;
 
 namespace {

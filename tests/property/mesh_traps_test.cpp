@@ -10,6 +10,7 @@ namespace mesh_traps_test {
 
 using namespace support;
 using namespace support::meshes;
+using meshes::Point;
 using faces::Face;
 using faces::Ground;
 using faces::pi;
