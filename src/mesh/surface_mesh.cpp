@@ -57,6 +57,28 @@ void append_edges(const ModelEdges &edges, Mesh &mesh) {
     }
 }
 
+// Of edges: those for which others stand.
+void drop_loose_points(Mesh &mesh) {
+    std::vector<int32_t> number(mesh.points.size(), -1);
+    const auto use = [&](int32_t point) { number[static_cast<size_t>(point)] = 0; };
+    std::ranges::for_each(mesh.edge_points, use);
+    std::ranges::for_each(mesh.vertices, use, &MeshVertex::point);
+    int32_t count = 0;
+    for (size_t i = 0; i < number.size(); ++i) {
+        if (number[i] == 0) {
+            number[i] = count;
+            mesh.points[static_cast<size_t>(count++)] = mesh.points[i];
+        }
+    }
+    mesh.points.resize(static_cast<size_t>(count));
+    for (int32_t &point : mesh.edge_points) {
+        point = number[static_cast<size_t>(point)];
+    }
+    for (MeshVertex &vertex : mesh.vertices) {
+        vertex.point = number[static_cast<size_t>(vertex.point)];
+    }
+}
+
 // Of the box of control points.
 double extent_of(const Spline &spline, std::vector<Interval> &box) {
     box.resize(static_cast<size_t>(spline.dim()), {infinity, -infinity});
@@ -108,7 +130,8 @@ public:
         std::vector<bool> old(parts_.size(), true);
         for (int round = 0; round < most_edge_rounds; ++round) {
             const Phase phase;
-            if (!mesh_faces(old, round + 1 == most_edge_rounds) || !divide_edges(old)) {
+            const bool last = round + 1 == most_edge_rounds; // after which no edge may change
+            if (!mesh_faces(old, last) || last || !change_edges(old)) {
                 break;
             }
         }
@@ -118,24 +141,28 @@ public:
         for (size_t i = 0; i < parts_.size(); ++i) {
             append(parts_[i], result);
         }
+        drop_loose_points(result);
         return result;
     }
 
 private:
     // Those whose edges changed.
     bool mesh_faces(const std::vector<bool> &old, bool last);
+    void note_weak(const FaceBorder &border, const DomainMesh &part);
     // Where faces need it. Returns whether there is something new; then `old` tells for whom.
-    bool divide_edges(std::vector<bool> &old);
+    bool change_edges(std::vector<bool> &old);
 
     const model::Model &model_;
     MeshRule rule_;
     ModelEdges edges_;
     std::vector<DomainMesh> parts_;
     std::vector<std::pair<int64_t, double>> weak_; // polylines, and where they are to be divided
+    std::vector<std::array<int32_t, 2>> united_;   // points that are one
 };
 
 bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
     weak_.clear();
+    united_.clear();
     Steps steps(std::ssize(parts_));
     for (size_t i = 0; i < parts_.size(); ++i, steps.next()) {
         if (!old[i]) {
@@ -149,24 +176,41 @@ bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
         domain.inside = [&face](const face::Point2 &x) { return face.trims().side(x) > 0; };
         domain.cut = [&face](const Rectangle &part) { return face.trims().cuts(part.lower, part.upper); };
         parts_[i] = mesh_of(domain, rule_);
-        for (const auto &[segment, count] : parts_[i].weak) {
-            const BorderSegment &weak = domain.border.segments[static_cast<size_t>(segment)];
-            for (int part = 1; part < count && weak.line >= 0; ++part) {
-                const double share = static_cast<double>(part) / count;
-                weak_.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
-            }
-        }
+        united_.insert(united_.end(), parts_[i].united.begin(), parts_[i].united.end());
+        note_weak(domain.border, parts_[i]);
     }
-    return !weak_.empty();
+    return !weak_.empty() || !united_.empty();
 }
 
-bool ModelMesher::divide_edges(std::vector<bool> &old) {
+void ModelMesher::note_weak(const FaceBorder &border, const DomainMesh &part) {
+    const auto add = [&](int32_t segment, double share) {
+        const BorderSegment &weak = border.segments[static_cast<size_t>(segment)];
+        if (weak.line >= 0) {
+            weak_.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
+        }
+    };
+    for (const auto &[segment, count] : part.weak) {
+        for (int i = 1; i < count; ++i) {
+            add(segment, static_cast<double>(i) / count);
+        }
+    }
+    for (const auto &[segment, share] : part.touched) {
+        add(segment, share);
+    }
+}
+
+bool ModelMesher::change_edges(std::vector<bool> &old) {
     std::ranges::sort(weak_);
     weak_.erase(std::unique(weak_.begin(), weak_.end()), weak_.end());
     old.assign(old.size(), false);
     bool any = false;
     for (const auto &[line, param] : weak_) {
         for (const int64_t face : edges_.add_vertex(line, param)) {
+            old[static_cast<size_t>(face)] = any = true;
+        }
+    }
+    for (const auto &[first, second] : united_) {
+        for (const int64_t face : edges_.unite(first, second)) {
             old[static_cast<size_t>(face)] = any = true;
         }
     }

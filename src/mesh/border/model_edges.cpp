@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/border/model_edges.h"
 
+#include "base/numbers.h"
 #include "base/watch.h"
 #include "build/polylines.h"
 #include "eval/curve_point.h"
@@ -351,6 +352,25 @@ std::vector<int64_t> ModelEdges::add_vertex(int64_t number, double param) {
     for (const size_t use : users_[at]) {
         set_vertices(uses_[use]);
         faces.push_back(uses_[use].face);
+    }
+    return faces;
+}
+
+std::vector<int64_t> ModelEdges::unite(int32_t first, int32_t second) {
+    const double apart =
+        length(points_[static_cast<size_t>(first)] - points_[static_cast<size_t>(second)]) * (1 + 4 * eps);
+    std::vector<int64_t> faces;
+    for (size_t at = 0; at < lines_.size(); ++at) {
+        EdgeLine &line = lines_[at];
+        if (std::ranges::find(line.points, second) == line.points.end()) {
+            continue;
+        }
+        std::ranges::replace(line.points, second, first);
+        line.bound += apart;
+        for (const size_t use : users_[at]) {
+            set_vertices(uses_[use]);
+            faces.push_back(uses_[use].face);
+        }
     }
     return faces;
 }

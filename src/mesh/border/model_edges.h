@@ -57,6 +57,8 @@ public:
     }
     // A further vertex of a polyline, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
     std::vector<int64_t> add_vertex(int64_t line, double param);
+    // The first point in place of the second one, which a face cannot tell from it; the faces that have this one.
+    std::vector<int64_t> unite(int32_t first, int32_t second);
 
 private:
     struct Fixed {

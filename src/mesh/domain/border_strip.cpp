@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/domain/border_strip.h"
 
+#include "mesh/domain/pole_fins.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -89,7 +91,8 @@ void BorderStrip::add_places() {
         const auto point = static_cast<size_t>(table.point_of(place));
         if (touched_[static_cast<size_t>(place)]) {
             shared_[point] = true;
-            if (kept[point] || !dropped[point]) {
+            const bool of_line = cells_.ends_line(place); // without it the line would end before it
+            if (kept[point] || !dropped[point] || of_line) {
                 add_point(cells_.param(place), place);
             }
         }
@@ -102,13 +105,15 @@ void BorderStrip::add_walls() {
         const BorderSegment &segment = domain_.border.segments[i];
         walls_.push_back({segment.from, segment.to, static_cast<int32_t>(i)});
     }
+    const size_t first = walls_.size();
     add_staircase();
+    const std::set<Step> steps = steps_on_seams(first);
     for (size_t k = 0; k < 2; ++k) {
         const auto &ends = cells_.tree().block_ends(k);
         for (size_t i = 0; i < ends.size(); ++i) {
             const bool inner = i > 0 && i + 1 < ends.size();
             if (inner || domain_.closed[k]) {
-                add_line_walls(k, ends[i], inner);
+                add_line_walls(k, ends[i], inner, steps);
             }
         }
     }
@@ -125,9 +130,9 @@ int32_t BorderStrip::point_at(int32_t place) const {
 
 // Sides that a cell inside and one at the border have in opposite directions; both sides of a kink are one line of the plane.
 void BorderStrip::add_staircase() {
-    using Step = std::pair<int32_t, int32_t>;
-    std::vector<Step> of_inside;
-    std::set<Step> of_border;
+    using Ends = std::pair<int32_t, int32_t>;
+    std::vector<Ends> of_inside;
+    std::set<Ends> of_border;
     std::vector<int32_t> border;
     for (const Cell &cell : cells_.tree().cells()) {
         if (cell.side == Side::outside) {
@@ -146,14 +151,31 @@ void BorderStrip::add_staircase() {
             }
         }
     }
-    for (const Step &step : of_inside) {
+    for (const Ends &step : of_inside) {
         if (step.first >= 0 && step.second >= 0 && of_border.contains(step)) {
             walls_.push_back({step.first, step.second});
         }
     }
 }
 
-void BorderStrip::add_line_walls(size_t k, double t, bool passable) {
+// Sides of cells inside, from the wall on, that are on a seam: the axis and where they begin and end on it.
+std::set<BorderStrip::Step> BorderStrip::steps_on_seams(size_t first) const {
+    std::set<Step> result;
+    for (size_t i = first; i < walls_.size(); ++i) {
+        const auto &a = points_[static_cast<size_t>(walls_[i].from)],
+                   &b = points_[static_cast<size_t>(walls_[i].to)];
+        for (size_t k = 0; k < 2; ++k) {
+            if (domain_.closed[k] && a[k] == b[k]) {
+                result.insert(
+                    {static_cast<double>(k), std::min(a[1 - k], b[1 - k]), std::max(a[1 - k], b[1 - k])});
+            }
+        }
+    }
+    return result;
+}
+
+// A seam can be divided where no cell is on either side.
+void BorderStrip::add_line_walls(size_t k, double t, bool passable, const std::set<Step> &steps) {
     std::vector<std::pair<double, int32_t>> on;
     for (size_t i = 0; i < points_.size(); ++i) {
         if (points_[i][k] == t) {
@@ -162,7 +184,9 @@ void BorderStrip::add_line_walls(size_t k, double t, bool passable) {
     }
     std::ranges::sort(on);
     for (size_t i = 0; i + 1 < on.size(); ++i) {
-        walls_.push_back({on[i].second, on[i + 1].second, -1, passable});
+        const bool divisible =
+            passable || !steps.contains({static_cast<double>(k), on[i].first, on[i + 1].first});
+        walls_.push_back({on[i].second, on[i + 1].second, -1, passable, divisible});
     }
 }
 
@@ -195,6 +219,40 @@ std::vector<int32_t> BorderStrip::crossed() const {
             if (b >= 0) {
                 result.push_back(b);
             }
+        }
+    }
+    return result;
+}
+
+int32_t BorderStrip::point_of_border(int32_t point) const noexcept {
+    const auto &border = domain_.border.points;
+    return static_cast<size_t>(point) < border.size() ? border[static_cast<size_t>(point)].point : -1;
+}
+
+std::vector<std::pair<int32_t, double>> BorderStrip::touched() const {
+    std::vector<std::pair<int32_t, double>> result;
+    for (const auto &[number, point] : strip_->touches()) {
+        const Wall &wall = walls_[static_cast<size_t>(number)];
+        const auto &a = points_[static_cast<size_t>(wall.from)], &b = points_[static_cast<size_t>(wall.to)],
+                   &x = points_[static_cast<size_t>(point)];
+        const int32_t own = point_of_border(point);
+        if (own >= 0 && (own == point_of_border(wall.from) || own == point_of_border(wall.to))) {
+            continue; // an end, of another curve
+        }
+        const size_t k = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1;
+        result.emplace_back(wall.border, (x[k] - a[k]) / (b[k] - a[k]));
+    }
+    return result;
+}
+
+// Points of the border come first.
+std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
+    std::vector<std::array<int32_t, 2>> result;
+    const auto &border = domain_.border.points;
+    for (size_t i = 0; i < border.size(); ++i) {
+        const int32_t first = border[static_cast<size_t>(strip_->first(static_cast<int32_t>(i)))].point;
+        if (first != border[i].point) {
+            result.push_back({first, border[i].point});
         }
     }
     return result;
@@ -259,6 +317,10 @@ std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
             }
             result.push_back(piece);
         }
+    }
+    const auto is_pole = [](const std::array<bool, 2> &ends) { return ends[0] || ends[1]; };
+    if (std::ranges::any_of(domain_.collapsed, is_pole)) {
+        open_fins(sites, result);
     }
     return result;
 }

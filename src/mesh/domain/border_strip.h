@@ -7,6 +7,7 @@
 #include "mesh/strip/strip.h"
 
 #include <map>
+#include <set>
 
 namespace nrb::mesh {
 
@@ -27,6 +28,10 @@ public:
     [[nodiscard]] std::vector<Piece> triangles(Sites &sites) const;
     // Segments of the border that cross each other.
     [[nodiscard]] std::vector<int32_t> crossed() const;
+    // Segments of the border on which other places are, and where: shares of them.
+    [[nodiscard]] std::vector<std::pair<int32_t, double>> touched() const;
+    // Points of the border that cannot be told apart in the domain.
+    [[nodiscard]] std::vector<std::array<int32_t, 2>> united() const;
 
 private:
     void add_point(const std::array<double, 2> &param, int32_t place);
@@ -36,7 +41,9 @@ private:
     [[nodiscard]] bool is_wanted(int32_t place) const;
     void add_walls();
     void add_staircase();
-    void add_line_walls(size_t k, double t, bool passable);
+    using Step = std::array<double, 3>; // an axis, and an interval
+    [[nodiscard]] std::set<Step> steps_on_seams(size_t first) const;
+    void add_line_walls(size_t k, double t, bool passable, const std::set<Step> &steps);
     [[nodiscard]] int32_t point_at(int32_t place) const;
     [[nodiscard]] bool is_shared(int32_t place) const;
     void make_strip();
@@ -45,6 +52,8 @@ private:
         double inside = 0; // the area of the fattest triangle, if its middle is inside, else the negative
     };
     [[nodiscard]] Vote vote_of(const Strip::Component &component) const;
+    // Of a place, -1: it is none of the border.
+    [[nodiscard]] int32_t point_of_border(int32_t point) const noexcept;
     [[nodiscard]] int32_t site_of(int32_t point, int32_t block, Sites &sites) const;
 
     const MeshDomain &domain_;

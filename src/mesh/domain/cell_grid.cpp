@@ -57,6 +57,18 @@ bool CellGrid::is_at_end(int32_t place) const noexcept {
            lines[1] + 1 == std::ssize(tree_.lines(1));
 }
 
+bool CellGrid::ends_line(int32_t place) const noexcept {
+    const std::array<double, 2> x = param(place);
+    bool result = false;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = tree_.block_ends(k);
+        const bool closes = (x[k] == ends.front() && (domain_.closed[k] || domain_.collapsed[k][0])) ||
+                            (x[k] == ends.back() && (domain_.closed[k] || domain_.collapsed[k][1]));
+        result = result || (closes && std::ranges::binary_search(tree_.block_ends(1 - k), x[1 - k]));
+    }
+    return result;
+}
+
 bool CellGrid::is_crossing(int32_t place) const noexcept {
     const std::array<double, 2> x = param(place);
     bool result = !is_at_end(place);

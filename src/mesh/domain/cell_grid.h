@@ -30,6 +30,8 @@ public:
     [[nodiscard]] bool is_at_end(int32_t place) const noexcept;
     // Whether it is inside of the domain on two lines at which the surface may have kinks.
     [[nodiscard]] bool is_crossing(int32_t place) const noexcept;
+    // Whether a seam, a line at which the surface may have a kink, or a side of the domain ends there at a pole or at a seam.
+    [[nodiscard]] bool ends_line(int32_t place) const noexcept;
 
     // Divides cells. Returns the new numbers of places.
     std::vector<int32_t> cut(const std::vector<int32_t> &cells);

@@ -36,7 +36,8 @@ public:
             make_strip();
             sites_.evaluate();
             prove();
-            if (round_ == most_rounds || work_ended() || !improve() || (domain_.border_grows && is_weak())) {
+            if (round_ == most_rounds || work_ended() || !improve() ||
+                (domain_.border_grows && (is_weak() || !united_.empty() || !touched_.empty()))) {
                 return output();
             }
         }
@@ -79,6 +80,7 @@ private:
     [[nodiscard]] int parts_for(double distance) const noexcept;
     [[nodiscard]] bool is_weak() const;
     void cut(const std::vector<int32_t> &cells);
+    void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
     [[nodiscard]] bool improve();
     [[nodiscard]] bool is_whole() const;
     [[nodiscard]] DomainMesh output();
@@ -97,8 +99,10 @@ private:
     std::vector<SiteTriangle> triangles_; // those of cells first
     std::vector<ProvenTriangle> proven_;
     std::vector<Distances> distances_;
-    std::vector<int32_t> crossed_; // segments of the border
-    std::map<int32_t, int> weak_;  // these, and into how many parts they are to be divided
+    std::vector<int32_t> crossed_;                    // segments of the border
+    std::vector<std::array<int32_t, 2>> united_;      // points of the border
+    std::vector<std::pair<int32_t, double>> touched_; // segments
+    std::map<int32_t, int> weak_;                     // these, and into how many parts they are to be divided
 };
 
 CellRule DomainMesher::cell_rule() const {
@@ -180,6 +184,8 @@ void DomainMesher::make_strip() {
     }
     const BorderStrip strip(domain_, index_, cells_, extra_);
     crossed_ = strip.crossed();
+    united_ = strip.united();
+    touched_ = strip.touched();
     for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
         triangles_.push_back({piece.sites, -1, piece.border, piece.fixed});
     }
@@ -328,6 +334,20 @@ void DomainMesher::cut(const std::vector<int32_t> &cells) {
     }
 }
 
+// On both sides of a seam.
+void DomainMesher::add_place(const std::array<double, 2> &place,
+                             std::vector<std::array<double, 2>> &places) const {
+    places.push_back(place);
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        if (domain_.closed[k] && (place[k] == ends.front() || place[k] == ends.back())) {
+            std::array<double, 2> other = place;
+            other[k] = place[k] == ends.front() ? ends.back() : ends.front();
+            places.push_back(other);
+        }
+    }
+}
+
 // Cells over the tolerance are cut, triangles of the strip get a new place.
 bool DomainMesher::improve() {
     std::vector<int32_t> over;
@@ -349,7 +369,7 @@ bool DomainMesher::improve() {
             int &parts = weak_.try_emplace(split.border, 2).first->second;
             parts = std::max(parts, parts_for(distances_[i].most()));
         } else if (split.size > chord_ / 4) {
-            more.push_back(split.place);
+            add_place(split.place, more);
         }
     }
     std::ranges::sort(more);
@@ -366,17 +386,21 @@ bool DomainMesher::improve() {
     return !over.empty() || !more.empty();
 }
 
-// Whether each side of a triangle is one of two triangles, or at the border.
+// Whether each side of a triangle is one of two triangles, or at the border, and of two in opposite directions.
 bool DomainMesher::is_whole() const {
     if (!domain_.inside) {
         return true;
     }
-    std::vector<std::array<int32_t, 2>> sides;
+    std::vector<std::array<int32_t, 2>> sides, directed;
     for (const SiteTriangle &triangle : triangles_) {
         const auto p = points_of(triangle);
+        const bool at_pole = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
         for (size_t k = 0; k < 3; ++k) {
             const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
             const Site &from = sites_[triangle.sites[(k + 1) % 3]], &to = sites_[triangle.sites[(k + 2) % 3]];
+            if (!at_pole) {
+                directed.push_back({a, b});
+            }
             if (a != b && triangle.border[k] < 0 && !(is_border(from) && is_border(to))) {
                 sides.push_back({std::min(a, b), std::max(a, b)});
             }
@@ -388,7 +412,8 @@ bool DomainMesher::is_whole() const {
             return false;
         }
     }
-    return true;
+    std::ranges::sort(directed);
+    return std::ranges::adjacent_find(directed) == directed.end();
 }
 
 // Without sites and points that no triangle has.
@@ -426,8 +451,11 @@ DomainMesh DomainMesher::output() {
     for (size_t i = 0; i < triangles_.size() && !over; ++i) {
         over = is_over(i);
     }
-    result.reached =
-        chord_ <= rule_.chord && crossed_.empty() && !result.triangles.empty() && !over && is_whole();
+    const bool whole = crossed_.empty() && !result.triangles.empty() && is_whole();
+    result.reached = whole && !over && chord_ <= rule_.chord && longest_ <= rule_.longest;
+    result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
+    result.united = united_;
+    result.touched = touched_;
     for (const int32_t segment : crossed_) {
         weak_.try_emplace(segment, 2);
     }

@@ -35,6 +35,10 @@ struct DomainMesh {
     // Segments of the border at which triangles are too far off, or that cross others, and into how many parts they
     // are best divided.
     std::vector<std::pair<int32_t, int>> weak{};
+    // Segments of the border that go through other places, and where: shares of them.
+    std::vector<std::pair<int32_t, double>> touched{};
+    // Points of the border that are one: the first stands for the second.
+    std::vector<std::array<int32_t, 2>> united{};
 };
 
 DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule);

@@ -74,6 +74,15 @@ int32_t Sites::of_place(int32_t place) {
     return site;
 }
 
+// The same place at the lower ends of closed axes.
+std::array<double, 2> Sites::before_seams(std::array<double, 2> param) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        param[k] = domain_.closed[k] && param[k] == ends.back() ? ends.front() : param[k];
+    }
+    return param;
+}
+
 int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int32_t point) {
     const auto [known, fresh] = param_sites_.try_emplace({param[0], param[1], static_cast<double>(number)},
                                                          static_cast<int32_t>(sites_.size()));
@@ -90,7 +99,7 @@ int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int3
         own = own < 0 ? next_point_++ : own;
         site.point = own;
     } else if (point < 0) {
-        const auto [own, none] = param_points_.try_emplace(param, next_point_);
+        const auto [own, none] = param_points_.try_emplace(before_seams(param), next_point_);
         next_point_ += none ? 1 : 0;
         site.point = own->second;
     }

@@ -51,6 +51,7 @@ public:
 private:
     void set_border_points();
     void set_point(int32_t place, int32_t point);
+    [[nodiscard]] std::array<double, 2> before_seams(std::array<double, 2> param) const noexcept;
     void evaluate_group(const std::array<bool, 2> &from_left, const std::vector<size_t> &members);
 
     const MeshDomain &domain_;

@@ -98,6 +98,10 @@ void Strip::fill_component(TriangleId start, const std::vector<Wall> &walls) {
             }
             const Wall &wall = walls[static_cast<size_t>(triangulation_.label(t, k))];
             triangle.border[at] = wall.border;
+            triangle.fixed[at] = !wall.divisible;
+            if (wall.border >= 0) {
+                note_touches(t, k, walls);
+            }
             if (wall.passable) {
                 visit(next);
             } else if (const int32_t other = component_of_[static_cast<size_t>(next)];
@@ -106,6 +110,19 @@ void Strip::fill_component(TriangleId start, const std::vector<Wall> &walls) {
             }
         }
         components_.back().triangles.push_back(triangle);
+    }
+}
+
+// The ends of an edge that are none of its wall.
+void Strip::note_touches(TriangleId t, int k, const std::vector<Wall> &walls) {
+    const int32_t label = triangulation_.label(t, k);
+    const Wall &wall = walls[static_cast<size_t>(label)];
+    for (const int next : {1, 2}) {
+        const VertexId v = triangulation_.corners(t)[static_cast<size_t>((k + next) % 3)];
+        if (v != triangulation_.vertex_of(static_cast<size_t>(wall.from)) &&
+            v != triangulation_.vertex_of(static_cast<size_t>(wall.to))) {
+            touches_.push_back({label, first_[static_cast<size_t>(v)]});
+        }
     }
 }
 

@@ -11,15 +11,16 @@ namespace nrb::mesh {
 
 // A segment that is to be a side of triangles.
 struct Wall {
-    int32_t from, to;      // points
-    int32_t border = -1;   // segment of a border that it is
-    bool passable = false; // what is on both sides belongs together
+    int32_t from, to;       // points
+    int32_t border = -1;    // segment of a border that it is
+    bool passable = false;  // what is on both sides belongs together
+    bool divisible = false; // further points may come on it
 };
 
 struct StripTriangle {
     std::array<int32_t, 3> corners; // points, counterclockwise
     std::array<int32_t, 3> border;  // on the sides opposite of these, -1: none
-    std::array<bool, 3> fixed;      // sides that are walls
+    std::array<bool, 3> fixed;      // sides that are walls, and not divisible
 };
 
 // The constrained Delaunay triangulation of places of the domain, on a grid of integers in which lengths are about as in space. Points that
@@ -44,16 +45,19 @@ public:
     }
     // Walls that cross others, and are missing, with those.
     [[nodiscard]] const std::vector<std::array<int32_t, 2>> &crossings() const noexcept { return crossings_; }
+    // Walls of a border that go through other points, with those.
+    [[nodiscard]] const std::vector<std::array<int32_t, 2>> &touches() const noexcept { return touches_; }
 
 private:
     void add_walls(const std::vector<Wall> &walls);
     void set_components(const std::vector<Wall> &walls);
     void fill_component(TriangleId start, const std::vector<Wall> &walls);
+    void note_touches(TriangleId t, int k, const std::vector<Wall> &walls);
     void set_sides();
 
     Triangulation triangulation_;
     std::vector<int32_t> first_; // points of the vertices
-    std::vector<std::array<int32_t, 2>> crossings_;
+    std::vector<std::array<int32_t, 2>> crossings_, touches_;
     std::vector<Component> components_;
     std::vector<int32_t> component_of_; // triangles, -1: none yet
     struct Passage {

@@ -1,0 +1,183 @@
+// Faults of other meshers, by the number of the issue that reports them.
+#include "property/mesh_samples.h"
+#include "property/solids.h"
+#include "support/cases.h"
+#include "support/step_solids.h"
+
+#include <gtest/gtest.h>
+
+namespace mesh_traps_test {
+
+using namespace support;
+using namespace support::meshes;
+using meshes::Point;
+using faces::Face;
+using faces::Ground;
+using faces::pi;
+using faces::Place;
+using faces::polygon;
+using faces::segment;
+
+namespace {
+
+Handle circle(const Place &centre, double radius) {
+    return made([&](nurbs **out) {
+        return nurbs_curve_circle(2, centre.data(), nullptr, nullptr, radius, NURBS_ARC_QUARTERS, out);
+    });
+}
+
+Mesh expect_meshed(const nurbs_face *face, double chord, int64_t characteristic) {
+    const Mesh mesh = mesh_of(face, chord);
+    EXPECT_EQ(mesh.reached, 1);
+    EXPECT_LE(std::max(mesh.from_shape, mesh.from_mesh), chord);
+    EXPECT_EQ(euler(mesh, sides_of(mesh)), characteristic);
+    expect_whole(mesh);
+    return mesh;
+}
+
+// The whole of a ground, with a border where it is not closed.
+Face whole(const Ground &ground) {
+    return faces::face_of(ground.surface.get(), {});
+}
+
+} // namespace
+
+// Oblikovati#101: faces flattened to a plane and cut into ears. Half a ball that its equator bounds has points inside.
+TEST(MeshTraps, faces_are_not_flattened) {
+    const Ground ground = faces::sphere(1);
+    const Handle equator = segment(ground.at(0, 0.5), ground.at(1, 0.5));
+    const Face face = faces::face_of(ground.surface.get(), {{equator.get()}});
+    for (const double chord : {0.1, 0.01, 0.001}) {
+        const Mesh mesh = expect_meshed(face.get(), chord, 1);
+        EXPECT_NEAR(area_of(mesh), 2 * pi, 4 * pi * chord);
+        EXPECT_GT(mesh.points.size(), 2 * static_cast<size_t>(mesh.edge_sizes[0]));
+    }
+}
+
+// oce#143: 46948 triangles where 1676 do. A trimmed face has about its share of those of the surface, and some along the border.
+TEST(MeshTraps, borders_do_not_multiply_triangles) {
+    for (const Ground &ground : {faces::torus(3, 1), faces::sphere(1.5)}) {
+        const Mesh all = mesh_of(ground.surface.get(), 3e-3);
+        for (const double radius : {0.2, 0.05}) {
+            const Handle hole =
+                circle(ground.at(0.55, 0.55), radius * std::min(ground.period[0], ground.period[1]));
+            const Face face = faces::face_of(ground.surface.get(), {{hole.get()}});
+            const Mesh mesh = expect_meshed(face.get(), 3e-3, 1);
+            const double share = faces::area_of(face.get(), 1e-6) / area_of(all);
+            EXPECT_LE(static_cast<double>(mesh.triangles.size()),
+                      1.5 * share * static_cast<double>(all.triangles.size()) +
+                          12 * static_cast<double>(mesh.edge_points.size()));
+        }
+    }
+}
+
+// oce#641: three quarters of a face. All of what closes up is there, whatever the tolerance.
+TEST(MeshTraps, faces_around_are_whole) {
+    const Ground grounds[] = {faces::cylinder(2, 3), faces::sphere(1.5), faces::torus(3, 1)};
+    const double areas[] = {12 * pi, 9 * pi, 12 * pi * pi}, characteristics[] = {0, 2, 0};
+    for (size_t i = 0; i < 3; ++i) {
+        for (const double chord : {0.5, 0.1, 0.01}) {
+            const Mesh mesh =
+                expect_meshed(whole(grounds[i]).get(), chord, static_cast<int64_t>(characteristics[i]));
+            EXPECT_NEAR(area_of(mesh), areas[i], 1.5 * areas[i] * chord);
+        }
+    }
+}
+
+// OCCT#929: vertices inside that no triangle has; gridfinity-layout-tool#2085 and brepkit#696: T-junctions, and sides with one
+// triangle or three.
+TEST(MeshTraps, solids_are_closed) {
+    const std::pair<std::string, int64_t> solids[] = {
+        {step_test::step_cube(), 2},          {step_test::step_cylinder(true), 2},
+        {step_test::step_cylinder(false), 2}, {step_test::step_cone(), 2},
+        {step_test::step_sphere(false), 2},   {step_test::step_sphere(true), 2},
+        {step_test::step_half_torus(), 0}};
+    for (const auto &[text, characteristic] : solids) {
+        const models::Model model = models::read_model(text);
+        for (const double chord : {0.3, 0.03, 0.003}) {
+            const Mesh mesh = mesh_of(model.get(), chord);
+            const Sides sides = sides_of(model.get(), mesh);
+            EXPECT_EQ(mesh.reached, 1);
+            EXPECT_EQ(free_sides(sides), 0);
+            EXPECT_EQ(euler(mesh, sides), characteristic);
+            expect_whole(mesh, sides);
+        }
+    }
+}
+
+// OCCT#682: rough tangents. Normals are those of the surface, whatever the tolerance.
+TEST(MeshTraps, normals_are_those_of_the_surface) {
+    Random random(3);
+    const Ground ground = faces::wavy(random);
+    const Handle hole = circle({0.5, 0.5}, 0.3);
+    const Face face = faces::face_of(ground.surface.get(), {{hole.get()}});
+    for (const double chord : {0.1, 0.001}) {
+        const Mesh mesh = mesh_of(face.get(), chord);
+        Vec params;
+        for (const auto &param : mesh.params) {
+            params.insert(params.end(), param.begin(), param.end());
+        }
+        const Vec jets = eval_derivs(ground.surface.get(), 1, params);
+        for (size_t i = 0; i < mesh.normals.size(); ++i) {
+            const double *jet = &jets[9 * i];
+            const Point product = cross({jet[3], jet[4], jet[5]}, {jet[6], jet[7], jet[8]});
+            for (size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(mesh.normals[i][c], product[c] / std::sqrt(dot(product, product)), 1e-13);
+            }
+        }
+    }
+}
+
+// text-to-cad#371: vertices at a seam welded by the distance of their parameters. A slot that is narrower than any epsilon stays open,
+// beside the seam, across it and elsewhere.
+TEST(MeshTraps, what_is_close_is_not_welded) {
+    const Ground ground = faces::cylinder(2, 3);
+    for (const double width : {1e-4, 1e-6}) {
+        for (const double at : {0.5, 1.0, 1 + 2 * width, 0.7}) {
+            const Handle slot = polygon({ground.at(at - width, 0.3), ground.at(at + width, 0.3),
+                                         ground.at(at + width, 0.7), ground.at(at - width, 0.7)}),
+                         low = segment(ground.at(0, 0), ground.at(1, 0)),
+                         high = segment(ground.at(1, 1), ground.at(0, 1));
+            const Face face = faces::face_of(ground.surface.get(), {{low.get()}, {high.get()}, {slot.get()}});
+            expect_meshed(face.get(), 0.01, -1);
+        }
+    }
+}
+
+// And what is one is one: the seam, whose ends have other parameters.
+TEST(MeshTraps, seams_are_welded) {
+    const Ground ground = faces::torus(3, 1);
+    const Mesh mesh = expect_meshed(whole(ground).get(), 0.01, 0);
+    EXPECT_EQ(free_sides(sides_of(mesh)), 0);
+    EXPECT_GT(mesh.at.size(), mesh.points.size()); // vertices on both sides of it
+}
+
+// CDT!133: refinement that does not end, and Oblikovati#1409: a limit of it that is taken for success. Between sides that meet at a
+// small angle there are few triangles.
+TEST(MeshTraps, refinement_ends_at_small_angles) {
+    Random random(4);
+    const Ground ground = faces::wavy(random);
+    for (const double angle : {1e-2, 1e-4, 1e-6}) {
+        const Handle needle = polygon({{0.1, 0.2}, {0.9, 0.3}, {0.9, 0.3 + angle}});
+        const Face face = faces::face_of(ground.surface.get(), {{needle.get()}});
+        EXPECT_LE(expect_meshed(face.get(), 1e-3, 1).triangles.size(), 2000U);
+    }
+}
+
+// build123d#1444: a coarse mesh that is there already in place of a finer one. Meshes do not depend on those before them.
+TEST(MeshTraps, meshes_do_not_depend_on_those_before) {
+    for_each_case(5, 3, [](Random &random, uint64_t seed) {
+        const Ground ground = faces::wavy(random);
+        const Handle fresh = create(read_back(ground.surface.get())), hole = circle({0.5, 0.5}, 0.3);
+        const Face face = faces::face_of(ground.surface.get(), {{hole.get()}}),
+                   other = faces::face_of(fresh.get(), {{hole.get()}});
+        const size_t coarse = mesh_of(face.get(), 0.1).triangles.size();
+        const Mesh fine = mesh_of(face.get(), 0.001), alone = mesh_of(other.get(), 0.001);
+        EXPECT_GT(fine.triangles.size(), 4 * coarse) << seed;
+        EXPECT_EQ(fine.triangles, alone.triangles) << seed;
+        EXPECT_EQ(fine.points, alone.points) << seed;
+        EXPECT_EQ(mesh_of(face.get(), 0.1).triangles.size(), coarse) << seed;
+    });
+}
+
+} // namespace mesh_traps_test
