@@ -72,7 +72,6 @@ void fill_whole(std::span<unsigned char> out, const io::ByteSource &source) {
 }
 
 io::ByteSource source_of(const nurbs_mesh *mesh, int32_t format, const nurbs_write_options *options) {
-    require(mesh, "mesh");
     return io::mesh_source(*mesh->mesh, format, settings_of(options));
 }
 
@@ -148,6 +147,7 @@ nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const char *path
 nurbs_status nurbs_mesh_write(const nurbs_mesh *mesh, int32_t format, const nurbs_write_options *options,
                               int64_t cap, void *bytes, int64_t *length) {
     return guard([&] {
+        require(mesh, "mesh");
         check_length(cap, "cap");
         const io::ByteSource source = source_of(mesh, format, options);
         const int64_t size = io::size_of(source);
@@ -165,6 +165,7 @@ nurbs_status nurbs_mesh_write_with(const nurbs_mesh *mesh, int32_t format, const
 nurbs_status nurbs_mesh_write_file(const nurbs_mesh *mesh, const char *path, int32_t format,
                                    const nurbs_write_options *options) {
     return guard([&] {
+        require(mesh, "mesh");
         require(path, "path");
         io::write_whole_file(path, source_of(mesh, format, options));
     });

@@ -13,8 +13,6 @@ namespace nrb::mesh {
 
 namespace {
 
-using Triangle = std::array<int32_t, 3>;
-
 // A number that looks as if it were drawn at random ("splitmix64", Steele, Lea and Flood 2014).
 uint64_t mixed(uint64_t x) noexcept {
     x += 0x9e3779b97f4a7c15;
@@ -46,7 +44,7 @@ public:
     [[nodiscard]] bool is_inside_out() const noexcept { return open_ == 0 && volume_ < -1e-9 * size_; }
 
 private:
-    void add(const Triangle &triangle, bool turned) {
+    void add(const std::array<int32_t, 3> &triangle, bool turned) {
         std::array<int32_t, 3> points{};
         for (size_t k = 0; k < 3; ++k) {
             points[turned ? 2 - k : k] = mesh_.vertices[static_cast<size_t>(triangle[k])].point;

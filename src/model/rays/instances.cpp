@@ -130,7 +130,7 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
     norm_ = growth_of(m);
     inverse_norm_ = growth_of(inverse_);
     const double condition = norm_ * inverse_norm_;
-    if (!(condition < 1e9)) {
+    if (!(condition > 0 && condition < 1e9)) { // 0: of the zero matrix, whose inverse is NaN
         fail(Status::matrix, "the placement of use %lld has no inverse to rounding",
              static_cast<long long>(instances[index].use));
     }
