@@ -8611,8 +8611,8 @@ NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const 
  * - **OBJ**: for each instance of a part an object with its name, with the points that its faces share (as
  *   NURBS_MESH_WELDED has them), and normals for each face; for each face a group with its name. Blanks in
  *   names become '_'. Colours are names of materials, such as "colour_ff8000", which no file defines.
- * - **PLY**: vertices of faces with their points in double precision and normals; triangles with the number of
- *   their face (`face_number`, 0-based), and red, green and blue if any face has a colour.
+ * - **PLY**: vertices of faces with their points in double precision, normals, the number of their face
+ *   (`face_number`, 0-based), and red, green and blue if any face has a colour.
  * - **GLB**: a node for each use of a part, in the order of nurbs_model_instances() and with names and placements,
  *   and below one that turns the z axis upwards, as CAD has it, into the y axis upwards of glTF, and the unit into
  *   metres; a mesh for each part, with a primitive for each colour of its faces, and in the `extras` of that which

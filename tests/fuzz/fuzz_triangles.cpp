@@ -118,6 +118,21 @@ void check_parts(const nurbs_mesh *mesh, const Arrays &all) {
     FUZZ_REQUIRE(place == all.edge_points && all_below(places, all.points));
 }
 
+// Of every format as many bytes as asked for; of STL no more triangles than there are.
+void check_files(const nurbs_mesh *mesh, const Arrays &all) {
+    for (int32_t format = NURBS_FORMAT_STL; format <= NURBS_FORMAT_VTU; ++format) {
+        int64_t size = 0, again = 0;
+        if (!FUZZ_OK(nurbs_mesh_write(mesh, format, nullptr, 0, nullptr, &size))) {
+            continue; // overflow in single precision, or no triangles
+        }
+        std::vector<char> bytes(static_cast<size_t>(size));
+        FUZZ_REQUIRE(nurbs_mesh_write(mesh, format, nullptr, size, bytes.data(), &again) == NURBS_OK);
+        FUZZ_REQUIRE(again == size && all.triangles > 0);
+        FUZZ_REQUIRE(format != NURBS_FORMAT_STL || size <= 84 + 50 * all.triangles);
+        FUZZ_REQUIRE(format != NURBS_FORMAT_PLY || size >= 13 * all.triangles + 40 * all.vertices);
+    }
+}
+
 Arrays check(const nurbs_mesh *mesh) {
     nurbs_mesh *copy = nullptr;
     FUZZ_REQUIRE(nurbs_mesh_clone(mesh, &copy) == NURBS_OK);
@@ -126,6 +141,9 @@ Arrays check(const nurbs_mesh *mesh) {
     check_triangles(all);
     check_single(copy, all);
     check_parts(copy, all);
+    if (all.triangles < 2000) {
+        check_files(copy, all);
+    }
     return all;
 }
 

@@ -242,25 +242,21 @@ inline Soup read_ply(const std::string &file) {
             vertex[name] = number(type);
         }
     }
+    require(properties[1].size() == 1, "properties of faces");
     Soup soup(counts[1]);
     for (Triangle &t : soup) {
-        std::map<std::string, double> values;
-        for (const auto &[name, type] : properties[1]) {
-            if (type != "list") {
-                values[name] = number(type);
-                continue;
+        require(in.take<uint8_t>() == 3, "corners of a triangle");
+        for (size_t k = 0; k < 3; ++k) {
+            auto &vertex = vertices.at(static_cast<size_t>(in.take<int32_t>()));
+            t.corners[k] = {vertex.at("x"), vertex.at("y"), vertex.at("z")};
+            t.normals[k] = {vertex.at("nx"), vertex.at("ny"), vertex.at("nz")};
+            const auto face = static_cast<int64_t>(vertex.at("face_number"));
+            require(k == 0 || face == t.face, "a triangle of one face");
+            t.face = face;
+            if (vertex.count("red") == 1) {
+                t.colour = {static_cast<int>(vertex["red"]), static_cast<int>(vertex["green"]),
+                            static_cast<int>(vertex["blue"])};
             }
-            require(in.take<uint8_t>() == 3, "corners of a triangle");
-            for (size_t k = 0; k < 3; ++k) {
-                auto &vertex = vertices.at(static_cast<size_t>(in.take<int32_t>()));
-                t.corners[k] = {vertex.at("x"), vertex.at("y"), vertex.at("z")};
-                t.normals[k] = {vertex.at("nx"), vertex.at("ny"), vertex.at("nz")};
-            }
-        }
-        t.face = static_cast<int64_t>(values.at("face_number"));
-        if (values.count("red") == 1) {
-            t.colour = {static_cast<int>(values["red"]), static_cast<int>(values["green"]),
-                        static_cast<int>(values["blue"])};
         }
     }
     require(in.ended(), "bytes behind the faces");
