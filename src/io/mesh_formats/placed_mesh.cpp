@@ -41,18 +41,6 @@ OuterNormals::OuterNormals(const Mesh &mesh) : mesh_(mesh) {
     }
 }
 
-Vector3 OuterNormals::at(const MeshFace &face, size_t vertex) const {
-    const Vector3 &own = mesh_.vertices[vertex].normal;
-    const Vector3 normal = std::isnan(own.x) ? made_.at(vertex) : own;
-    return face.turned ? -1 * normal : normal;
-}
-
-std::array<size_t, 3> outer_corners(const Mesh &mesh, const MeshFace &face, size_t triangle, bool mirrored) {
-    const auto &[a, b, c] = mesh.triangles[face.first_triangle + triangle];
-    const bool turn = face.turned != mirrored;
-    return {static_cast<size_t>(a), static_cast<size_t>(turn ? c : b), static_cast<size_t>(turn ? b : c)};
-}
-
 PlacedMesh::PlacedMesh(const Mesh &mesh, double factor)
     : mesh_(&mesh), factor_(factor), normals_(mesh), faces_(mesh.parts.size()) {
     if (mesh.triangles.empty()) {
@@ -79,14 +67,6 @@ PlacedMesh::PlacedMesh(const Mesh &mesh, double factor)
 
 bool PlacedMesh::has_colours() const noexcept {
     return std::ranges::any_of(mesh_->faces, [](const MeshFace &face) { return face.colour.has_value(); });
-}
-
-Vector3 triangle_normal(const Vector3 &a, const Vector3 &b, const Vector3 &c) noexcept {
-    Vector3 across = cross(b - a, c - a);
-    if (!in_range(dot(across, across))) {
-        across = cross(scaled_to_one(b - a), scaled_to_one(c - a));
-    }
-    return dot(across, across) > 0 ? unit(across) : Vector3{};
 }
 
 const std::string &name_of(const Mesh &mesh, int64_t use) {

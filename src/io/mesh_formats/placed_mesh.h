@@ -6,6 +6,7 @@
 #include "model/rays/instances.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -21,7 +22,11 @@ using mesh::MeshFace;
 class OuterNormals {
 public:
     explicit OuterNormals(const Mesh &mesh);
-    [[nodiscard]] Vector3 at(const MeshFace &face, size_t vertex) const;
+    [[nodiscard]] Vector3 at(const MeshFace &face, size_t vertex) const {
+        const Vector3 &own = mesh_.vertices[vertex].normal;
+        const Vector3 &normal = std::isnan(own.x) ? made_.at(vertex) : own;
+        return face.turned ? -1 * normal : normal;
+    }
 
 private:
     const Mesh &mesh_;
@@ -29,7 +34,12 @@ private:
 };
 
 // Corners of a triangle, as vertices, counterclockwise as it is seen from outside.
-std::array<size_t, 3> outer_corners(const Mesh &mesh, const MeshFace &face, size_t triangle, bool mirrored);
+inline std::array<size_t, 3> outer_corners(const Mesh &mesh, const MeshFace &face, size_t triangle,
+                                           bool mirrored) noexcept {
+    const auto &[a, b, c] = mesh.triangles[face.first_triangle + triangle];
+    const bool turn = face.turned != mirrored;
+    return {static_cast<size_t>(a), static_cast<size_t>(turn ? c : b), static_cast<size_t>(turn ? b : c)};
+}
 
 // A part in one of the places where it stands.
 class PlacedPart {
@@ -122,7 +132,13 @@ private:
 using PlacedMeshPtr = std::shared_ptr<const PlacedMesh>;
 
 // Of length 1, or 0 where the triangle has none.
-Vector3 triangle_normal(const Vector3 &a, const Vector3 &b, const Vector3 &c) noexcept;
+inline Vector3 triangle_normal(const Vector3 &a, const Vector3 &b, const Vector3 &c) noexcept {
+    Vector3 across = cross(b - a, c - a);
+    if (!in_range(dot(across, across))) {
+        across = cross(scaled_to_one(b - a), scaled_to_one(c - a));
+    }
+    return dot(across, across) > 0 ? unit(across) : Vector3{};
+}
 
 // The name of a use, or else of its part.
 const std::string &name_of(const Mesh &mesh, int64_t use);

@@ -16,14 +16,16 @@ inline Single3 single(const Vector3 &x) noexcept {
     return {static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)};
 }
 
+[[noreturn]] inline void fail_single(const Vector3 &x) {
+    fail(Status::not_representable, "a coordinate overflows in single precision: (%s, %s, %s)",
+         Number(x.x).text, Number(x.y).text, Number(x.z).text);
+}
+
 // Throws Status::not_representable for what overflows.
 inline Single3 checked_single(const Vector3 &x) {
     const Single3 rounded = single(x);
-    for (const float value : rounded) {
-        if (!std::isfinite(value)) {
-            fail(Status::not_representable, "a coordinate overflows in single precision: (%s, %s, %s)",
-                 Number(x.x).text, Number(x.y).text, Number(x.z).text);
-        }
+    if (!(std::isfinite(rounded[0]) && std::isfinite(rounded[1]) && std::isfinite(rounded[2]))) {
+        fail_single(x);
     }
     return rounded;
 }

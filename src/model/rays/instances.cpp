@@ -170,14 +170,6 @@ intersect::RayQuery Placement::moved(const intersect::RayQuery &query) const noe
     return result;
 }
 
-Vector3 Placement::in_whole(const Vector3 &x) const noexcept {
-    const auto row = [&](size_t i) {
-        const double *m = placement_.data() + 4 * i;
-        return m[0] * x.x + m[1] * x.y + m[2] * x.z + m[3];
-    };
-    return identity_ ? x : Vector3{row(0), row(1), row(2)};
-}
-
 SplinePtr Placement::in_whole(const SplinePtr &curve) const {
     if (identity_) {
         return curve;

@@ -35,7 +35,13 @@ public:
     // How far off a point moved that way may be.
     [[nodiscard]] double error(const Vector3 &x) const noexcept;
     // Of the whole, moved the other way.
-    [[nodiscard]] Vector3 in_whole(const Vector3 &x) const noexcept;
+    [[nodiscard]] Vector3 in_whole(const Vector3 &x) const noexcept {
+        const auto row = [&](size_t i) {
+            const double *m = placement_.data() + 4 * i;
+            return m[0] * x.x + m[1] * x.y + m[2] * x.z + m[3];
+        };
+        return identity_ ? x : Vector3{row(0), row(1), row(2)};
+    }
     [[nodiscard]] SplinePtr in_whole(const SplinePtr &curve) const;
     // A normal of a surface moved that way: of length 1, on the same side of it.
     [[nodiscard]] Vector3 normal_in_whole(const Vector3 &normal) const noexcept;
