@@ -192,16 +192,19 @@ TEST(MeshWrite, boxes_are_seen_from_outside_whichever_way_their_sides_run) {
 
 TEST(MeshWrite, closed_surfaces_alone_are_seen_from_outside) {
     const double third = 4 * pi / 3;
-    for (const auto &[ground, enclosed] :
-         {std::pair(faces::sphere(2), 8 * third), std::pair(faces::torus(3, 1), 6 * pi * pi)}) {
+    struct Case {
+        faces::Ground ground;
+        double enclosed;
+    };
+    for (const Case &own : {Case{faces::sphere(2), 8 * third}, Case{faces::torus(3, 1), 6 * pi * pi}}) {
         for (const bool reversed : {false, true}) {
-            const Handle surface =
-                reversed ? made([&](nurbs **out) { return nurbs_reverse(ground.surface.get(), 0, 0, out); })
-                         : made([&](nurbs **out) { return nurbs_clone(ground.surface.get(), out); });
+            const nurbs *g = own.ground.surface.get();
+            const Handle surface = made(
+                [&](nurbs **out) { return reversed ? nurbs_reverse(g, 0, 0, out) : nurbs_clone(g, out); });
             const Mesh mesh = mesh_of(surface.get(), 1e-3);
             const std::vector<File> files = files_of(mesh.get());
             expect_triangles(mesh.get(), files, true);
-            expect_outside(files, enclosed, 0.01 * enclosed);
+            expect_outside(files, own.enclosed, 0.01 * own.enclosed);
         }
     }
 }
