@@ -133,6 +133,26 @@ void check_files(const nurbs_mesh *mesh, const Arrays &all) {
     }
 }
 
+// With any settings, to where all is lost or refused, and within a limit of work.
+void write_anywhere(Input &in, const nurbs_mesh *mesh) {
+    nurbs_write_options options;
+    FUZZ_REQUIRE(nurbs_write_options_init(&options, sizeof options) == NURBS_OK);
+    options.unit = std::ldexp(1, in.below(2000) - 1000);
+    const nurbs_write_options *given = in.rarely() ? &options : nullptr;
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = int64_t{1} << in.below(20);
+    const char *const path = in.rarely() ? "/nonexistent/a.stl" : "/dev/null";
+    const int32_t format = in.below(10);
+    FUZZ_OK(nurbs_mesh_write_file(mesh, path, format, given));
+    FUZZ_OK(nurbs_mesh_write_file_with(mesh, path, format, given, &call));
+    int64_t size = 0;
+    std::vector<char> bytes(1 << 12, 7);
+    if (!FUZZ_OK(nurbs_mesh_write_with(mesh, format, given, std::ssize(bytes), bytes.data(), &size, &call))) {
+        FUZZ_REQUIRE(std::ranges::count(bytes, 7) == std::ssize(bytes));
+    }
+}
+
 Arrays check(const nurbs_mesh *mesh) {
     nurbs_mesh *copy = nullptr;
     FUZZ_REQUIRE(nurbs_mesh_clone(mesh, &copy) == NURBS_OK);
@@ -294,6 +314,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const Mesh own(mesh);
         const Arrays all = check(mesh);
         check_places(in, g.get(), s, all);
+        if (all.triangles < 2000) {
+            write_anywhere(in, mesh);
+        }
         if (all.reached == 1) { // a call without a limit reaches it, too
             nurbs_mesh *again = nullptr;
             FUZZ_REQUIRE(nurbs_mesh_surface(g.get(), options, &again) == NURBS_OK);
