@@ -161,7 +161,7 @@ Arrays check(const nurbs_mesh *mesh) {
     check_triangles(all);
     check_single(copy, all);
     check_parts(copy, all);
-    if (all.triangles < 100) {
+    if (all.triangles < 100 && all.vertices % 4 == 0) { // some of the many
         check_files(copy, all);
     }
     return all;
@@ -314,7 +314,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const Mesh own(mesh);
         const Arrays all = check(mesh);
         check_places(in, g.get(), s, all);
-        if (all.triangles < 100) {
+        if (all.triangles < 100 && in.rarely()) {
             write_anywhere(in, mesh);
         }
         if (all.reached == 1) { // a call without a limit reaches it, too

@@ -19,15 +19,15 @@ void Blocks::text(std::string_view text) {
 
 void Blocks::flush() {
     if (used_ > 0) {
-        sink_(std::string_view(buffer_.data(), used_));
+        sink_(std::string_view(buffer_.get(), used_));
         count_work(static_cast<int64_t>(used_));
         used_ = 0;
     }
 }
 
 void Blocks::turn_around(size_t size) noexcept {
-    const auto start = buffer_.begin() + static_cast<std::ptrdiff_t>(used_);
-    std::reverse(start, start + static_cast<std::ptrdiff_t>(size));
+    char *const start = buffer_.get() + used_;
+    std::reverse(start, start + size);
 }
 
 int64_t size_of(const ByteSource &source) {

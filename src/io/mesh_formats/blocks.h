@@ -8,9 +8,9 @@
 #include <charconv>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace nrb::io {
 
@@ -18,7 +18,8 @@ namespace nrb::io {
 // them, with a point in every locale.
 class Blocks {
 public:
-    explicit Blocks(const ByteSink &sink) : sink_(sink), buffer_(block) {}
+    explicit Blocks(const ByteSink &sink)
+        : sink_(sink), buffer_(std::make_unique_for_overwrite<char[]>(block)) {}
 
     void text(std::string_view text);
 
@@ -56,12 +57,12 @@ private:
         if (block - used_ < size) {
             flush();
         }
-        return buffer_.data() + used_;
+        return buffer_.get() + used_;
     }
     void turn_around(size_t size) noexcept;
 
     const ByteSink &sink_;
-    std::vector<char> buffer_;
+    std::unique_ptr<char[]> buffer_; // not filled with zeros, which would take longer than small files
     size_t used_ = 0;
 };
 
