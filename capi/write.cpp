@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models and lists as files.
+// Models, lists and meshes as files.
 #include "bytes.h"
 #include "checks.h"
 #include "guard.h"
@@ -9,11 +9,13 @@
 
 #include "base/error.h"
 #include "io/file.h"
+#include "io/mesh_formats/write_meshes.h"
 #include "io/writers.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <vector>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -49,6 +51,28 @@ void write_bytes(const model::Model &model, int32_t format, const nurbs_write_op
 void write_file(const model::Model &model, const char *path, int32_t format,
                 const nurbs_write_options *options) {
     io::write_whole_file(path, io::write(model, format, settings_of(options)));
+}
+
+// What a source gives, one block behind the other.
+void fill(std::span<unsigned char> out, const io::ByteSource &source) {
+    source([&out](std::string_view block) {
+        std::memcpy(out.data(), block.data(), block.size());
+        out = out.subspan(block.size());
+    });
+}
+
+// A call that may be ended writes nothing before the end.
+void fill_whole(std::span<unsigned char> out, const io::ByteSource &source) {
+    if (Watch::current() == nullptr) {
+        return fill(out, source);
+    }
+    std::vector<unsigned char> whole(out.size());
+    fill(whole, source);
+    std::ranges::copy(whole, out.begin());
+}
+
+io::ByteSource source_of(const nurbs_mesh *mesh, int32_t format, const nurbs_write_options *options) {
+    return io::mesh_source(*mesh->mesh, format, settings_of(options));
 }
 
 } // namespace
@@ -118,4 +142,36 @@ nurbs_status nurbs_list_write_file(const nurbs_list *list, const char *path, int
 nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const char *path, int32_t format,
                                         const nurbs_write_options *options, const nurbs_call_options *call) {
     return watched(call, [&] { return nurbs_list_write_file(list, path, format, options); });
+}
+
+nurbs_status nurbs_mesh_write(const nurbs_mesh *mesh, int32_t format, const nurbs_write_options *options,
+                              int64_t cap, void *bytes, int64_t *length) {
+    return guard([&] {
+        require(mesh, "mesh");
+        check_length(cap, "cap");
+        const io::ByteSource source = source_of(mesh, format, options);
+        const int64_t size = io::size_of(source);
+        give_bytes(static_cast<size_t>(size), cap, bytes, length,
+                   [&](std::span<unsigned char> out) { fill_whole(out, source); });
+    });
+}
+
+nurbs_status nurbs_mesh_write_with(const nurbs_mesh *mesh, int32_t format, const nurbs_write_options *options,
+                                   int64_t cap, void *bytes, int64_t *length,
+                                   const nurbs_call_options *call) {
+    return watched(call, [&] { return nurbs_mesh_write(mesh, format, options, cap, bytes, length); });
+}
+
+nurbs_status nurbs_mesh_write_file(const nurbs_mesh *mesh, const char *path, int32_t format,
+                                   const nurbs_write_options *options) {
+    return guard([&] {
+        require(mesh, "mesh");
+        require(path, "path");
+        io::write_whole_file(path, source_of(mesh, format, options));
+    });
+}
+
+nurbs_status nurbs_mesh_write_file_with(const nurbs_mesh *mesh, const char *path, int32_t format,
+                                        const nurbs_write_options *options, const nurbs_call_options *call) {
+    return watched(call, [&] { return nurbs_mesh_write_file(mesh, path, format, options); });
 }

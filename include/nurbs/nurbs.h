@@ -8533,12 +8533,25 @@ NURBS_API nurbs_status nurbs_mesh_edge_points(const nurbs_mesh *mesh, int64_t ca
  * @{ */
 
 /** \name Formats of files
- * For nurbs_model_write() and those like it. \since 1.1
+ * Those of shapes for nurbs_model_write() and nurbs_list_write(), those of triangles for nurbs_mesh_write().
+ * \since 1.1
  * @{ */
 /** \brief STEP: an exchange structure of ISO 10303-21, by AP214 */
 #define NURBS_FORMAT_STEP 1
 /** \brief IGES 5.3 in lines of 80 columns */
 #define NURBS_FORMAT_IGES 2
+/** \brief Triangles: binary STL */
+#define NURBS_FORMAT_STL 3
+/** \brief Triangles: STL as text */
+#define NURBS_FORMAT_STL_TEXT 4
+/** \brief Triangles: Wavefront OBJ */
+#define NURBS_FORMAT_OBJ 5
+/** \brief Triangles: PLY, binary, lowest byte first */
+#define NURBS_FORMAT_PLY 6
+/** \brief Triangles: glTF 2.0 in one binary file */
+#define NURBS_FORMAT_GLB 7
+/** \brief Triangles: an unstructured grid of VTK in XML, with raw arrays behind it */
+#define NURBS_FORMAT_VTU 8
 /** @} */
 
 /** \brief Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
@@ -8647,6 +8660,76 @@ NURBS_API nurbs_status nurbs_list_write_file(const nurbs_list *list, const char 
  * \return as for nurbs_list_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const char *path, int32_t format,
+                                                  const nurbs_write_options *options,
+                                                  const nurbs_call_options *call);
+
+/** \brief A mesh as the contents of a file: its triangles with what the model says of them. To ask how many bytes
+ * there are takes as long as to write them; they are the same on every machine for the same mesh.
+ *
+ * Parts stand where they are in the whole, once for each of their instances (nurbs_model_instances()). Triangles
+ * are counterclockwise as they are **seen from outside**, and normals point there: on the side that
+ * nurbs_model_face() tells (`against`) for faces of solids; where a part has faces of no solid, each shell is seen
+ * as its first face is, as in nurbs_model_volume(). If the triangles of a solid, or of all such faces of a part,
+ * close up and enclose a negative volume, they are turned, also those of a surface alone. At a vertex without a
+ * normal, such as a pole, it is the one of the triangles around.
+ *
+ * - **STL**, binary or text: the triangles, in single precision, with their normals. Triangles of which two corners
+ *   are one point in single precision are left out: what was closed stays closed. Names and colours are lost.
+ * - **OBJ**: for each instance of a part an object with its name, with the points that its faces share (as
+ *   NURBS_MESH_WELDED has them), and normals for each face; for each face a group with its name. Blanks in
+ *   names become '_'. Colours are names of materials, such as "colour_ff8000", which no file defines.
+ * - **PLY**: vertices of faces with their points in double precision, normals, the number of their face
+ *   (`face_number`, 0-based), and red, green and blue if any face has a colour.
+ * - **GLB**: a node for each use of a part, in the order of nurbs_model_instances() and with names and placements,
+ *   and below one that turns the z axis upwards, as CAD has it, into the y axis upwards of glTF, and the unit into
+ *   metres; a mesh for each part, with a primitive for each colour of its faces, and in the `extras` of that which
+ *   triangles stand for which face, and its name. Points are in single precision.
+ * - **VTU**: vertices with points and parameters (`params`) in double precision and normals (`normals`);
+ *   triangles with the numbers of their face and of its part (`face`, `part`, 0-based), and `colour` if any face
+ *   has one.
+ * \param[in] mesh a mesh.
+ * \param[in] format NURBS_FORMAT_STL, _STL_TEXT, _OBJ, _PLY, _GLB or _VTU.
+ * \param[in] options or NULL for the defaults: settings. The tolerance is not used.
+ * \param[in] cap size of bytes: 0, or at least the number of bytes.
+ * \param[out] bytes [cap] or NULL: receives the bytes.
+ * \param[out] length or NULL: number of bytes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, also of a mesh that has no triangles, _OVERLAP, _OPTIONS, _FORMAT
+ *   for any other format; _SIZE if cap is neither 0 nor enough; _MATRIX for placements without an inverse, and in
+ *   GLB for those that are no similarities; _NOT_REPRESENTABLE for coordinates that overflow in the precision of
+ *   the file, and in STL if no triangle is left; _TOO_LARGE where a file would have more than its format counts:
+ *   2^32 bytes of GLB, 2^31 vertices of PLY, 2^32 triangles of STL, or a million instances.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_write(const nurbs_mesh *mesh, int32_t format,
+                                        const nurbs_write_options *options, int64_t cap, void *bytes,
+                                        int64_t *length);
+
+/** \brief nurbs_mesh_write() as a call that can be watched and ended.
+ * \param[in] mesh,format,options,cap as for nurbs_mesh_write().
+ * \param[out] bytes,length as for nurbs_mesh_write().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_mesh_write(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_write_with(const nurbs_mesh *mesh, int32_t format,
+                                             const nurbs_write_options *options, int64_t cap, void *bytes,
+                                             int64_t *length, const nurbs_call_options *call);
+
+/** \brief Writes a mesh to a file, as nurbs_model_write_file() does, block by block: at no time is all of
+ * the file in memory.
+ * \param[in] mesh a mesh.
+ * \param[in] path file name, zero-terminated, in the system's encoding.
+ * \param[in] format NURBS_FORMAT_STL, _STL_TEXT, _OBJ, _PLY, _GLB or _VTU.
+ * \param[in] options or NULL for the defaults: settings. The tolerance is not used.
+ * \return as for nurbs_mesh_write() without _OVERLAP, _SIZE, and NURBS_ERROR_FILE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_write_file(const nurbs_mesh *mesh, const char *path, int32_t format,
+                                             const nurbs_write_options *options);
+
+/** \brief nurbs_mesh_write_file() as a call that can be watched and ended.
+ * \param[in] mesh,path,format,options as for nurbs_mesh_write_file().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_mesh_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_write_file_with(const nurbs_mesh *mesh, const char *path, int32_t format,
                                                   const nurbs_write_options *options,
                                                   const nurbs_call_options *call);
 /** @} */

@@ -82,12 +82,12 @@ public:
     Replacement(const Replacement &) = delete;
     Replacement &operator=(const Replacement &) = delete;
 
-    void run(std::string_view bytes, const struct stat *old) {
+    void run(const ByteSource &source, const struct stat *old) {
         Descriptor file(number_);
         if (old != nullptr && ::fchmod(number_, old->st_mode & 07777U) != 0) {
             fail_path(path_, errno);
         }
-        write_all(path_, number_, bytes);
+        source([this](std::string_view bytes) { write_all(path_, number_, bytes); });
         if (::fsync(number_) != 0 || file.close() != 0 || std::rename(name_.c_str(), path_.c_str()) != 0) {
             fail_path(path_, errno);
         }
@@ -111,12 +111,12 @@ std::string target_of(const char *path) {
     return target ? target.get() : path;
 }
 
-void write_into(const std::string &path, std::string_view bytes) {
+void write_into(const std::string &path, const ByteSource &source) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.number() < 0) {
         fail_path(path, errno);
     }
-    write_all(path, file.number(), bytes);
+    source([&](std::string_view bytes) { write_all(path, file.number(), bytes); });
     if (file.close() != 0) {
         fail_path(path, errno);
     }
@@ -125,6 +125,10 @@ void write_into(const std::string &path, std::string_view bytes) {
 } // namespace
 
 void write_whole_file(const char *path, std::string_view bytes) {
+    write_whole_file(path, [bytes](const ByteSink &sink) { sink(bytes); });
+}
+
+void write_whole_file(const char *path, const ByteSource &source) {
     const NoCancellation shield;
     const std::string target = target_of(path);
     struct stat old {};
@@ -133,13 +137,13 @@ void write_whole_file(const char *path, std::string_view bytes) {
         fail_path(path, EISDIR);
     }
     if (exists && !S_ISREG(old.st_mode)) {
-        return write_into(target, bytes);
+        return write_into(target, source);
     }
     if (exists && ::access(target.c_str(), W_OK) != 0) { // renaming would not ask
         fail_path(path, errno);
     }
     constexpr mode_t usual = 0666;
-    Replacement(target, usual).run(bytes, exists ? &old : nullptr);
+    Replacement(target, usual).run(source, exists ? &old : nullptr);
 }
 
 } // namespace nrb::io

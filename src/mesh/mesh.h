@@ -3,12 +3,15 @@
 #pragma once
 
 #include "base/numbers.h"
+#include "model/model.h"
 #include "numeric/vector3.h"
 #include "spline/spline.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace nrb::mesh {
@@ -35,6 +38,11 @@ struct MeshFace {
     double from_shape = 0; // no point of the face is farther from the triangles
     double from_mesh = 0;  // no point of the triangles is farther from the face
     bool reached = true;   // all that was asked for is proven
+    // What files say of it.
+    std::string name{};
+    int64_t part = 0;
+    std::optional<std::array<double, 3>> colour{}; // red, green, blue from 0 to 1
+    bool turned = false; // whether the outside is where the normal of the surface does not point
 };
 
 // The polyline of an edge, whose points all faces at it have.
@@ -53,7 +61,11 @@ struct Mesh {
         triangles; // of vertices, counterclockwise about the normal of the surface
     std::vector<MeshFace> faces;
     std::vector<MeshEdge> edges;
-    std::vector<int32_t> edge_points;
+    std::vector<int32_t> edge_points{};
+    // Of the model: what it takes to put its parts into the whole.
+    double metres_per_unit = 0; // 0: not known
+    std::vector<model::ModelPart> parts{};
+    std::vector<model::Use> uses{};
 };
 using MeshPtr = std::shared_ptr<const Mesh>;
 

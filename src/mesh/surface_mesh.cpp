@@ -2,6 +2,7 @@
 #include "mesh/surface_mesh.h"
 
 #include "base/watch.h"
+#include "mesh/outside.h"
 #include "model/from_faces.h"
 
 #include <algorithm>
@@ -225,6 +226,7 @@ MeshPtr mesh_of(const Spline &surface, const MeshRule &rule) {
     const MeshRule own = settled(rule, extent_of(surface.effective(), box));
     Mesh mesh;
     append(mesh_of(domain_of(surface, face::Covering(surface, 0)), own), mesh);
+    label_as_one_part(mesh);
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
@@ -236,7 +238,9 @@ MeshPtr mesh_of(const model::Model &model, const MeshRule &rule) {
     for (const model::ModelFace &face : model.faces) {
         check_surface(*face.face->surface());
     }
-    return std::make_shared<const Mesh>(ModelMesher(model, settled(model, rule)).mesh());
+    Mesh mesh = ModelMesher(model, settled(model, rule)).mesh();
+    label(model, mesh);
+    return std::make_shared<const Mesh>(std::move(mesh));
 }
 
 } // namespace nrb::mesh

@@ -70,6 +70,24 @@ static void written(const Model &model) {
     EXPECT(status_of([&] { model.write_file("/no/such/file", format_step); }) == Status::file);
 }
 
+// Its triangles as files.
+static void triangles(const Model &model) {
+    const Mesh mesh = Mesh::of_model(model);
+    WriteOptions options;
+    const auto facets = static_cast<std::size_t>(MeshCounts(mesh.counts()).triangles);
+    const std::vector<std::byte> contents = mesh.write(format_stl), scene = mesh.write(format_glb),
+                                 again = mesh.write(format_glb, options, {}), plain = mesh.write(format_vtu);
+    EXPECT(contents.size() == 84 + 50 * facets);
+    EXPECT(scene == again);
+    options.unit = 0.0254;
+    const std::vector<std::byte> inches = mesh.write(format_vtu, options);
+    EXPECT(plain != inches);
+    mesh.write_file("models_cpp.obj", format_obj);
+    mesh.write_file("models_cpp.ply", format_ply, options, {});
+    EXPECT(status_of([&] { (void)mesh.write(format_step); }) == Status::format);
+    EXPECT(status_of([&] { mesh.write_file("/no/such/file", format_stl_text); }) == Status::file);
+}
+
 static void bytes(const Model &model) {
     const std::vector<std::byte> whole = model.to_bytes(), one = model.face(1).face.to_bytes();
     EXPECT(bytes_kind(whole).kind == bytes_model && bytes_kind(one).kind == bytes_face);
@@ -118,6 +136,7 @@ int main(int count, char **arguments) {
         copies(model);
         sewn(model);
         written(model);
+        triangles(model);
         bytes(model);
         rays(model);
         sections(model);

@@ -32,6 +32,7 @@ program models
     call expect(parent == 0 .and. part == 1, 'the part in the whole')
     call sew_faces(model)
     call written()
+    call triangles()
     call cast_rays()
     call cut()
     call two%read_file('/no/such/file', status=code)
@@ -111,6 +112,26 @@ contains
         call model%write_file('/no/such/file', NURBS_FORMAT_STEP, status=code)
         call expect(code == NURBS_ERROR_FILE, 'no such folder')
     end subroutine written
+
+    !> Its triangles as files.
+    subroutine triangles()
+        character(kind=c_char, len=:), allocatable, target :: bytes
+        type(nurbs_mesh) :: mesh
+        integer(c_int64_t) :: facets
+        call mesh%of_model(model)
+        call mesh%counts(triangles=facets)
+        call mesh%write(NURBS_FORMAT_STL, bytes)
+        call expect(len(bytes) == 84 + 50*facets, 'triangles as a file')
+        call mesh%write(NURBS_FORMAT_GLB, bytes, call=nurbs_call())
+        call expect(bytes(1:4) == 'glTF', 'a scene')
+        call mesh%write_file('models_fortran.ply', NURBS_FORMAT_PLY)
+        call mesh%write(NURBS_FORMAT_VTU, bytes, status=code, call=nurbs_call(work=1))
+        call expect(code == NURBS_ERROR_WORK, 'a limit of work for triangles')
+        call mesh%write(NURBS_FORMAT_STEP, bytes, status=code)
+        call expect(code == NURBS_ERROR_FORMAT .and. len(bytes) == 0, 'no format of triangles')
+        call mesh%write_file('/no/such/file', NURBS_FORMAT_OBJ, status=code)
+        call expect(code == NURBS_ERROR_FILE, 'no folder for triangles')
+    end subroutine triangles
 
     subroutine is_the_bushing(bushing)
         type(nurbs_model), intent(in) :: bushing

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{near, status_of};
-use nurbs::{sys, Call, Face, List, Meet, Model, Result, WriteOptions};
+use nurbs::{sys, Call, Face, List, Meet, Mesh, Model, Result, WriteOptions};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -57,6 +57,21 @@ fn written(model: &Model) -> Result<()> {
     Ok(())
 }
 
+/// Its triangles as files.
+fn triangles(model: &Model) -> Result<()> {
+    let mesh = Mesh::of_model(model, None)?;
+    let facets = mesh.counts()?.triangles as usize;
+    assert_eq!(mesh.write(sys::NURBS_FORMAT_STL, None)?.len(), 84 + 50 * facets);
+    let scene = mesh.write(sys::NURBS_FORMAT_GLB, None)?;
+    assert_eq!(scene, mesh.write_with(sys::NURBS_FORMAT_GLB, None, &mut Call::new())?);
+    let inches = WriteOptions::new()?.unit(0.0254);
+    assert_ne!(mesh.write(sys::NURBS_FORMAT_OBJ, None)?, mesh.write(sys::NURBS_FORMAT_OBJ, Some(&inches))?);
+    mesh.write_file("models_rust.ply", sys::NURBS_FORMAT_PLY, None)?;
+    assert_eq!(status_of(mesh.write(sys::NURBS_FORMAT_STEP, None)), sys::NURBS_ERROR_FORMAT);
+    assert_eq!(status_of(mesh.write_file("/no/such/file", sys::NURBS_FORMAT_VTU, None)), sys::NURBS_ERROR_FILE);
+    Ok(())
+}
+
 fn bytes(model: &Model) -> Result<()> {
     let (whole, one) = (model.to_bytes()?, model.face(1)?.face.to_bytes()?);
     is_the_bushing(&Model::from_bytes(&whole)?)?;
@@ -103,6 +118,7 @@ fn main() -> Result<()> {
     sections(&model)?;
     sewn(&model)?;
     written(&model)?;
+    triangles(&model)?;
     bytes(&model)?;
     rays(&model)?;
     let faces = [model.face(0)?.face, model.face(1)?.face.clone()];

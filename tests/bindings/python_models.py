@@ -95,6 +95,29 @@ class Models(unittest.TestCase):
         with self.assertRaises(nurbs.WorkError):
             self.model.write(work=1)
 
+    def test_triangles_are_written_by_suffix(self):
+        mesh = self.model.mesh()
+        contents = mesh.write()
+        self.assertEqual(len(contents), 84 + 50 * mesh.counts.triangles)
+        begin = {"stl": b"Written by", "obj": b"# Written", "ply": b"ply", "glb": b"glTF", "VTU": b"<?xml"}
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "mesh"
+            for suffix, start in begin.items():
+                mesh.write_file(path.with_suffix("." + suffix))
+                self.assertTrue(path.with_suffix("." + suffix).read_bytes().startswith(start))
+            mesh.write_file(path.with_suffix(".stl"), nurbs.NURBS_FORMAT_STL_TEXT, 0.0254)
+            self.assertTrue(path.with_suffix(".stl").read_bytes().startswith(b"solid"))
+            for name in ("mesh.step", "a\0.stl"):
+                with self.assertRaises(ValueError):
+                    mesh.write_file(f"{folder}/{name}")
+            with self.assertRaises(nurbs.FileError):
+                mesh.write_file(path / "none.stl")
+        self.assertEqual(mesh.write(nurbs.NURBS_FORMAT_GLB, progress=lambda done: True)[:4], b"glTF")
+        with self.assertRaises(nurbs.ContentsError):
+            mesh.write(nurbs.NURBS_FORMAT_STEP)
+        with self.assertRaises(nurbs.WorkError):
+            mesh.write(work=1)
+
     def test_faces_of_an_iges_file(self):
         model = nurbs.Model.read_file(MODELS)
         faces = {face.name: face for face in model.faces}

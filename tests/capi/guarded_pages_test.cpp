@@ -52,6 +52,9 @@ void names_and_bytes(const calls::Inputs &in) {
         nurbs_model_write(in.model, NURBS_FORMAT_STEP, nullptr, std::ssize(bytes), bytes.data(), nullptr));
     CHECK_OK(nurbs_model_write_with(in.model, NURBS_FORMAT_STEP, nullptr, std::ssize(bytes), bytes.data(),
                                     nullptr, nullptr));
+    CHECK_OK(nurbs_mesh_write(in.mesh, NURBS_FORMAT_STL, nullptr, std::ssize(bytes), bytes.data(), nullptr));
+    CHECK_OK(nurbs_mesh_write_with(in.mesh, NURBS_FORMAT_STL, nullptr, std::ssize(bytes), bytes.data(),
+                                   nullptr, nullptr));
     nurbs_list_destroy(in_space);
     nurbs_list_destroy(list);
 }

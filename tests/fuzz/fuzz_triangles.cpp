@@ -118,6 +118,41 @@ void check_parts(const nurbs_mesh *mesh, const Arrays &all) {
     FUZZ_REQUIRE(place == all.edge_points && all_below(places, all.points));
 }
 
+// Of every format as many bytes as asked for; of STL no more triangles than there are.
+void check_files(const nurbs_mesh *mesh, const Arrays &all) {
+    for (int32_t format = NURBS_FORMAT_STL; format <= NURBS_FORMAT_VTU; ++format) {
+        int64_t size = 0, again = 0;
+        if (!FUZZ_OK(nurbs_mesh_write(mesh, format, nullptr, 0, nullptr, &size))) {
+            continue; // overflow in single precision, or no triangles
+        }
+        std::vector<char> bytes(static_cast<size_t>(size));
+        FUZZ_REQUIRE(nurbs_mesh_write(mesh, format, nullptr, size, bytes.data(), &again) == NURBS_OK);
+        FUZZ_REQUIRE(again == size && all.triangles > 0);
+        FUZZ_REQUIRE(format != NURBS_FORMAT_STL || size <= 84 + 50 * all.triangles);
+        FUZZ_REQUIRE(format != NURBS_FORMAT_PLY || size >= 13 * all.triangles + 40 * all.vertices);
+    }
+}
+
+// With any settings, to where all is lost or refused, and within a limit of work.
+void write_anywhere(Input &in, const nurbs_mesh *mesh) {
+    nurbs_write_options options;
+    FUZZ_REQUIRE(nurbs_write_options_init(&options, sizeof options) == NURBS_OK);
+    options.unit = std::ldexp(1, in.below(2000) - 1000);
+    const nurbs_write_options *given = in.rarely() ? &options : nullptr;
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = int64_t{1} << in.below(20);
+    const char *const path = in.rarely() ? "/nonexistent/a.stl" : "/dev/null";
+    const int32_t format = in.below(10);
+    FUZZ_OK(nurbs_mesh_write_file(mesh, path, format, given));
+    FUZZ_OK(nurbs_mesh_write_file_with(mesh, path, format, given, &call));
+    int64_t size = 0;
+    std::vector<char> bytes(1 << 12, 7);
+    if (!FUZZ_OK(nurbs_mesh_write_with(mesh, format, given, std::ssize(bytes), bytes.data(), &size, &call))) {
+        FUZZ_REQUIRE(std::ranges::count(bytes, 7) == std::ssize(bytes));
+    }
+}
+
 Arrays check(const nurbs_mesh *mesh) {
     nurbs_mesh *copy = nullptr;
     FUZZ_REQUIRE(nurbs_mesh_clone(mesh, &copy) == NURBS_OK);
@@ -126,6 +161,9 @@ Arrays check(const nurbs_mesh *mesh) {
     check_triangles(all);
     check_single(copy, all);
     check_parts(copy, all);
+    if (all.triangles < 100 && all.vertices % 4 == 0) { // some of the many
+        check_files(copy, all);
+    }
     return all;
 }
 
@@ -276,6 +314,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const Mesh own(mesh);
         const Arrays all = check(mesh);
         check_places(in, g.get(), s, all);
+        if (all.triangles < 100 && in.rarely()) {
+            write_anywhere(in, mesh);
+        }
         if (all.reached == 1) { // a call without a limit reaches it, too
             nurbs_mesh *again = nullptr;
             FUZZ_REQUIRE(nurbs_mesh_surface(g.get(), options, &again) == NURBS_OK);

@@ -4775,5 +4775,46 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_list_write_file_with
+        !> A mesh as the contents of a file: its triangles with what the model says of them.
+        function nurbs_mesh_write(mesh, format, options, cap, bytes, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh, bytes
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_write
+        !> nurbs_mesh_write() as a call that can be watched and ended.
+        function nurbs_mesh_write_with(mesh, format, options, cap, bytes, length, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh, bytes
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: length
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_write_with
+        !> Writes a mesh to a file, as nurbs_model_write_file() does, block by block: at no time is all of the
+        !> file in memory.
+        function nurbs_mesh_write_file(mesh, path, format, options) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_write_file
+        !> nurbs_mesh_write_file() as a call that can be watched and ended.
+        function nurbs_mesh_write_file_with(mesh, path, format, options, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t), value :: format
+            type(nurbs_write_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_write_file_with
     end interface
 end module nurbs_c

@@ -508,4 +508,11 @@ module nurbs_constants
     ! STEP: an exchange structure of ISO 10303-21, by AP214
     integer(c_int32_t), parameter :: NURBS_FORMAT_STEP = 1
     integer(c_int32_t), parameter :: NURBS_FORMAT_IGES = 2  ! IGES 5.3 in lines of 80 columns
+    integer(c_int32_t), parameter :: NURBS_FORMAT_STL = 3  ! Triangles: binary STL
+    integer(c_int32_t), parameter :: NURBS_FORMAT_STL_TEXT = 4  ! Triangles: STL as text
+    integer(c_int32_t), parameter :: NURBS_FORMAT_OBJ = 5  ! Triangles: Wavefront OBJ
+    integer(c_int32_t), parameter :: NURBS_FORMAT_PLY = 6  ! Triangles: PLY, binary, lowest byte first
+    integer(c_int32_t), parameter :: NURBS_FORMAT_GLB = 7  ! Triangles: glTF 2.0 in one binary file
+    ! Triangles: an unstructured grid of VTK in XML, with raw arrays behind it
+    integer(c_int32_t), parameter :: NURBS_FORMAT_VTU = 8
 end module nurbs_constants

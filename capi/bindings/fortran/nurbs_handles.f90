@@ -8,7 +8,8 @@ module nurbs_handles
         nurbs_destroy, nurbs_face_clone, nurbs_face_destroy, nurbs_face_to_bytes, nurbs_fit_options, &
         nurbs_fit_options_init, nurbs_list_create, nurbs_list_destroy, nurbs_list_to_bytes, nurbs_list_write, &
         nurbs_list_write_with, nurbs_meet_clone, nurbs_meet_destroy, nurbs_mesh_clone, nurbs_mesh_destroy, &
-        nurbs_mesh_options, nurbs_mesh_options_init, nurbs_model_clone, nurbs_model_destroy, &
+        nurbs_mesh_options, nurbs_mesh_options_init, nurbs_mesh_write, nurbs_mesh_write_with, nurbs_model_clone, &
+        nurbs_model_destroy, &
         nurbs_model_to_bytes, nurbs_model_write, nurbs_model_write_with, nurbs_read_options, &
         nurbs_read_options_init, nurbs_statistics_clone, nurbs_statistics_destroy, nurbs_statistics_to_bytes, &
         nurbs_to_bytes, &
@@ -101,7 +102,7 @@ module nurbs_handles
     type, public :: nurbs_mesh_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: destroy => destroy_mesh, replace => replace_mesh
+        procedure :: destroy => destroy_mesh, replace => replace_mesh, write => write_mesh
         procedure, private :: copy_mesh
         generic :: assignment(=) => copy_mesh
         final :: finish_mesh
@@ -516,6 +517,35 @@ contains
             end if
         end function written
     end subroutine write_model
+
+    !> The contents of a file that holds the mesh: of a format such as NURBS_FORMAT_STL.
+    subroutine write_mesh(this, format, bytes, options, status, call)
+        class(nurbs_mesh_handle), intent(in) :: this
+        integer(c_int32_t), intent(in) :: format
+        character(kind=c_char, len=:), allocatable, target, intent(out) :: bytes
+        type(nurbs_write_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int64_t) :: length
+        integer(c_int32_t) :: code
+        length = 0
+        code = written(0_c_int64_t, c_null_ptr)
+        allocate (character(kind=c_char, len=length) :: bytes)
+        if (code == NURBS_OK) code = written(length, c_loc(bytes))
+        call settle(code, status)
+
+    contains
+
+        integer(c_int32_t) function written(cap, place)
+            integer(c_int64_t), intent(in) :: cap
+            type(c_ptr), intent(in) :: place
+            if (present(call)) then
+                written = nurbs_mesh_write_with(this%handle, format, options, cap, place, length, watched(call))
+            else
+                written = nurbs_mesh_write(this%handle, format, options, cap, place, length)
+            end if
+        end function written
+    end subroutine write_mesh
 
     impure elemental subroutine refuse_copy(this, other)
         class(nurbs_list_handle), intent(inout) :: this

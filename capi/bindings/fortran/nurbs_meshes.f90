@@ -7,7 +7,8 @@ module nurbs_meshes
     use nurbs_c, only: nurbs_mesh_curve, nurbs_mesh_surface, nurbs_mesh_face, nurbs_mesh_model, nurbs_mesh_counts, &
         nurbs_mesh_bound, nurbs_mesh_points, nurbs_mesh_points_f32, nurbs_mesh_vertices, nurbs_mesh_vertices_f32, &
         nurbs_mesh_triangles, nurbs_mesh_triangles_i32, nurbs_mesh_faces, nurbs_mesh_edges, nurbs_mesh_edge_points, &
-        nurbs_mesh_curve_with, nurbs_mesh_surface_with, nurbs_mesh_face_with, nurbs_mesh_model_with, nurbs_mesh_options
+        nurbs_mesh_write_file, nurbs_mesh_curve_with, nurbs_mesh_surface_with, nurbs_mesh_face_with, &
+        nurbs_mesh_model_with, nurbs_mesh_write_file_with, nurbs_mesh_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -22,7 +23,7 @@ module nurbs_meshes
     type, extends(nurbs_mesh_handle), public :: nurbs_mesh
     contains
         procedure :: of_surface, of_face, of_model, counts, bound, points, points_f32, vertices, vertices_f32, triangles
-        procedure :: triangles_i32, faces, edges, edge_points
+        procedure :: triangles_i32, faces, edges, edge_points, write_file
     end type nurbs_mesh
 
 contains
@@ -316,4 +317,21 @@ contains
         if (code == NURBS_OK) own_points = own_points + 1
         call settle(code, status)
     end subroutine edge_points
+
+    !> Writes it to a file, which is replaced whole or not at all.
+    subroutine write_file(this, path, format, options, status, call)
+        class(nurbs_mesh), intent(in) :: this
+        character(kind=c_char, len=*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: format
+        type(nurbs_write_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        if (present(call)) then
+            code = nurbs_mesh_write_file_with(this%handle, path//c_null_char, format, options, watched(call))
+        else
+            code = nurbs_mesh_write_file(this%handle, path//c_null_char, format, options)
+        end if
+        call settle(code, status)
+    end subroutine write_file
 end module nurbs_meshes

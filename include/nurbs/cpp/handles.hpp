@@ -256,6 +256,22 @@ public:
     [[nodiscard]] const nurbs_mesh *get() const noexcept { return handle_; }
     [[nodiscard]] nurbs_mesh *release() noexcept { return std::exchange(handle_, nullptr); }
 
+    /// The contents of a file of a format (NURBS_FORMAT_), the same for the same mesh.
+    [[nodiscard]] Returned<std::vector<std::byte>> write(std::int32_t format) const {
+        return file_of(nurbs_mesh_write, handle_, format, nullptr);
+    }
+    /// The same with settings: a WriteOptions.
+    [[nodiscard]] Returned<std::vector<std::byte>> write(std::int32_t format,
+                                                         const nurbs_write_options &options) const {
+        return file_of(nurbs_mesh_write, handle_, format, &options);
+    }
+    /// The same; `call` can watch and end it, once for the length and once for the contents.
+    [[nodiscard]] Returned<std::vector<std::byte>>
+    write(std::int32_t format, const nurbs_write_options &options, const CallOptions &call) const {
+        const Watch watch(call);
+        return file_of(nurbs_mesh_write_with, handle_, format, &options, watch.get());
+    }
+
 private:
     nurbs_mesh *handle_ = nullptr;
 };

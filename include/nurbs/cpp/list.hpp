@@ -25,6 +25,12 @@ inline constexpr std::int32_t bytes_model = NURBS_BYTES_MODEL;
 /// Formats of files that are written.
 inline constexpr std::int32_t format_step = NURBS_FORMAT_STEP;
 inline constexpr std::int32_t format_iges = NURBS_FORMAT_IGES;
+inline constexpr std::int32_t format_stl = NURBS_FORMAT_STL;
+inline constexpr std::int32_t format_stl_text = NURBS_FORMAT_STL_TEXT;
+inline constexpr std::int32_t format_obj = NURBS_FORMAT_OBJ;
+inline constexpr std::int32_t format_ply = NURBS_FORMAT_PLY;
+inline constexpr std::int32_t format_glb = NURBS_FORMAT_GLB;
+inline constexpr std::int32_t format_vtu = NURBS_FORMAT_VTU;
 
 /// What files are read for.
 inline constexpr std::uint32_t read_curves = NURBS_READ_CURVES;

@@ -6,10 +6,12 @@
 #define NURBS_CPP_MESH_HPP
 
 #include <nurbs/cpp/face.hpp>
+#include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/model.hpp>
 #include <nurbs/cpp/spline.hpp>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace libnurbs {
@@ -305,6 +307,23 @@ public:
         values = detail::room<std::int64_t>(count);
         ask(count);
         return values;
+    }
+    /// Writes it to a file, which is replaced whole or not at all.
+    Returned<void> write_file(const std::string &path, std::int32_t format,
+                              const WriteOptions &options = {}) const {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        return detail::call(nurbs_mesh_write_file, get(), path.c_str(), format, &options);
+    }
+    /// The same; `call` can watch and end it.
+    Returned<void> write_file(const std::string &path, std::int32_t format, const WriteOptions &options,
+                              const CallOptions &call) const {
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
+        const detail::Watch watch(call);
+        return detail::call(nurbs_mesh_write_file_with, get(), path.c_str(), format, &options, watch.get());
     }
 };
 

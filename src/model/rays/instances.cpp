@@ -88,10 +88,10 @@ Matrix inverse_of(const Matrix &m) noexcept {
 } // namespace
 
 // Instances wait on a stack, the first use on top.
-std::vector<Instance> instances_of(const Model &model) {
-    std::vector<std::vector<int64_t>> below(model.parts.size() + 1);
-    for (size_t i = model.uses.size(); i-- > 0;) {
-        below[static_cast<size_t>(model.uses[i].parent + 1)].push_back(static_cast<int64_t>(i));
+std::vector<Instance> instances_of(size_t parts, const std::vector<Use> &uses) {
+    std::vector<std::vector<int64_t>> below(parts + 1);
+    for (size_t i = uses.size(); i-- > 0;) {
+        below[static_cast<size_t>(uses[i].parent + 1)].push_back(static_cast<int64_t>(i));
     }
     struct Waiting {
         int64_t use, parent;
@@ -110,7 +110,7 @@ std::vector<Instance> instances_of(const Model &model) {
         if (found.size() == most_instances) {
             fail(Status::too_large, "parts are placed in parts more than %zu times in all", most_instances);
         }
-        const Use &use = model.uses[static_cast<size_t>(number)];
+        const Use &use = uses[static_cast<size_t>(number)];
         const Rows placement =
             parent < 0 ? use.placement : product(found[static_cast<size_t>(parent)].placement, use.placement);
         found.push_back({use.part, number, parent, placement});
@@ -130,7 +130,7 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
     norm_ = growth_of(m);
     inverse_norm_ = growth_of(inverse_);
     const double condition = norm_ * inverse_norm_;
-    if (!(condition < 1e9)) {
+    if (!(condition > 0 && condition < 1e9)) { // 0: of the zero matrix, whose inverse is NaN
         fail(Status::matrix, "the placement of use %lld has no inverse to rounding",
              static_cast<long long>(instances[index].use));
     }
@@ -170,14 +170,6 @@ intersect::RayQuery Placement::moved(const intersect::RayQuery &query) const noe
     return result;
 }
 
-Vector3 Placement::in_whole(const Vector3 &x) const noexcept {
-    const auto row = [&](size_t i) {
-        const double *m = placement_.data() + 4 * i;
-        return m[0] * x.x + m[1] * x.y + m[2] * x.z + m[3];
-    };
-    return identity_ ? x : Vector3{row(0), row(1), row(2)};
-}
-
 SplinePtr Placement::in_whole(const SplinePtr &curve) const {
     if (identity_) {
         return curve;
@@ -190,6 +182,14 @@ SplinePtr Placement::in_whole(const SplinePtr &curve) const {
         translation[i] = placement_[4 * i + 3];
     }
     return refine::transform(*curve, {3, 3, matrix.data()}, translation.data());
+}
+
+// n . dx stays 0 for n M^-1 and M dx.
+Vector3 Placement::normal_in_whole(const Vector3 &normal) const noexcept {
+    const auto column = [&](size_t k) {
+        return inverse_[0][k] * normal.x + inverse_[1][k] * normal.y + inverse_[2][k] * normal.z;
+    };
+    return identity_ ? normal : unit({column(0), column(1), column(2)});
 }
 
 // n . (M x + t) = o.

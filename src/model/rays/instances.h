@@ -18,7 +18,10 @@ struct Instance {
 };
 
 // Each instance before those in it, those of one by their uses. Throws Status::too_large if there are more than a million.
-std::vector<Instance> instances_of(const Model &model);
+std::vector<Instance> instances_of(size_t parts, const std::vector<Use> &uses);
+inline std::vector<Instance> instances_of(const Model &model) {
+    return instances_of(model.parts.size(), model.uses);
+}
 
 // From the whole to the coordinates of a part.
 class Placement {
@@ -32,8 +35,16 @@ public:
     // How far off a point moved that way may be.
     [[nodiscard]] double error(const Vector3 &x) const noexcept;
     // Of the whole, moved the other way.
-    [[nodiscard]] Vector3 in_whole(const Vector3 &x) const noexcept;
+    [[nodiscard]] Vector3 in_whole(const Vector3 &x) const noexcept {
+        const auto row = [&](size_t i) {
+            const double *m = placement_.data() + 4 * i;
+            return m[0] * x.x + m[1] * x.y + m[2] * x.z + m[3];
+        };
+        return identity_ ? x : Vector3{row(0), row(1), row(2)};
+    }
     [[nodiscard]] SplinePtr in_whole(const SplinePtr &curve) const;
+    // A normal of a surface moved that way: of length 1, on the same side of it.
+    [[nodiscard]] Vector3 normal_in_whole(const Vector3 &normal) const noexcept;
     // A plane x . normal = offset of the whole, in the part.
     struct Plane {
         Vector3 normal;

@@ -1024,6 +1024,22 @@ void data(const Inputs &in) {
         const auto found = in.mesh.edge_points();
         show("own_points", found);
     }
+    by_hand("mesh_write");
+    by_hand("mesh_write as text");
+    by_hand("mesh_write as OBJ");
+    by_hand("mesh_write as PLY");
+    by_hand("mesh_write as GLB");
+    by_hand("mesh_write as VTU");
+    {
+        begin("mesh_write_file");
+        in.mesh.write_file(replaced_path(), 8);
+    }
+    {
+        begin("mesh_write_file in inches");
+        n::WriteOptions options;
+        options.unit = 0.0254;
+        in.mesh.write_file(replaced_path(), 3, options);
+    }
     by_hand("mesh_clone");
     by_hand("meet_clone");
     by_hand("meet_destroy");
@@ -1372,6 +1388,22 @@ void data(const Inputs &in) {
         options.relative_chord = 0.0;
         const auto found = n::Mesh::of_model(in.model, options, watched());
         show("out", found);
+    }
+    by_hand("mesh_write_with");
+    by_hand("mesh_write_with as text");
+    by_hand("mesh_write_with as OBJ");
+    by_hand("mesh_write_with as PLY");
+    by_hand("mesh_write_with as GLB");
+    by_hand("mesh_write_with as VTU");
+    {
+        begin("mesh_write_file_with");
+        in.mesh.write_file(replaced_path(), 8, {}, watched());
+    }
+    {
+        begin("mesh_write_file_with in inches");
+        n::WriteOptions options;
+        options.unit = 0.0254;
+        in.mesh.write_file(replaced_path(), 3, options, watched());
     }
 }
 

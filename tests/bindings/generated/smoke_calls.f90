@@ -1999,6 +1999,24 @@ contains
             call mesh%edge_points(own_points=own_points_found)
             call show('own_points', own_points_found - 1)
         end block
+        call by_hand('mesh_write')
+        call by_hand('mesh_write as text')
+        call by_hand('mesh_write as OBJ')
+        call by_hand('mesh_write as PLY')
+        call by_hand('mesh_write as GLB')
+        call by_hand('mesh_write as VTU')
+        call begin('mesh_write_file')
+        block
+            call mesh%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=8)
+        end block
+        call begin('mesh_write_file in inches')
+        block
+            type(nurbs_write_options) :: options_given
+            call default_write_options(options_given)
+            options_given%unit = 0.0254d0
+            call mesh%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=3, &
+                options=options_given)
+        end block
         call by_hand('mesh_clone')
         call by_hand('meet_clone')
         call by_hand('meet_destroy')
@@ -2553,6 +2571,26 @@ contains
             options_given%relative_chord = 0.0d0
             call found%of_model(model=model, options=options_given, call=watching)
             call show('out', found)
+        end block
+        call by_hand('mesh_write_with')
+        call by_hand('mesh_write_with as text')
+        call by_hand('mesh_write_with as OBJ')
+        call by_hand('mesh_write_with as PLY')
+        call by_hand('mesh_write_with as GLB')
+        call by_hand('mesh_write_with as VTU')
+        call begin('mesh_write_file_with')
+        block
+            type(nurbs_call) :: watching
+            call mesh%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=8, call=watching)
+        end block
+        call begin('mesh_write_file_with in inches')
+        block
+            type(nurbs_write_options) :: options_given
+            type(nurbs_call) :: watching
+            call default_write_options(options_given)
+            options_given%unit = 0.0254d0
+            call mesh%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=3, &
+                options=options_given, call=watching)
         end block
     end subroutine calls_of_data
 

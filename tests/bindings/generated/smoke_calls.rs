@@ -1639,6 +1639,26 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.mesh.edge_points()?;
         show("own_points", &found);
     }
+    by_hand("mesh_write");
+    by_hand("mesh_write as text");
+    by_hand("mesh_write as OBJ");
+    by_hand("mesh_write as PLY");
+    by_hand("mesh_write as GLB");
+    by_hand("mesh_write as VTU");
+    begin("mesh_write_file");
+    {
+        given
+            .mesh
+            .write_file(written("smoke_calls_rust.replaced", REPLACED), 8, None)?;
+    }
+    begin("mesh_write_file in inches");
+    {
+        given.mesh.write_file(
+            written("smoke_calls_rust.replaced", REPLACED),
+            3,
+            Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
+        )?;
+    }
     by_hand("mesh_clone");
     by_hand("meet_clone");
     by_hand("meet_destroy");
@@ -2201,6 +2221,30 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
+    }
+    by_hand("mesh_write_with");
+    by_hand("mesh_write_with as text");
+    by_hand("mesh_write_with as OBJ");
+    by_hand("mesh_write_with as PLY");
+    by_hand("mesh_write_with as GLB");
+    by_hand("mesh_write_with as VTU");
+    begin("mesh_write_file_with");
+    {
+        given.mesh.write_file_with(
+            written("smoke_calls_rust.replaced", REPLACED),
+            8,
+            None,
+            &mut Call::new().progress(|_| true),
+        )?;
+    }
+    begin("mesh_write_file_with in inches");
+    {
+        given.mesh.write_file_with(
+            written("smoke_calls_rust.replaced", REPLACED),
+            3,
+            Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
+            &mut Call::new().progress(|_| true),
+        )?;
     }
     Ok(())
 }

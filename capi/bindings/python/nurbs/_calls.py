@@ -253,6 +253,8 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_model_write_file, lib.nurbs_model_write_file_with),
         (lib.nurbs_list_write, lib.nurbs_list_write_with),
         (lib.nurbs_list_write_file, lib.nurbs_list_write_file_with),
+        (lib.nurbs_mesh_write, lib.nurbs_mesh_write_with),
+        (lib.nurbs_mesh_write_file, lib.nurbs_mesh_write_file_with),
     ]),
     (_before_out, [
         (lib.nurbs_product, lib.nurbs_product_with),

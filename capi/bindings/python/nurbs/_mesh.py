@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import TYPE_CHECKING, Any, Dict, NamedTuple, NoReturn, Optional, SupportsIndex, Type, TypeVar
+import os
+from typing import TYPE_CHECKING, Any, Dict, NamedTuple, NoReturn, Optional, SupportsIndex, Type, TypeVar, Union
 
 import numpy
 
@@ -14,7 +15,8 @@ from ._base import SplineBase
 from ._calls import watched
 from ._library import call, lib
 from ._plot import _COLOR, plot_mesh
-from .constants import NURBS_MESH_WELDED
+from ._write import MESH_SUFFIXES, file_bytes, to_file
+from .constants import NURBS_FORMAT_STL, NURBS_MESH_WELDED
 
 if TYPE_CHECKING:
     from ._arrays import Floats, Int32s, Int64s, Shape, Singles
@@ -107,7 +109,8 @@ class Mesh:
     """Triangles in place of a surface, a face or a model, as their methods mesh() make them.
 
         mesh = surface.mesh(chord=0.01)
-        meshio.Mesh(mesh.points, [("triangle", mesh.triangles)]).write("surface.vtu")
+        mesh.write_file("surface.stl")
+        meshio.Mesh(mesh.points, [("triangle", mesh.triangles)])
 
     Points are those in space. Vertices are at points, and have parameters and a normal of one face: a point has several of
     them where faces meet, at seams, poles and creases. Meshes never change, and many threads may use them at once; copies
@@ -162,6 +165,19 @@ class Mesh:
     def __repr__(self) -> str:
         counts = self.counts
         return f"<Mesh of {counts.triangles} triangles, {counts.points} points and {counts.faces} faces>"
+
+    def write(self, format: int = NURBS_FORMAT_STL, unit: float = 0.0, *, progress: Progress = None,
+              work: Optional[int] = None) -> bytes:
+        """The contents of a file that holds the triangles, by NURBS_FORMAT_STL, _STL_TEXT, _OBJ, _PLY, _GLB or _VTU, the
+        same for the same mesh: parts where they stand in the whole, seen from outside. `unit` is that of the file in
+        metres, 0 keeps its own. Raises ArgumentError for what the format cannot hold."""
+        return file_bytes(lib.nurbs_mesh_write, self._handle, format, unit, 0.0, progress, work)
+
+    def write_file(self, path: Union[str, bytes, os.PathLike[str]], format: Optional[int] = None, unit: float = 0.0, *,
+                   progress: Progress = None, work: Optional[int] = None) -> None:
+        """Writes what write() gives to a file, which is replaced whole or not at all; without a format that of the
+        suffix, such as ".glb". Raises FileError if it cannot be written."""
+        to_file(lib.nurbs_mesh_write_file, self._handle, path, format, unit, 0.0, progress, work, MESH_SUFFIXES)
 
     # --- What it holds ---
 

@@ -432,4 +432,8 @@ PROTOTYPES = {
     "nurbs_list_write_with": "i piplppp",
     "nurbs_list_write_file": "i ppip",
     "nurbs_list_write_file_with": "i ppipp",
+    "nurbs_mesh_write": "i piplpp",
+    "nurbs_mesh_write_with": "i piplppp",
+    "nurbs_mesh_write_file": "i ppip",
+    "nurbs_mesh_write_file_with": "i ppipp",
 }

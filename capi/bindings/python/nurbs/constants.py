@@ -347,6 +347,12 @@ NURBS_MESH_WELDED = 0x01000000  # nurbs_mesh_triangles() and its kind: corners a
 # --- Formats of files
 NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214
 NURBS_FORMAT_IGES = 2  # IGES 5.3 in lines of 80 columns
+NURBS_FORMAT_STL = 3  # Triangles: binary STL
+NURBS_FORMAT_STL_TEXT = 4  # Triangles: STL as text
+NURBS_FORMAT_OBJ = 5  # Triangles: Wavefront OBJ
+NURBS_FORMAT_PLY = 6  # Triangles: PLY, binary, lowest byte first
+NURBS_FORMAT_GLB = 7  # Triangles: glTF 2.0 in one binary file
+NURBS_FORMAT_VTU = 8  # Triangles: an unstructured grid of VTK in XML, with raw arrays behind it
 
 
 def on_axis(axis: int, flags: int) -> int:

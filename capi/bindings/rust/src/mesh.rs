@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //! Triangles in place of shapes: the handle. What can be asked of it is in the module `meshes`.
 
+use crate::call::Call;
 use crate::error::{check, Result};
+use crate::list::{bytes_of, write_options_pointer, WriteOptions};
 use crate::sys;
 use std::fmt;
 use std::ptr::{null_mut, NonNull};
@@ -84,6 +86,22 @@ impl Mesh {
         check(call(&mut out))?;
         let handle = NonNull::new(out).expect("the library returned success without a mesh");
         Ok(Mesh { handle })
+    }
+
+    /// The contents of a file that holds the mesh, the same for the same mesh.
+    pub fn write(&self, format: i32, options: Option<&WriteOptions>) -> Result<Vec<u8>> {
+        let settings = write_options_pointer(options);
+        bytes_of(|cap, bytes, length| unsafe {
+            sys::nurbs_mesh_write(self.raw(), format, settings, cap, bytes, length)
+        })
+    }
+
+    /// The same as `write`; it can be watched and stopped, once for the length and once for the contents.
+    pub fn write_with(&self, format: i32, options: Option<&WriteOptions>, call: &mut Call) -> Result<Vec<u8>> {
+        let settings = write_options_pointer(options);
+        bytes_of(|cap, bytes, length| unsafe {
+            sys::nurbs_mesh_write_with(self.raw(), format, settings, cap, bytes, length, call.options())
+        })
     }
 
     /// The handle, for the functions of [`sys`]. It lives as long as this mesh.

@@ -5,10 +5,12 @@
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::face::Face;
+use crate::list::{path_text, write_options_pointer, WriteOptions};
 use crate::mesh::{mesh_options_pointer, Mesh, MeshOptions};
 use crate::model::Model;
 use crate::spline::Spline;
 use crate::sys;
+use std::path::Path;
 use std::ptr::null_mut;
 
 /// A polyline in place of a curve: parameters and points of its vertices, and how far it is from the curve,
@@ -443,5 +445,38 @@ impl Mesh {
         let mut own_points = vec![0; n];
         check(fill(count, own_points.as_mut_ptr(), &mut count))?;
         Ok(own_points)
+    }
+
+    /// Writes it to a file, which is replaced whole or not at all.
+    pub fn write_file(
+        &self,
+        path: impl AsRef<Path>,
+        format: i32,
+        options: Option<&WriteOptions>,
+    ) -> Result<()> {
+        let path = path_text(path)?;
+        check(unsafe {
+            sys::nurbs_mesh_write_file(self.raw(), path.as_ptr(), format, write_options_pointer(options))
+        })
+    }
+
+    /// The same as `write_file`; it can be watched and stopped.
+    pub fn write_file_with(
+        &self,
+        path: impl AsRef<Path>,
+        format: i32,
+        options: Option<&WriteOptions>,
+        call: &mut Call,
+    ) -> Result<()> {
+        let path = path_text(path)?;
+        check(unsafe {
+            sys::nurbs_mesh_write_file_with(
+                self.raw(),
+                path.as_ptr(),
+                format,
+                write_options_pointer(options),
+                call.options(),
+            )
+        })
     }
 }

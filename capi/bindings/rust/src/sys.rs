@@ -991,6 +991,18 @@ pub const NURBS_MESH_WELDED: u32 = 0x01000000;
 pub const NURBS_FORMAT_STEP: i32 = 1;
 /// IGES 5.3 in lines of 80 columns
 pub const NURBS_FORMAT_IGES: i32 = 2;
+/// Triangles: binary STL
+pub const NURBS_FORMAT_STL: i32 = 3;
+/// Triangles: STL as text
+pub const NURBS_FORMAT_STL_TEXT: i32 = 4;
+/// Triangles: Wavefront OBJ
+pub const NURBS_FORMAT_OBJ: i32 = 5;
+/// Triangles: PLY, binary, lowest byte first
+pub const NURBS_FORMAT_PLY: i32 = 6;
+/// Triangles: glTF 2.0 in one binary file
+pub const NURBS_FORMAT_GLB: i32 = 7;
+/// Triangles: an unstructured grid of VTK in XML, with raw arrays behind it
+pub const NURBS_FORMAT_VTU: i32 = 8;
 
 #[link(name = "nurbs")]
 extern "C" {
@@ -5641,6 +5653,49 @@ extern "C" {
     /// May be null: `options`, `call`.
     pub fn nurbs_list_write_file_with(
         list: *const nurbs_list,
+        path: *const c_char,
+        format: i32,
+        options: *const nurbs_write_options,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// A mesh as the contents of a file: its triangles with what the model says of them.
+    ///
+    /// May be null: `options`, `bytes`, `length`.
+    pub fn nurbs_mesh_write(
+        mesh: *const nurbs_mesh,
+        format: i32,
+        options: *const nurbs_write_options,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_mesh_write() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `bytes`, `length`, `call`.
+    pub fn nurbs_mesh_write_with(
+        mesh: *const nurbs_mesh,
+        format: i32,
+        options: *const nurbs_write_options,
+        cap: i64,
+        bytes: *mut c_void,
+        length: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
+    /// Writes a mesh to a file, as nurbs_model_write_file() does, block by block: at no time is all of the
+    /// file in memory.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_write_file(
+        mesh: *const nurbs_mesh,
+        path: *const c_char,
+        format: i32,
+        options: *const nurbs_write_options,
+    ) -> nurbs_status;
+    /// nurbs_mesh_write_file() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_write_file_with(
+        mesh: *const nurbs_mesh,
         path: *const c_char,
         format: i32,
         options: *const nurbs_write_options,

@@ -1068,6 +1068,56 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_mesh_edge_points(in.mesh, 16, o.spans, o.spans + 16);
      }},
+    {"mesh_write",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_write(in.mesh, 3, nullptr, 0, o.text, o.spans);
+     }},
+    {"mesh_write as text",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_mesh_write(in.mesh, 4, &options, 0, o.text, o.spans);
+     }},
+    {"mesh_write as OBJ",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_mesh_write(in.mesh, 5, &options, 0, o.text, o.spans);
+     }},
+    {"mesh_write as PLY",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_mesh_write(in.mesh, 6, &options, 0, o.text, o.spans);
+     }},
+    {"mesh_write as GLB",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_mesh_write(in.mesh, 7, &options, 0, o.text, o.spans);
+     }},
+    {"mesh_write as VTU",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_mesh_write(in.mesh, 8, &options, 0, o.text, o.spans);
+     }},
+    {"mesh_write_file",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         return nurbs_mesh_write_file(in.mesh, replaced_path, 8, nullptr);
+     }},
+    {"mesh_write_file in inches",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         return nurbs_mesh_write_file(in.mesh, replaced_path, 3, &options);
+     }},
     {"mesh_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_mesh_clone(in.mesh, &o.mesh);
@@ -1637,6 +1687,72 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_mesh_model_with(in.model, &options, &call, &o.mesh);
      }, true},
+    {"mesh_write_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_with(in.mesh, 3, nullptr, 0, o.text, o.spans, &call);
+     }},
+    {"mesh_write_with as text",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_with(in.mesh, 4, &options, 0, o.text, o.spans, &call);
+     }},
+    {"mesh_write_with as OBJ",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_with(in.mesh, 5, &options, 0, o.text, o.spans, &call);
+     }},
+    {"mesh_write_with as PLY",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_with(in.mesh, 6, &options, 0, o.text, o.spans, &call);
+     }},
+    {"mesh_write_with as GLB",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_with(in.mesh, 7, &options, 0, o.text, o.spans, &call);
+     }},
+    {"mesh_write_with as VTU",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_with(in.mesh, 8, &options, 0, o.text, o.spans, &call);
+     }},
+    {"mesh_write_file_with",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_file_with(in.mesh, replaced_path, 8, nullptr, &call);
+     }},
+    {"mesh_write_file_with in inches",
+     [](const Inputs &in, Output &) -> nurbs_status {
+         nurbs_write_options options;
+         (void)nurbs_write_options_init(&options, sizeof options);
+         options.unit = 0.0254;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_write_file_with(in.mesh, replaced_path, 3, &options, &call);
+     }},
 };
 
 } // namespace
