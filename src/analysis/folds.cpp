@@ -83,14 +83,18 @@ Vector unit_of(const double *reference) {
     return unit;
 }
 
+// What normals of a surface in space are compared with; not read for others.
+Vector reference_of(const Spline &spline, const pieces::PieceMaker &maker, const double *given) {
+    if (spline.dim() != 3 || spline.axes() != 2) {
+        return {};
+    }
+    return given != nullptr ? unit_of(given) : area_direction(maker);
+}
+
 class FoldSearch {
 public:
-    FoldSearch(const Spline &spline, const double *reference)
-        : spline_(spline), maker_(spline, whole_domain(spline)), parts_(spline.axes()) {
-        if (spline.dim() == 3 && spline.axes() == 2) {
-            reference_ = reference != nullptr ? unit_of(reference) : area_direction(maker_);
-        }
-    }
+    FoldSearch(const Spline &spline, pieces::PieceMaker maker, const Vector &reference)
+        : spline_(spline), maker_(std::move(maker)), reference_(reference), parts_(spline.axes()) {}
 
     FoldTest run() {
         start();
@@ -202,7 +206,7 @@ private:
 
     const Spline &spline_;
     pieces::PieceMaker maker_;
-    Vector reference_{};
+    Vector reference_;
     std::vector<Part> pieces_;
     std::vector<BoundaryZeros> ends_;
     PartQueue parts_;
@@ -215,7 +219,16 @@ private:
 FoldTest fold_test(const Spline &spline, const double *reference) {
     const UsualLimit usual(usual_work(spline.point_count()));
     const LimitedSearch search;
-    return FoldSearch(spline, reference).run();
+    const pieces::PieceMaker maker(spline, whole_domain(spline));
+    return FoldSearch(spline, maker, reference_of(spline, maker, reference)).run();
+}
+
+FoldTests::FoldTests(const Spline &spline, const double *reference)
+    : spline_(spline), whole_(spline, whole_domain(spline)),
+      reference_(reference_of(spline, whole_, reference)) {}
+
+FoldTest FoldTests::test(const Part &part) const {
+    return FoldSearch(spline_, whole_.of_part(part), reference_).run();
 }
 
 } // namespace nrb::analysis

@@ -2,7 +2,7 @@
 // Whether a surface or volume folds over.
 #pragma once
 
-#include "spline/spline.h"
+#include "pieces/derivative_pieces.h"
 
 #include <array>
 #include <optional>
@@ -25,5 +25,23 @@ struct FoldTest {
 // Factors of J that vanish to rounding on boundaries of pieces are divided out. The reference is for a
 // surface in space; null: its vector area. Throws Status::direction, not_representable.
 FoldTest fold_test(const Spline &spline, const double *reference);
+
+// The same of parts of a spline, one after the other, all of which have one reference.
+class FoldTests {
+public:
+    FoldTests(const Spline &spline, const double *reference);
+
+    [[nodiscard]] FoldTest test(const Part &part) const;
+
+private:
+    const Spline &spline_;
+    pieces::PieceMaker whole_;
+    std::array<double, 3> reference_;
+};
+
+// The sign of J wherever it is not 0, if there is no fold: 0 if it is 0 everywhere.
+inline int sign_of(const FoldTest &test) noexcept {
+    return test.result != fold_none ? 0 : (test.positive ? 1 : 0) - (test.negative ? 1 : 0);
+}
 
 } // namespace nrb::analysis
