@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/watch.h"
 #include "numeric/norm.h"
+#include "refine/parts/piece_arrays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -226,6 +227,19 @@ FoldTest fold_test(const Spline &spline, const double *reference) {
 FoldTests::FoldTests(const Spline &spline, const double *reference)
     : spline_(spline), whole_(spline, whole_domain(spline)),
       reference_(reference_of(spline, whole_, reference)) {}
+
+std::vector<FoldTest> fold_tests(const Spline &spline, const double *reference) {
+    const UsualLimit usual(usual_work(spline.point_count()));
+    const LimitedSearch search;
+    const FoldTests tests(spline, reference);
+    const int64_t pieces = refine::count_pieces(spline);
+    std::vector<FoldTest> found;
+    Steps steps(pieces);
+    for (int64_t i = 0; i < pieces; ++i, steps.next()) {
+        found.push_back(tests.test(refine::domain_of_piece(spline, i)));
+    }
+    return found;
+}
 
 FoldTest FoldTests::test(const Part &part) const {
     return FoldSearch(spline_, whole_.of_part(part), reference_).run();

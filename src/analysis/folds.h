@@ -39,6 +39,9 @@ private:
     std::array<double, 3> reference_;
 };
 
+// Of all polynomial pieces, in the order of refine::bezier_pieces().
+std::vector<FoldTest> fold_tests(const Spline &spline, const double *reference);
+
 // The sign of J wherever it is not 0, if there is no fold: 0 if it is 0 everywhere.
 inline int sign_of(const FoldTest &test) noexcept {
     return test.result != fold_none ? 0 : (test.positive ? 1 : 0) - (test.negative ? 1 : 0);

@@ -207,20 +207,20 @@ void VolumeMesher::set_signs(const Lattice &lattice, std::vector<MeshHexahedron>
     }
 }
 
+} // namespace
+
 void check_volume(const Spline &volume) {
     if (volume.axes() != 3) {
-        fail(Status::axes, "a spline of %d axes, expected a volume", volume.axes());
+        fail(Status::axes, "g has %d %s, expected a volume", volume.axes(),
+             volume.axes() == 1 ? "axis" : "axes");
     }
     if (volume.dim() != 3) {
-        fail(Status::dimension, "a volume of dimension %d, expected 3", volume.dim());
+        fail(Status::dimension, "g has dimension %d, expected 3", volume.dim());
     }
     check_cell_degrees(volume);
 }
 
-} // namespace
-
 MeshPtr mesh_of_volume(const SplinePtr &volume, const MeshRule &rule, int64_t most) {
-    check_volume(*volume);
     std::vector<Interval> box;
     const MeshRule own = settled(rule, extent_of(volume->effective(), box));
     const VolumeGrid grid = [&] {
