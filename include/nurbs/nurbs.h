@@ -8504,15 +8504,15 @@ NURBS_API nurbs_status nurbs_mesh_hexahedra(const nurbs_mesh *mesh, int64_t cap,
  * is one whose ends have the same control points and weights bit for bit: the last ones are the first. Sides that collapse
  * keep all of their control points, since weights differ there.
  * \param[in] g a spline whose degrees are at least 1 (nurbs_elevate() raises others).
- * \param[in] cap length of cells: 0, or at least the number of cells.
- * \param[out] cells [cap][M] or NULL: control points of each cell, 0-based.
+ * \param[in] cap length of own_points: 0, or at least the number of cells.
+ * \param[out] own_points [cap][M] or NULL: control points of each cell, 0-based.
  * \param[out] kind or NULL: what VTK calls such cells: 75 for a curve, 77 for a surface, 79 for a volume.
  * \param[out] point_count or NULL: number of control points.
  * \param[out] count or NULL: number of cells.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _DEGREE for an axis of degree 0, _SIZE if cap is
  *   neither 0 nor enough; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_bezier_cells(const nurbs *g, int64_t cap, int64_t *cells, int32_t *kind,
+NURBS_API nurbs_status nurbs_bezier_cells(const nurbs *g, int64_t cap, int64_t *own_points, int32_t *kind,
                                           int64_t *point_count, int64_t *count);
 
 /** \brief The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for bit, each

@@ -375,7 +375,7 @@ contains
         code = nurbs_bezier_cells(g%handle, 0_c_int64_t, count=n)
         allocate (cells_c(active_of(g%handle), n))
         if (code == NURBS_OK) code = nurbs_bezier_cells(g%handle, n, cells_c, kind, point_count)
-        cells = transpose(cells_c)
+        if (code == NURBS_OK) cells = transpose(cells_c) + 1
         call settle(code, status)
     end subroutine bezier_cells
 

@@ -5582,11 +5582,11 @@ extern "C" {
     /// A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
     /// neighbours have in common.
     ///
-    /// May be null: `cells`, `kind`, `point_count`, `count`.
+    /// May be null: `own_points`, `kind`, `point_count`, `count`.
     pub fn nurbs_bezier_cells(
         g: *const nurbs,
         cap: i64,
-        cells: *mut i64,
+        own_points: *mut i64,
         kind: *mut i32,
         point_count: *mut i64,
         count: *mut i64,
