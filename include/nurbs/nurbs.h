@@ -5353,7 +5353,7 @@ NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *refere
  * nurbs_bezier_cells(), with one reference for all of them.
  * \param[in] g,reference as for nurbs_fold_test().
  * \param[in] cap length of the outputs: 0, or at least the number of pieces.
- * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant for each piece.
+ * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant for each piece; undecided is what 2000 halvings do not decide.
  * \param[out] signs [cap] or NULL: 1 or -1, the sign that J is proven to have wherever in the piece it is not 0, if there is
  *   no fold; else 0, as where J is 0 everywhere.
  * \param[out] count or NULL: number of pieces.
@@ -8475,7 +8475,8 @@ NURBS_API nurbs_status nurbs_mesh_edge_points(const nurbs_mesh *mesh, int64_t ca
  * \param[in] cap length of the outputs: 0, or at least the number of hexahedra.
  * \param[out] corners [cap][8] or NULL: points of the mesh, 0-based.
  * \param[out] domains [cap][3][2] or NULL: the ends of each hexahedron along each axis of the volume.
- * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant: whether the volume, over this part of its domain, folds.
+ * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant: whether the volume, over this part of its domain, folds;
+ *   undecided is what 64 halvings do not decide.
  * \param[out] signs [cap] or NULL: 1 or -1, the sign that the Jacobian of the volume is proven to have wherever in this part
  *   it is not 0, if there is no fold; else 0.
  * \param[out] count or NULL: number of hexahedra.

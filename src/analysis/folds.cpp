@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb::analysis {
 
@@ -94,8 +95,9 @@ Vector reference_of(const Spline &spline, const pieces::PieceMaker &maker, const
 
 class FoldSearch {
 public:
-    FoldSearch(const Spline &spline, pieces::PieceMaker maker, const Vector &reference)
-        : spline_(spline), maker_(std::move(maker)), reference_(reference), parts_(spline.axes()) {}
+    FoldSearch(const Spline &spline, pieces::PieceMaker maker, const Vector &reference,
+               int64_t halvings = std::numeric_limits<int64_t>::max())
+        : spline_(spline), maker_(std::move(maker)), reference_(reference), parts_(spline.axes(), halvings) {}
 
     FoldTest run() {
         start();
@@ -236,13 +238,13 @@ std::vector<FoldTest> fold_tests(const Spline &spline, const double *reference) 
     std::vector<FoldTest> found;
     Steps steps(pieces);
     for (int64_t i = 0; i < pieces; ++i, steps.next()) {
-        found.push_back(tests.test(refine::domain_of_piece(spline, i)));
+        found.push_back(tests.test(refine::domain_of_piece(spline, i), halvings_of_piece));
     }
     return found;
 }
 
-FoldTest FoldTests::test(const Part &part) const {
-    return FoldSearch(spline_, whole_.of_part(part), reference_).run();
+FoldTest FoldTests::test(const Part &part, int64_t halvings) const {
+    return FoldSearch(spline_, whole_.of_part(part), reference_, halvings).run();
 }
 
 } // namespace nrb::analysis

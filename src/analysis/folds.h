@@ -31,13 +31,16 @@ class FoldTests {
 public:
     FoldTests(const Spline &spline, const double *reference);
 
-    [[nodiscard]] FoldTest test(const Part &part) const;
+    // Undecided is what so many halvings do not decide.
+    [[nodiscard]] FoldTest test(const Part &part, int64_t halvings) const;
 
 private:
     const Spline &spline_;
     pieces::PieceMaker whole_;
     std::array<double, 3> reference_;
 };
+
+constexpr int64_t halvings_of_piece = 2000;
 
 // Of all polynomial pieces, in the order of refine::bezier_pieces().
 std::vector<FoldTest> fold_tests(const Spline &spline, const double *reference);

@@ -57,7 +57,7 @@ BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes) {
 
 void PartQueue::add(JacobianPart part) {
     if (!halvings_) {
-        halvings_ = halvings_for(part.f);
+        halvings_ = std::min(most_, halvings_for(part.f));
     }
     parts_.push_back(std::move(part));
 }

@@ -5,6 +5,7 @@
 #include "pieces/derivative_pieces.h"
 
 #include <deque>
+#include <limits>
 #include <optional>
 
 namespace nrb::analysis {
@@ -25,7 +26,9 @@ BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes);
 // Parts that wait to be examined, from the largest to the smallest.
 class PartQueue {
 public:
-    explicit PartQueue(int axes) : axes_(axes) {} // an empty deque allocates
+    // Of which so many are halved at most.
+    explicit PartQueue(int axes, int64_t most = std::numeric_limits<int64_t>::max())
+        : axes_(axes), most_(most) {} // an empty deque allocates
 
     void add(JacobianPart part);
     [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
@@ -39,6 +42,7 @@ public:
 
 private:
     int axes_;
+    int64_t most_;
     std::optional<int64_t> halvings_; // that are left
     std::deque<JacobianPart> parts_;
 };

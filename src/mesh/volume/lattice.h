@@ -20,10 +20,9 @@ public:
     [[nodiscard]] bool closed() const noexcept { return closed_; }
     [[nodiscard]] int64_t cells() const noexcept { return static_cast<int64_t>(first_.size()); }
     [[nodiscard]] int64_t layers() const noexcept { return static_cast<int64_t>(source_.size()); }
-    // Layer i of a cell.
+    // Layer i of a cell; layers() is layer 0 of a closed axis again.
     [[nodiscard]] int64_t layer(int64_t cell, int i) const noexcept {
-        const int64_t at = first_[static_cast<size_t>(cell)] + i;
-        return at < layers() ? at : 0;
+        return first_[static_cast<size_t>(cell)] + i;
     }
     // Where a layer is met first: cell * (degree + 1) + i.
     [[nodiscard]] int64_t source(int64_t layer) const noexcept { return source_[static_cast<size_t>(layer)]; }
@@ -56,6 +55,14 @@ public:
     [[nodiscard]] int64_t point(int64_t node) const noexcept {
         return points_of_.empty() ? node : points_of_[static_cast<size_t>(node)];
     }
+    // The point in some layers; of a closed axis the last one is the first.
+    [[nodiscard]] int64_t point_at(const std::array<int64_t, max_axes> &layers) const noexcept {
+        int64_t node = 0;
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            node = node * axes_[k].layers() + (layers[k] < axes_[k].layers() ? layers[k] : 0);
+        }
+        return point(node);
+    }
     // The layers of a node; which cells a cell is along the axes.
     [[nodiscard]] std::array<int64_t, max_axes> layers(int64_t node) const noexcept;
     [[nodiscard]] std::array<int64_t, max_axes> cell(int64_t index) const noexcept;
@@ -65,11 +72,11 @@ public:
     void copy_cell(int64_t index, Integer *out) const noexcept {
         const std::array<int64_t, max_axes> at = cell(index);
         for (const CellPlace &place : places_) {
-            int64_t node = 0;
+            std::array<int64_t, max_axes> layers{};
             for (size_t k = 0; k < axes_.size(); ++k) {
-                node = node * axes_[k].layers() + axes_[k].layer(at[k], place[k]);
+                layers[k] = axes_[k].layer(at[k], place[k]);
             }
-            *out++ = static_cast<Integer>(point(node));
+            *out++ = static_cast<Integer>(point_at(layers));
         }
     }
 

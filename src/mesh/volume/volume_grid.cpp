@@ -60,8 +60,8 @@ private:
     // body(bend, which block it is along the axes).
     template <class Body>
     void for_each_block(Body &&body) const;
-    // What rounding adds everywhere.
-    [[nodiscard]] double noise(double moved) const noexcept { return moved + rounding_; }
+    // What rounding adds everywhere, also where points that are the same but for that become one.
+    [[nodiscard]] double noise(double moved) const noexcept { return moved + 2 * rounding_; }
 
     void look();
     [[nodiscard]] double roundings() const noexcept;

@@ -2,6 +2,7 @@
 #include "mesh/volume/volume_mesh.h"
 
 #include "analysis/folds.h"
+#include "base/numbers.h"
 #include "base/watch.h"
 #include "eval/evaluate.h"
 #include "mesh/extent.h"
@@ -10,10 +11,14 @@
 #include "refine/parts/cut.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nrb::mesh {
 
 namespace {
+
+// Cells that a fold goes through show both signs soon; of those beside it little is known otherwise.
+constexpr int64_t halvings_of_cell = 64;
 
 // Grid lines of an axis, as layers of a lattice.
 class Layers {
@@ -24,9 +29,13 @@ public:
             const int64_t source = axis_.source(layer);
             params_.push_back(lines[static_cast<size_t>(source / 2 + source % 2)]);
         }
+        if (axis_.closed()) {
+            params_.push_back(lines.back());
+        }
     }
 
     [[nodiscard]] const LatticeAxis &axis() const noexcept { return axis_; }
+    // Of the layers, and of the end of a closed axis, which is no layer of its own.
     [[nodiscard]] const std::vector<double> &params() const noexcept { return params_; }
     // The layers up to the next tear from one on; lines on a tear are two layers.
     [[nodiscard]] size_t part_end(size_t first) const noexcept {
@@ -56,7 +65,8 @@ private:
 
 class VolumeMesher {
 public:
-    VolumeMesher(SplinePtr volume, const VolumeGrid &grid) : volume_(std::move(volume)), grid_(grid) {
+    VolumeMesher(SplinePtr volume, const VolumeGrid &grid, double chord)
+        : volume_(std::move(volume)), grid_(grid), chord_(chord) {
         for (int k = 0; k < max_axes; ++k) {
             layers_.emplace_back(*volume_, k, grid.lines[static_cast<size_t>(k)]);
         }
@@ -75,8 +85,8 @@ public:
         set_cells(lattice, mesh.hexahedra);
         set_signs(lattice, mesh.hexahedra);
         MeshFace whole;
-        whole.from_shape = whole.from_mesh = grid_.bound;
-        whole.reached = grid_.reached;
+        whole.from_shape = whole.from_mesh = grid_.bound + gap_ * (1 + 8 * eps);
+        whole.reached = grid_.reached && whole.from_shape <= chord_;
         mesh.faces.push_back(whole);
         return mesh;
     }
@@ -92,15 +102,17 @@ private:
     SplinePtr volume_;
     const VolumeGrid &grid_;
     std::vector<Layers> layers_;
-    std::vector<double> nodes_; // [nodes][3]
+    double chord_;
+    std::vector<double> nodes_; // [params][params][params][3]
+    double gap_ = 0;            // no node is farther from the point that it has become
 };
 
 void VolumeMesher::set_points(const Lattice &lattice, std::vector<Vector3> &points) {
     const Phase phase;
     nodes_.clear();
-    grow_watched(nodes_, static_cast<size_t>(lattice.nodes()) * 3);
     Range range;
     const auto sizes = [&](size_t k) { return layers_[k].params().size(); };
+    grow_watched(nodes_, sizes(0) * sizes(1) * sizes(2) * 3);
     for (range[0][0] = 0; range[0][0] < sizes(0); range[0][0] = range[0][1]) {
         range[0][1] = layers_[0].part_end(range[0][0]);
         for (range[1][0] = 0; range[1][0] < sizes(1); range[1][0] = range[1][1]) {
@@ -111,10 +123,23 @@ void VolumeMesher::set_points(const Lattice &lattice, std::vector<Vector3> &poin
             }
         }
     }
-    points.reserve(static_cast<size_t>(lattice.points()));
-    for (int64_t i = 0; i < lattice.points(); ++i) {
-        const double *x = nodes_.data() + 3 * lattice.node(i);
-        points.push_back({x[0], x[1], x[2]});
+    points.resize(static_cast<size_t>(lattice.points()));
+    std::vector<bool> known(points.size());
+    std::array<int64_t, max_axes> at{};
+    const double *x = nodes_.data();
+    for (at[0] = 0; std::cmp_less(at[0], sizes(0)); ++at[0]) {
+        count_work(4 * static_cast<int64_t>(sizes(1) * sizes(2)));
+        for (at[1] = 0; std::cmp_less(at[1], sizes(1)); ++at[1]) {
+            for (at[2] = 0; std::cmp_less(at[2], sizes(2)); ++at[2], x += 3) {
+                const auto point = static_cast<size_t>(lattice.point_at(at));
+                const Vector3 own{x[0], x[1], x[2]};
+                if (!known[point]) {
+                    points[point] = own;
+                    known[point] = true;
+                }
+                gap_ = std::max(gap_, length(points[point] - own));
+            }
+        }
     }
 }
 
@@ -179,12 +204,12 @@ void VolumeMesher::set_signs(const Lattice &lattice, std::vector<MeshHexahedron>
         pieces *= std::ssize(breaks[k]) - 1;
     }
     std::vector<std::optional<analysis::FoldTest>> known(static_cast<size_t>(pieces));
-    const auto of_part = [&](const auto &ends, const std::array<size_t, max_axes> &at) {
+    const auto of_part = [&](const auto &ends, const std::array<size_t, max_axes> &at, int64_t halvings) {
         Part part{};
         for (size_t k = 0; k < part.size(); ++k) {
             part[k] = {ends[k][at[k]], ends[k][at[k] + 1]};
         }
-        return tests.test(part);
+        return tests.test(part, halvings);
     };
     Steps steps(lattice.cells());
     for (int64_t i = 0; i < lattice.cells(); ++i, steps.next(8)) {
@@ -198,10 +223,10 @@ void VolumeMesher::set_signs(const Lattice &lattice, std::vector<MeshHexahedron>
         }
         std::optional<analysis::FoldTest> &whole = known[index];
         if (!whole) {
-            whole = of_part(breaks, in);
+            whole = of_part(breaks, in, analysis::halvings_of_piece);
         }
         const analysis::FoldTest test =
-            whole->result == analysis::fold_none ? *whole : of_part(grid_.lines, at);
+            whole->result == analysis::fold_none ? *whole : of_part(grid_.lines, at, halvings_of_cell);
         cells[static_cast<size_t>(i)].fold = static_cast<int8_t>(test.result);
         cells[static_cast<size_t>(i)].sign = static_cast<int8_t>(analysis::sign_of(test));
     }
@@ -227,7 +252,7 @@ MeshPtr mesh_of_volume(const SplinePtr &volume, const MeshRule &rule, int64_t mo
         const Phase phase;
         return volume_grid(*volume, own, most);
     }();
-    return std::make_shared<const Mesh>(VolumeMesher(volume, grid).mesh());
+    return std::make_shared<const Mesh>(VolumeMesher(volume, grid, own.chord).mesh());
 }
 
 } // namespace nrb::mesh
