@@ -28,6 +28,22 @@ double cells_for(double term, double share) noexcept {
     return std::clamp(std::ceil(std::sqrt(term / share) * (1 + 8 * eps)), 1.0, most_cells_of_block);
 }
 
+int64_t cells_of(const VolumeGrid &grid) noexcept {
+    int64_t cells = 1;
+    for (const std::vector<double> &lines : grid.lines) {
+        cells *= std::ssize(lines) - 1;
+    }
+    return cells;
+}
+
+// Parts of blocks are not always better than these: each of them has a whole number of cells.
+bool better(const VolumeGrid &a, const VolumeGrid &b) noexcept {
+    if (a.reached != b.reached) {
+        return a.reached;
+    }
+    return a.reached ? cells_of(a) < cells_of(b) : a.bound < b.bound;
+}
+
 class GridPlan {
 public:
     GridPlan(const Spline &volume, const MeshRule &rule, int64_t most)
@@ -39,19 +55,15 @@ public:
     }
 
     VolumeGrid grid() {
-        for (int round = 0; round < rounds; ++round) {
+        VolumeGrid best = attempt();
+        for (int round = 1; round < rounds && divide(); ++round) {
             const Phase phase;
-            look();
-            counts_ = counts_within_limit();
-            if (!divide()) {
-                break;
+            VolumeGrid next = attempt();
+            if (better(next, best)) {
+                best = std::move(next);
             }
         }
-        if (bends_.empty()) {
-            look();
-            counts_ = counts_within_limit();
-        }
-        return result();
+        return best;
     }
 
 private:
@@ -63,6 +75,11 @@ private:
     // What rounding adds everywhere, also where points that are the same but for that become one.
     [[nodiscard]] double noise(double moved) const noexcept { return moved + 2 * rounding_; }
 
+    VolumeGrid attempt() {
+        look();
+        counts_ = counts_within_limit();
+        return result();
+    }
     void look();
     [[nodiscard]] double roundings() const noexcept;
     void set_rounding(const pieces::BezierNet &net) noexcept;
@@ -82,7 +99,7 @@ private:
     double chord_, longest_;
     int64_t most_;
     BernsteinNet::Breaks breaks_;
-    std::vector<PieceBend> bends_; // of the blocks, last axis fastest; empty: not looked at
+    std::vector<PieceBend> bends_; // of the blocks, last axis fastest
     double rounding_ = 0;          // of points that are evaluated
     Counts counts_;
 };
@@ -283,7 +300,6 @@ bool GridPlan::divide() {
         std::vector<double> shares;
         breaks_[k] = lines(k, shares);
     }
-    bends_.clear();
     return true;
 }
 
