@@ -5,6 +5,7 @@
 #include "pieces/derivative_pieces.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace nrb::analysis {
@@ -26,18 +27,25 @@ struct FoldTest {
 // surface in space; null: its vector area. Throws Status::direction, not_representable.
 FoldTest fold_test(const Spline &spline, const double *reference);
 
-// The same of parts of a spline, one after the other, all of which have one reference.
+// The same of polynomial pieces and parts of them, all of which have one reference.
 class FoldTests {
 public:
     FoldTests(const Spline &spline, const double *reference);
+    ~FoldTests();
+    FoldTests(const FoldTests &) = delete;
+    FoldTests &operator=(const FoldTests &) = delete;
 
-    // Undecided is what so many halvings do not decide.
+    // Of pieces in the order of refine::bezier_pieces().
+    void set_piece(int64_t index);
+    // Of the piece that was set, or of a part of it, to rounding of its ends. Undecided is what so many halvings do not decide.
+    [[nodiscard]] FoldTest test(int64_t halvings) const;
     [[nodiscard]] FoldTest test(const Part &part, int64_t halvings) const;
 
 private:
     const Spline &spline_;
-    pieces::PieceMaker whole_;
+    pieces::PieceMaker maker_;
     std::array<double, 3> reference_;
+    std::unique_ptr<const class FoldSearch> piece_; // whose J is known
 };
 
 constexpr int64_t halvings_of_piece = 2000;

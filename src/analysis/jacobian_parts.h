@@ -26,10 +26,10 @@ BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes);
 // Parts that wait to be examined, from the largest to the smallest.
 class PartQueue {
 public:
-    // Of which so many are halved at most.
-    explicit PartQueue(int axes, int64_t most = std::numeric_limits<int64_t>::max())
-        : axes_(axes), most_(most) {} // an empty deque allocates
+    explicit PartQueue(int axes) : axes_(axes) {} // an empty deque allocates
 
+    // No more are halved than so many.
+    void limit(int64_t halvings) noexcept { most_ = halvings; }
     void add(JacobianPart part);
     [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
     [[nodiscard]] size_t size() const noexcept { return parts_.size(); }
@@ -42,8 +42,8 @@ public:
 
 private:
     int axes_;
-    int64_t most_;
-    std::optional<int64_t> halvings_; // that are left
+    int64_t most_ = std::numeric_limits<int64_t>::max();
+    std::optional<int64_t> halvings_; // that memory allows, less those made
     std::deque<JacobianPart> parts_;
 };
 

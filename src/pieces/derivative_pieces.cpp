@@ -117,18 +117,8 @@ PieceMaker::PieceMaker(const Spline &spline, const Part &part) : PieceMaker(spli
 PieceMaker::PieceMaker(const Spline &spline, const Part &part, std::vector<double> centre)
     : spline_(spline), weighted_(spline.rational() && !refine::equal_weights(spline)),
       centre_(std::move(centre)) {
-    set_breaks(part);
-}
-
-PieceMaker PieceMaker::of_part(const Part &part) const {
-    PieceMaker result = *this;
-    result.set_breaks(part);
-    return result;
-}
-
-void PieceMaker::set_breaks(const Part &part) {
-    for (size_t k = 0; k < static_cast<size_t>(spline_.axes()); ++k) {
-        breaks_[k] = breaks_in(spline_.axis(static_cast<int>(k)), part[k]);
+    for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
+        breaks_[k] = breaks_in(spline.axis(static_cast<int>(k)), part[k]);
     }
 }
 

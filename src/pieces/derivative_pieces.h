@@ -31,8 +31,6 @@ public:
     PieceMaker(const Spline &spline, const Part &part);
     // About a centre that they all have.
     PieceMaker(const Spline &spline, const Part &part, std::vector<double> centre);
-    // The same of another part, without a look at all control points.
-    [[nodiscard]] PieceMaker of_part(const Part &part) const;
 
     [[nodiscard]] int64_t count() const noexcept;
     [[nodiscard]] int64_t count(int k) const noexcept {
@@ -44,7 +42,6 @@ public:
     [[nodiscard]] HomogeneousPiece piece(int64_t index) const;
 
 private:
-    void set_breaks(const Part &part);
     [[nodiscard]] Spline sub_spline(const std::array<int64_t, max_axes> &spans) const;
 
     const Spline &spline_;

@@ -67,6 +67,14 @@ public:
     [[nodiscard]] std::array<int64_t, max_axes> layers(int64_t node) const noexcept;
     [[nodiscard]] std::array<int64_t, max_axes> cell(int64_t index) const noexcept;
 
+    [[nodiscard]] size_t cell_index(const std::array<size_t, max_axes> &at) const noexcept {
+        size_t index = 0;
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            index = index * static_cast<size_t>(axes_[k].cells()) + at[k];
+        }
+        return index;
+    }
+
     // The points of a cell in the order of VTK.
     template <class Integer>
     void copy_cell(int64_t index, Integer *out) const noexcept {

@@ -292,7 +292,7 @@ bool GridPlan::divide() {
         }
         total *= sum;
     }
-    if (longest == 1 || total > std::max(usual_blocks, blocks())) {
+    if (longest == 1 || total > std::max(std::min(usual_blocks, most_), blocks())) {
         return false;
     }
     for (size_t k = 0; k < parts.size(); ++k) {

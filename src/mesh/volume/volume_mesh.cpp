@@ -9,6 +9,7 @@
 #include "mesh/volume/sides.h"
 #include "mesh/volume/volume_grid.h"
 #include "refine/parts/cut.h"
+#include "refine/parts/piece_arrays.h"
 
 #include <algorithm>
 #include <utility>
@@ -98,6 +99,8 @@ private:
     void set_nodes(const Range &range);
     static void set_cells(const Lattice &lattice, std::vector<MeshHexahedron> &cells);
     void set_signs(const Lattice &lattice, std::vector<MeshHexahedron> &cells) const;
+    [[nodiscard]] std::array<std::vector<size_t>, max_axes> ends_of_pieces() const;
+    static void set_sign(const analysis::FoldTest &test, MeshHexahedron &cell);
 
     SplinePtr volume_;
     const VolumeGrid &grid_;
@@ -187,49 +190,53 @@ void VolumeMesher::set_cells(const Lattice &lattice, std::vector<MeshHexahedron>
     }
 }
 
-// A cell of a piece without a fold has none.
+// A cell of a piece without a fold has none. The cells of a piece come one after the other.
 void VolumeMesher::set_signs(const Lattice &lattice, std::vector<MeshHexahedron> &cells) const {
     const UsualLimit usual(usual_work(volume_->point_count()));
     const LimitedSearch search;
-    const analysis::FoldTests tests(*volume_, nullptr);
-    std::array<std::vector<size_t>, max_axes> piece; // in which each cell is
-    std::array<std::span<const double>, max_axes> breaks;
-    int64_t pieces = 1;
-    for (size_t k = 0; k < piece.size(); ++k) {
-        breaks[k] = volume_->axis(static_cast<int>(k)).spans().breaks();
-        for (size_t i = 0; i + 1 < grid_.lines[k].size(); ++i) {
-            piece[k].push_back(static_cast<size_t>(std::ranges::upper_bound(breaks[k], grid_.lines[k][i]) -
-                                                   breaks[k].begin() - 1));
+    analysis::FoldTests tests(*volume_, nullptr);
+    const std::array<std::vector<size_t>, max_axes> ends = ends_of_pieces();
+    Steps steps(refine::count_pieces(*volume_));
+    for (int64_t piece = 0; piece < refine::count_pieces(*volume_); ++piece, steps.next()) {
+        tests.set_piece(piece);
+        const analysis::FoldTest whole = tests.test(analysis::halvings_of_piece);
+        std::array<size_t, max_axes> first{}, end{}, at{};
+        int64_t index = piece;
+        for (size_t k = max_axes; k-- > 0;) {
+            const auto pieces = std::ssize(ends[k]) - 1;
+            first[k] = ends[k][static_cast<size_t>(index % pieces)];
+            end[k] = ends[k][static_cast<size_t>(index % pieces) + 1];
+            index /= pieces;
         }
-        pieces *= std::ssize(breaks[k]) - 1;
+        for (at[0] = first[0]; at[0] < end[0]; ++at[0]) {
+            for (at[1] = first[1]; at[1] < end[1]; ++at[1]) {
+                for (at[2] = first[2]; at[2] < end[2]; ++at[2]) {
+                    set_sign(whole.result == analysis::fold_none
+                                 ? whole
+                                 : tests.test(grid_.cell(at), halvings_of_cell),
+                             cells[lattice.cell_index(at)]);
+                }
+            }
+        }
     }
-    std::vector<std::optional<analysis::FoldTest>> known(static_cast<size_t>(pieces));
-    const auto of_part = [&](const auto &ends, const std::array<size_t, max_axes> &at, int64_t halvings) {
-        Part part{};
-        for (size_t k = 0; k < part.size(); ++k) {
-            part[k] = {ends[k][at[k]], ends[k][at[k] + 1]};
+}
+
+// Of each axis the lines at which pieces end.
+std::array<std::vector<size_t>, max_axes> VolumeMesher::ends_of_pieces() const {
+    std::array<std::vector<size_t>, max_axes> ends;
+    for (size_t k = 0; k < ends.size(); ++k) {
+        const std::vector<double> &lines = grid_.lines[k];
+        for (const double knot : volume_->axis(static_cast<int>(k)).spans().breaks()) {
+            ends[k].push_back(static_cast<size_t>(std::ranges::lower_bound(lines, knot) - lines.begin()));
         }
-        return tests.test(part, halvings);
-    };
-    Steps steps(lattice.cells());
-    for (int64_t i = 0; i < lattice.cells(); ++i, steps.next(8)) {
-        const std::array<int64_t, max_axes> cell = lattice.cell(i);
-        std::array<size_t, max_axes> at{}, in{};
-        size_t index = 0;
-        for (size_t k = 0; k < at.size(); ++k) {
-            at[k] = static_cast<size_t>(cell[k]);
-            in[k] = piece[k][at[k]];
-            index = index * (breaks[k].size() - 1) + in[k];
-        }
-        std::optional<analysis::FoldTest> &whole = known[index];
-        if (!whole) {
-            whole = of_part(breaks, in, analysis::halvings_of_piece);
-        }
-        const analysis::FoldTest test =
-            whole->result == analysis::fold_none ? *whole : of_part(grid_.lines, at, halvings_of_cell);
-        cells[static_cast<size_t>(i)].fold = static_cast<int8_t>(test.result);
-        cells[static_cast<size_t>(i)].sign = static_cast<int8_t>(analysis::sign_of(test));
     }
+    return ends;
+}
+
+void VolumeMesher::set_sign(const analysis::FoldTest &test, MeshHexahedron &cell) {
+    count_work(4);
+    cell.fold = static_cast<int8_t>(test.result);
+    cell.sign = static_cast<int8_t>(analysis::sign_of(test));
 }
 
 } // namespace
