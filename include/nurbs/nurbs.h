@@ -8140,7 +8140,7 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * \param[out] count or NULL: number of vertices.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERLAP; _TOLERANCE if chord is not > 0, or infinite
  *   without another limit, _ANGLE if angle is not from 0 to pi, _LENGTH if longest is not finite or < 0, _SIZE
- *   if cap is neither 0 nor enough.
+ *   if cap is neither 0 nor enough; _NOT_REPRESENTABLE if control points of pieces overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_curve(const nurbs *g, double chord, double angle, double longest,
                                         int64_t cap, double *params, double *points, double *bound,

@@ -199,7 +199,7 @@ class Analysis(SplineBase):
 
     def fold_pieces(self, reference: Optional[ArrayLike] = None, *, progress: Progress = None,
                     work: Optional[int] = None) -> FoldPieces:
-        """fold_test() of each polynomial piece by itself, in the order of bezier_pieces()."""
+        """Whether each polynomial piece by itself folds over, as by fold_test(), in the order of bezier_pieces()."""
         given = if_given(reference, 3, "a reference")
         n = get(ctypes.c_int64, lib.nurbs_fold_pieces, self._handle, address(given), 0, None, None)
         found = FoldPieces(numpy.empty(n, numpy.int32), numpy.empty(n, numpy.int32))
