@@ -11,19 +11,19 @@ using namespace nrb;
 using namespace nrb::capi;
 
 nurbs_status nurbs_bezier_cells(const nurbs *g, int64_t cap, int64_t *own_points, int32_t *kind,
-                                int64_t *point_count, int64_t *count) {
+                                int64_t *points, int64_t *count) {
     return guard([&] {
         const mesh::Lattice lattice = mesh::bezier_lattice(spline_of(g));
         const int64_t filled = checked_cap(cap, lattice.cells());
         check_apart(
             {memory("own_points", own_points, checked_product(filled, lattice.corners(), "control points")),
-             memory("kind", kind, 1), memory("point_count", point_count, 1), memory("count", count, 1)},
+             memory("kind", kind, 1), memory("points", points, 1), memory("count", count, 1)},
             {});
         for (int64_t i = 0; i < filled && own_points != nullptr; ++i) {
             lattice.copy_cell(i, own_points + i * lattice.corners());
         }
         put(kind, int32_t{mesh::vtk_bezier_cell(g->spline->axes())});
-        put(point_count, lattice.points());
+        put(points, lattice.points());
         put(count, lattice.cells());
     });
 }

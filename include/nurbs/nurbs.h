@@ -8318,8 +8318,9 @@ NURBS_API nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_option
  * \param[out] out the new mesh.
  * \return as for nurbs_mesh_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_mesh_volume_with(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
-                                              const nurbs_call_options *call, nurbs_mesh **out);
+NURBS_API nurbs_status nurbs_mesh_volume_with(const nurbs *g, const nurbs_mesh_options *options,
+                                              int64_t limit, const nurbs_call_options *call,
+                                              nurbs_mesh **out);
 
 /** \brief Another handle on the same mesh, in constant time.
  * \param[in] mesh a mesh.
@@ -8508,13 +8509,13 @@ NURBS_API nurbs_status nurbs_mesh_hexahedra(const nurbs_mesh *mesh, int64_t cap,
  * \param[in] cap length of own_points: 0, or at least the number of cells.
  * \param[out] own_points [cap][M] or NULL: control points of each cell, 0-based.
  * \param[out] kind or NULL: what VTK calls such cells: 75 for a curve, 77 for a surface, 79 for a volume.
- * \param[out] point_count or NULL: number of control points.
+ * \param[out] points or NULL: number of control points.
  * \param[out] count or NULL: number of cells.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _DEGREE for an axis of degree 0, _SIZE if cap is
  *   neither 0 nor enough; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_bezier_cells(const nurbs *g, int64_t cap, int64_t *own_points, int32_t *kind,
-                                          int64_t *point_count, int64_t *count);
+                                          int64_t *points, int64_t *count);
 
 /** \brief The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for bit, each
  * once; those of a seam as the first cell has them.

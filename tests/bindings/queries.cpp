@@ -165,7 +165,8 @@ static void curve_shapes() {
     const Spline block = extrude(floor_plane(), {0, 0, 1});
     const Mesh cells = Mesh::of_volume(block, limits, 5);
     const MeshHexahedra boxes = cells.hexahedra();
-    EXPECT(boxes.corners.size() == 8 && cells.counts().points == 8 && near(boxes.domains, {0, 1, 0, 1, 0, 1}));
+    EXPECT(boxes.corners.size() == 8 && cells.counts().points == 8 &&
+           near(boxes.domains, {0, 1, 0, 1, 0, 1}));
     EXPECT(boxes.folds == std::vector{fold_none} && boxes.signs == std::vector{1} && cells.bound().reached);
     const FoldPieces pieces_of_block = fold_pieces(block);
     EXPECT(pieces_of_block.folds == boxes.folds && pieces_of_block.signs == boxes.signs);

@@ -260,7 +260,7 @@ static void cells_refused(void) {
     CHECK_FAILS(nurbs_bezier_cells(NULL, 1, i, k, j, j + 1), NURBS_ERROR_NULL, "g is NULL");
     CHECK_FAILS(nurbs_bezier_cells(steps, 1, i, k, j, j + 1), NURBS_ERROR_DEGREE, "axis 1|degree 0");
     CHECK_FAILS(nurbs_bezier_cells(g, -1, i, k, j, j + 1), NURBS_ERROR_COUNT, "cap = -1");
-    CHECK_FAILS(nurbs_bezier_cells(g, 1, i, k, i + 26, j), NURBS_ERROR_OVERLAP, "point_count");
+    CHECK_FAILS(nurbs_bezier_cells(g, 1, i, k, i + 26, j), NURBS_ERROR_OVERLAP, "points");
     CHECK_FAILS(nurbs_bezier_cell_points(NULL, 27, a, b, j), NURBS_ERROR_NULL, "g is NULL");
     CHECK_FAILS(nurbs_bezier_cell_points(steps, 27, a, b, j), NURBS_ERROR_DEGREE, "axis 1");
     CHECK_FAILS(nurbs_bezier_cell_points(g, 26, a, b, j), NURBS_ERROR_SIZE, "cap = 26|27");

@@ -4706,11 +4706,11 @@ module nurbs_c
         end function nurbs_mesh_hexahedra
         !> A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
         !> neighbours have in common.
-        function nurbs_bezier_cells(g, cap, own_points, kind, point_count, count) bind(c) result(r)
+        function nurbs_bezier_cells(g, cap, own_points, kind, points, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: cap
-            integer(c_int64_t), intent(inout), optional :: own_points(*), point_count, count
+            integer(c_int64_t), intent(inout), optional :: own_points(*), points, count
             integer(c_int32_t), intent(inout), optional :: kind
             integer(c_int32_t) :: r
         end function nurbs_bezier_cells

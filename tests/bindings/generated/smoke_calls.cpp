@@ -406,14 +406,14 @@ void data(const Inputs &in) {
         const auto found = n::bezier_cells(in.surface);
         show("own_points", found.cells);
         show("kind", found.kind);
-        show("point_count", found.point_count);
+        show("points", found.point_count);
     }
     {
         begin("bezier_cells closed");
         const auto found = n::bezier_cells(in.loop);
         show("own_points", found.cells);
         show("kind", found.kind);
-        show("point_count", found.point_count);
+        show("points", found.point_count);
     }
     {
         begin("bezier_cell_points");

@@ -1088,7 +1088,7 @@ contains
             call show('own_points', flat(reshape(cells_found, [size(cells_found, 2), size(cells_found, 1)], order=[2, &
                 1])) - 1)
             call show('kind', kind_found)
-            call show('point_count', point_count_found)
+            call show('points', point_count_found)
         end block
         call begin('bezier_cells closed')
         block

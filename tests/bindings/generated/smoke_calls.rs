@@ -734,14 +734,14 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.surface.bezier_cells()?;
         show("own_points", &found.cells);
         show("kind", &found.kind);
-        show("point_count", &found.point_count);
+        show("points", &found.point_count);
     }
     begin("bezier_cells closed");
     {
         let found = given.r#loop.bezier_cells()?;
         show("own_points", &found.cells);
         show("kind", &found.kind);
-        show("point_count", &found.point_count);
+        show("points", &found.point_count);
     }
     begin("bezier_cell_points");
     {

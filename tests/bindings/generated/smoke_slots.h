@@ -97,7 +97,7 @@ inline constexpr Slot slots[] = {
     {"bezier_pieces rational", "count", "spans", 1, 1},
     {"bezier_cells", "own_points", "spans", 0, 24},
     {"bezier_cells", "kind", "states", 0, 1},
-    {"bezier_cells", "point_count", "spans", 24, 1},
+    {"bezier_cells", "points", "spans", 24, 1},
     {"bezier_cells", "count", "spans", 25, 1},
     {"bezier_cells closed", "own_points", "spans", 0, 24},
     {"bezier_cells closed", "count", "spans", 24, 1},

@@ -5582,13 +5582,13 @@ extern "C" {
     /// A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
     /// neighbours have in common.
     ///
-    /// May be null: `own_points`, `kind`, `point_count`, `count`.
+    /// May be null: `own_points`, `kind`, `points`, `count`.
     pub fn nurbs_bezier_cells(
         g: *const nurbs,
         cap: i64,
         own_points: *mut i64,
         kind: *mut i32,
-        point_count: *mut i64,
+        points: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
     /// The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for
