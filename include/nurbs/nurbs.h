@@ -8299,7 +8299,7 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  * nurbs_mesh_points() has the points, nurbs_mesh_hexahedra() the rest; there are no vertices and no triangles, and one
  * face, which is the whole.
  *
- * Costs: about 0.3 us for a hexahedron, and some 30 us for a piece.
+ * Costs: about a microsecond for a hexahedron, and some 10 us for a piece.
  * \param[in] g a volume of dimension 3 whose degrees are at least 1 (nurbs_elevate() raises others).
  * \param[in] options or NULL for the defaults: limits, of which `longest` is that of sides of hexahedra.
  * \param[in] limit most hexahedra, 0 for 2^20: lines are farther apart than asked for rather than that there are more,
