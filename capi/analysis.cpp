@@ -13,6 +13,7 @@
 #include "analysis/singular.h"
 #include "base/tolerance.h"
 #include "build/placement.h"
+#include "refine/parts/piece_arrays.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -210,5 +211,26 @@ nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *r
         *result = test.result;
         put_place(test.positive, spline.axes(), positive);
         put_place(test.negative, spline.axes(), negative);
+    });
+}
+
+nurbs_status nurbs_fold_pieces(const nurbs *g, const double *reference, int64_t cap, int32_t *folds,
+                               int32_t *signs, int64_t *count) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_folding(spline);
+        const double *direction = checked_reference(spline, reference);
+        const int64_t filled = checked_cap(cap, refine::count_pieces(spline));
+        check_apart(
+            {memory("folds", folds, filled), memory("signs", signs, filled), memory("count", count, 1)},
+            {memory("reference", reference, reference == nullptr ? 0 : 3)});
+        if (filled > 0) {
+            const std::vector<analysis::FoldTest> tests = analysis::fold_tests(spline, direction);
+            for (size_t i = 0; i < tests.size(); ++i) {
+                put(folds, i, tests[i].result);
+                put(signs, i, int32_t{analysis::sign_of(tests[i])});
+            }
+        }
+        put(count, refine::count_pieces(spline));
     });
 }

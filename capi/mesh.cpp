@@ -6,6 +6,7 @@
 #include "watched.h"
 
 #include "mesh/surface_mesh.h"
+#include "mesh/volume/volume_mesh.h"
 #include "spline/kind.h"
 
 #include <cmath>
@@ -14,6 +15,8 @@ using namespace nrb;
 using namespace nrb::capi;
 
 namespace {
+
+constexpr int64_t usual_hexahedra = int64_t{1} << 20;
 
 // About two million triangles, and more for many control points.
 constexpr int64_t usual_work_for_meshes = 4000000000, work_for_a_point = 20000;
@@ -116,6 +119,23 @@ nurbs_status nurbs_mesh_model(const nurbs_model *model, const nurbs_mesh_options
 nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nurbs_mesh_options *options,
                                    const nurbs_call_options *call, nurbs_mesh **out) {
     return watched(call, out, [&] { return nurbs_mesh_model(model, options, out); });
+}
+
+nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
+                               nurbs_mesh **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        mesh::check_volume(*g->spline);
+        check_length(limit, "limit");
+        const mesh::MeshRule rule = rule_of(options);
+        *out = new nurbs_mesh{mesh::mesh_of_volume(g->spline, rule, limit == 0 ? usual_hexahedra : limit)};
+    });
+}
+
+nurbs_status nurbs_mesh_volume_with(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
+                                    const nurbs_call_options *call, nurbs_mesh **out) {
+    return watched(call, out, [&] { return nurbs_mesh_volume(g, options, limit, out); });
 }
 
 nurbs_status nurbs_mesh_clone(const nurbs_mesh *mesh, nurbs_mesh **out) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -58,6 +59,20 @@ void give_triangles(const mesh::Mesh &own, uint32_t flags, int64_t cap, Integer 
         }
     }
     put(count, int64_t{std::ssize(own.triangles)});
+}
+
+// The ends of a cell of a grid along each axis.
+template <size_t axes>
+std::array<double, 2 * axes> domain_of_cell(const std::array<std::vector<double>, axes> &lines,
+                                            size_t index) {
+    std::array<double, 2 * axes> ends{};
+    for (size_t k = axes; k-- > 0;) {
+        const size_t cells = lines[k].size() - 1, at = index % cells;
+        ends[2 * k] = lines[k][at];
+        ends[2 * k + 1] = lines[k][at + 1];
+        index /= cells;
+    }
+    return ends;
 }
 
 } // namespace
@@ -206,5 +221,27 @@ nurbs_status nurbs_mesh_edge_points(const nurbs_mesh *mesh, int64_t cap, int64_t
         check_apart({memory("own_points", own_points, filled), memory("count", count, 1)}, {});
         put_all(own_points, std::span(points).first(static_cast<size_t>(filled)));
         put(count, int64_t{std::ssize(points)});
+    });
+}
+
+nurbs_status nurbs_mesh_hexahedra(const nurbs_mesh *mesh, int64_t cap, int64_t *corners, double *domains,
+                                  int32_t *folds, int32_t *signs, int64_t *count) {
+    return guard([&] {
+        const mesh::Mesh &own = mesh_of(mesh);
+        const int64_t filled = checked_cap(cap, std::ssize(own.hexahedra));
+        check_apart({memory("corners", corners, 8 * filled), memory("domains", domains, 6 * filled),
+                     memory("folds", folds, filled), memory("signs", signs, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            const mesh::MeshHexahedron &cell = own.hexahedra[i];
+            for (size_t k = 0; k < cell.corners.size(); ++k) {
+                put(corners, cell.corners.size() * i + k, int64_t{cell.corners[k]});
+            }
+            put_record(domains, i, domain_of_cell(own.lines, i));
+            put(folds, i, int32_t{cell.fold});
+            put(signs, i, int32_t{cell.sign});
+        }
+        put(count, int64_t{std::ssize(own.hexahedra)});
     });
 }

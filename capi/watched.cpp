@@ -298,6 +298,11 @@ nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32
     return watched(call, [&] { return nurbs_fold_test(g, reference, result, positive, negative); });
 }
 
+nurbs_status nurbs_fold_pieces_with(const nurbs *g, const double *reference, int64_t cap, int32_t *folds,
+                                    int32_t *signs, int64_t *count, const nurbs_call_options *call) {
+    return watched(call, [&] { return nurbs_fold_pieces(g, reference, cap, folds, signs, count); });
+}
+
 nurbs_status nurbs_bend_with(const nurbs *g, const double *origin, const double *along, const double *across,
                              double curvature, double lower, double upper, double tolerance,
                              double *deviation, int32_t *proven, const nurbs_call_options *call,

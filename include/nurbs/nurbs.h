@@ -5348,6 +5348,29 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
 NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result,
                                             double *positive, double *negative,
                                             const nurbs_call_options *call);
+
+/** \brief nurbs_fold_test() of each polynomial piece by itself, in the order of nurbs_bezier_pieces() and
+ * nurbs_bezier_cells(), with one reference for all of them.
+ * \param[in] g,reference as for nurbs_fold_test().
+ * \param[in] cap length of the outputs: 0, or at least the number of pieces.
+ * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant for each piece; undecided is what 2000 halvings do not decide.
+ * \param[out] signs [cap] or NULL: 1 or -1, the sign that J is proven to have wherever in the piece it is not 0, if there is
+ *   no fold; else 0, as where J is 0 everywhere.
+ * \param[out] count or NULL: number of pieces.
+ * \return as for nurbs_fold_test(), and NURBS_ERROR_COUNT, _OVERFLOW; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fold_pieces(const nurbs *g, const double *reference, int64_t cap, int32_t *folds,
+                                         int32_t *signs, int64_t *count);
+
+/** \brief nurbs_fold_pieces() as a call that can be watched and ended.
+ * \param[in] g,reference,cap as for nurbs_fold_pieces().
+ * \param[out] folds,signs,count as for nurbs_fold_pieces().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_fold_pieces(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fold_pieces_with(const nurbs *g, const double *reference, int64_t cap,
+                                              int32_t *folds, int32_t *signs, int64_t *count,
+                                              const nurbs_call_options *call);
 /** @} */
 
 /** \defgroup intersections Where shapes meet
@@ -8184,7 +8207,7 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * \param[out] count or NULL: number of vertices.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERLAP; _TOLERANCE if chord is not > 0, or infinite
  *   without another limit, _ANGLE if angle is not from 0 to pi, _LENGTH if longest is not finite or < 0, _SIZE
- *   if cap is neither 0 nor enough.
+ *   if cap is neither 0 nor enough; _NOT_REPRESENTABLE if control points of pieces overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_curve(const nurbs *g, double chord, double angle, double longest,
                                         int64_t cap, double *params, double *points, double *bound,
@@ -8319,6 +8342,52 @@ NURBS_API nurbs_status nurbs_mesh_model(const nurbs_model *model, const nurbs_me
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nurbs_mesh_options *options,
                                              const nurbs_call_options *call, nurbs_mesh **out);
+
+/** \brief Hexahedra in place of a volume in space, on a grid of lines along its axes.
+ *
+ * Each hexahedron is the trilinear map between its eight corners. **Distances are proven**: no point of the volume is
+ * farther from the point of its hexahedron at the same parameters than `from_shape` of nurbs_mesh_bound(), and so no
+ * point of a hexahedron farther from the volume (`from_mesh` is the same). With h_k the lengths of a hexahedron in the
+ * parameters,
+ *
+ *     |V - trilinear| <= sum_k h_k^2 / 8 max |d^2 V / dt_k^2|,
+ *
+ * where the maxima are bounds by control points of each part of a piece, which are about the least for small
+ * tolerances; what rounding may have done is included. It is infinite where weights may pass through 0.
+ *
+ * Lines are at all knots, and between them evenly in the parameter, each axis by itself: about as many as make the
+ * number of hexahedra least. Points lie on the volume, as nurbs_eval() has them bit for bit at their parameters, and
+ * neighbours have theirs in common: each side inside is one of two hexahedra. Where the volume jumps at a knot each side
+ * has points of its own, the limits from there. A periodic axis is closed, and so is one whose two ends have the same
+ * control points and weights bit for bit: the last points are the first. Where a side of the volume collapses along an
+ * axis, so that its control points are the same bit for bit, its points are the same too: hexahedra there have a corner
+ * several times. Control points that are equal but for rounding do not make points one.
+ *
+ * nurbs_mesh_points() has the points, nurbs_mesh_hexahedra() the rest; there are no vertices and no triangles, and one
+ * face, which is the whole.
+ *
+ * Costs: about a microsecond for a hexahedron, and some 10 us for a piece.
+ * \param[in] g a volume of dimension 3 whose degrees are at least 1 (nurbs_elevate() raises others).
+ * \param[in] options or NULL for the defaults: limits, of which `longest` is that of sides of hexahedra.
+ * \param[in] limit most hexahedra, 0 for 2^20: lines are farther apart than asked for rather than that there are more,
+ *   and `reached` of nurbs_mesh_bound() is 0; but there is one for each polynomial piece at least.
+ * \param[out] out the new mesh.
+ * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0; _NOT_REPRESENTABLE
+ *   if the control points of a side overflow.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
+                                         nurbs_mesh **out);
+
+/** \brief nurbs_mesh_volume() as a call that can be watched and ended. The limit of work ends it with
+ * NURBS_ERROR_WORK, but for the folds of nurbs_mesh_hexahedra(), which stay undecided.
+ * \param[in] g,options,limit as for nurbs_mesh_volume().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new mesh.
+ * \return as for nurbs_mesh_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_volume_with(const nurbs *g, const nurbs_mesh_options *options,
+                                              int64_t limit, const nurbs_call_options *call,
+                                              nurbs_mesh **out);
 
 /** \brief Another handle on the same mesh, in constant time.
  * \param[in] mesh a mesh.
@@ -8464,6 +8533,68 @@ NURBS_API nurbs_status nurbs_mesh_edges(const nurbs_mesh *mesh, int64_t cap, int
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_edge_points(const nurbs_mesh *mesh, int64_t cap, int64_t *own_points,
                                               int64_t *count);
+
+/** \brief The hexahedra of a mesh of nurbs_mesh_volume(), last axis fastest.
+ *
+ * Corners are in the order of VTK_HEXAHEDRON (cell type 12), with the first axis of the volume as the first one there:
+ * of the lower (0) and upper (1) ends of a hexahedron along the axes they are at 000, 100, 110, 010, 001, 101, 111, 011.
+ * Where the Jacobian of the volume is positive that is the order of a hexahedron that is not turned inside out.
+ * \param[in] mesh a mesh.
+ * \param[in] cap length of the outputs: 0, or at least the number of hexahedra.
+ * \param[out] corners [cap][8] or NULL: points of the mesh, 0-based.
+ * \param[out] domains [cap][3][2] or NULL: the ends of each hexahedron along each axis of the volume.
+ * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant: whether the volume, over this part of its domain, folds;
+ *   undecided is what 64 halvings do not decide.
+ * \param[out] signs [cap] or NULL: 1 or -1, the sign that the Jacobian of the volume is proven to have wherever in this part
+ *   it is not 0, if there is no fold; else 0.
+ * \param[out] count or NULL: number of hexahedra.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_hexahedra(const nurbs_mesh *mesh, int64_t cap, int64_t *corners,
+                                            double *domains, int32_t *folds, int32_t *signs, int64_t *count);
+
+/** \brief A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that neighbours
+ * have in common. Cells are the pieces of nurbs_bezier_pieces(), in their order, and have its degrees and domains; they
+ * name their control points by places in nurbs_bezier_cell_points().
+ *
+ * Each cell has its M = (p_0 + 1)(p_1 + 1)... control points in the order of VTK_BEZIER_CURVE, _QUADRILATERAL and
+ * _HEXAHEDRON, that of VTK 9 (files of version 2.1 and later), with the axes of g as the axes there: the corners, then
+ * what is inside of edges, of sides, and of the cell, each in the order of its parameters, first axis fastest.
+ *
+ *     corners: as of nurbs_mesh_hexahedra(), the first 2 or 4 of these in cells of fewer axes
+ *     edges:   along the axes 0, 1, 0, 1 from corner 0 to 1, 1 to 2, 3 to 2, 0 to 3; the same from 4 to 5, 5 to 6, 7 to
+ *              6, 4 to 7; along axis 2 from 0 to 4, 1 to 5, 2 to 6, 3 to 7
+ *     sides:   the lower and the upper end of axis 0, of axis 1, of axis 2
+ *
+ * VTK takes degrees from an array HigherOrderDegrees of cells, unless all of a cell are the same, and weights from an array
+ * RationalWeights of points.
+ *
+ * Control points that neighbours have in common are one, unless g jumps between them. A periodic axis is closed, and so
+ * is one whose ends have the same control points and weights bit for bit: the last ones are the first. Sides that collapse
+ * keep all of their control points, since weights differ there.
+ * \param[in] g a spline whose degrees are at least 1 (nurbs_elevate() raises others).
+ * \param[in] cap length of own_points: 0, or at least the number of cells.
+ * \param[out] own_points [cap][M] or NULL: control points of each cell, 0-based.
+ * \param[out] kind or NULL: what VTK calls such cells: 75 for a curve, 77 for a surface, 79 for a volume.
+ * \param[out] points or NULL: number of control points.
+ * \param[out] count or NULL: number of cells.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _DEGREE for an axis of degree 0, _SIZE if cap is
+ *   neither 0 nor enough; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_bezier_cells(const nurbs *g, int64_t cap, int64_t *own_points, int32_t *kind,
+                                          int64_t *points, int64_t *count);
+
+/** \brief The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for bit, each
+ * once; those of a seam as the first cell has them.
+ * \param[in] g a spline whose degrees are at least 1.
+ * \param[in] cap length of the arrays: 0, or at least the number of control points.
+ * \param[out] points [cap][dim] or NULL: the control points, packed.
+ * \param[out] weights [cap] or NULL: their weights; all 1 for a polynomial spline.
+ * \param[out] count or NULL: number of control points.
+ * \return as for nurbs_bezier_cells().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_bezier_cell_points(const nurbs *g, int64_t cap, double *points, double *weights,
+                                                int64_t *count);
 /** @} */
 
 /** \defgroup write Writing files

@@ -5,8 +5,10 @@
 #include "analysis/jacobian_parts.h"
 #include "analysis/steady_sign.h"
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/watch.h"
 #include "numeric/norm.h"
+#include "refine/parts/piece_arrays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,17 +85,35 @@ Vector unit_of(const double *reference) {
     return unit;
 }
 
+// What normals of a surface in space are compared with; not read for others.
+Vector reference_of(const Spline &spline, const pieces::PieceMaker &maker, const double *given) {
+    if (spline.dim() != 3 || spline.axes() != 2) {
+        return {};
+    }
+    return given != nullptr ? unit_of(given) : area_direction(maker);
+}
+
+} // namespace
+
 class FoldSearch {
 public:
-    FoldSearch(const Spline &spline, const double *reference)
-        : spline_(spline), maker_(spline, whole_domain(spline)), parts_(spline.axes()) {
-        if (spline.dim() == 3 && spline.axes() == 2) {
-            reference_ = reference != nullptr ? unit_of(reference) : area_direction(maker_);
+    FoldSearch(const Spline &spline, const Vector &reference)
+        : spline_(spline), reference_(reference), parts_(spline.axes()) {}
+
+    // What is looked at: all pieces, until a fold is found, or one.
+    void start(const pieces::PieceMaker &maker) {
+        const Phase phase;
+        Steps steps(maker.count());
+        for (int64_t e = 0; e < maker.count() && !found(); ++e, steps.next()) {
+            start(maker.piece(e));
         }
     }
+    void start(const pieces::HomogeneousPiece &piece);
+    // Parts of one piece alone.
+    void restrict_to(const Part &part);
+    void limit(int64_t halvings) noexcept { parts_.limit(halvings); }
 
     FoldTest run() {
-        start();
         SearchSteps steps;
         for (; !parts_.empty() && !found(); steps.next(parts_.size())) {
             JacobianPart part = parts_.take();
@@ -114,49 +134,6 @@ private:
         const double n = static_cast<double>(piece.points.shape.coefficients());
         const double factors = spline_.axes() == 3 ? 12 : 4;
         return n * n * factors > 2e7;
-    }
-
-    void start() {
-        const Phase phase;
-        Steps steps(maker_.count());
-        for (int64_t e = 0; e < maker_.count() && !found(); ++e, steps.next()) {
-            start(maker_.piece(e));
-        }
-    }
-    void start(const pieces::HomogeneousPiece &piece) {
-        const size_t e = pieces_.size();
-        pieces_.push_back(piece.part);
-        constexpr int64_t work_of_a_point = 400; // of a piece, made and looked at
-        count_work(work_of_a_point * piece.points.shape.coefficients());
-        if (!piece.positive || work_ended()) {
-            hidden_ = true;
-            return;
-        }
-        if (const int sign = steady_sign(piece, spline_.axes(), reference_); sign != 0) {
-            note(e, sign, {0.5, 0.5, 0.5});
-            return;
-        }
-        if (too_large(piece)) {
-            hidden_ = true;
-            return;
-        }
-        RoundedPolynomial f =
-            spline_.axes() == 3 ? pieces::volume_numerator(piece) : pieces::normal_numerator(piece);
-        if (f.shape.width == 3) {
-            RoundedPolynomial along = scaled(component(f, 0), reference_[0]);
-            along = sum(along, reference_[1], component(f, 1));
-            f = sum(along, reference_[2], component(f, 2));
-        }
-        if (exactly_zero(f)) {
-            return;
-        }
-        ends_.resize(e + 1);
-        ends_[e] = divide_boundaries(f, spline_.axes());
-        if (vanishes(f)) {
-            hidden_ = true;
-            return;
-        }
-        parts_.add({std::move(f), e, {}, {1, 1, 1}});
     }
 
     // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the
@@ -201,8 +178,7 @@ private:
     }
 
     const Spline &spline_;
-    pieces::PieceMaker maker_;
-    Vector reference_{};
+    Vector reference_;
     std::vector<Part> pieces_;
     std::vector<BoundaryZeros> ends_;
     PartQueue parts_;
@@ -210,12 +186,113 @@ private:
     FoldTest test_;
 };
 
-} // namespace
+void FoldSearch::start(const pieces::HomogeneousPiece &piece) {
+    const size_t e = pieces_.size();
+    pieces_.push_back(piece.part);
+    constexpr int64_t work_of_a_point = 400; // of a piece, made and looked at
+    count_work(work_of_a_point * piece.points.shape.coefficients());
+    if (!piece.positive || work_ended()) {
+        hidden_ = true;
+        return;
+    }
+    if (const int sign = steady_sign(piece, spline_.axes(), reference_); sign != 0) {
+        note(e, sign, {0.5, 0.5, 0.5});
+        return;
+    }
+    if (too_large(piece)) {
+        hidden_ = true;
+        return;
+    }
+    RoundedPolynomial f =
+        spline_.axes() == 3 ? pieces::volume_numerator(piece) : pieces::normal_numerator(piece);
+    if (f.shape.width == 3) {
+        RoundedPolynomial along = scaled(component(f, 0), reference_[0]);
+        along = sum(along, reference_[1], component(f, 1));
+        f = sum(along, reference_[2], component(f, 2));
+    }
+    if (exactly_zero(f)) {
+        return;
+    }
+    ends_.resize(e + 1);
+    ends_[e] = divide_boundaries(f, spline_.axes());
+    if (vanishes(f)) {
+        hidden_ = true;
+        return;
+    }
+    parts_.add({std::move(f), e, {}, {1, 1, 1}});
+}
+
+// Places are taken a little farther out than they are, so that no rounding leaves anything out.
+void FoldSearch::restrict_to(const Part &part) {
+    if (parts_.empty()) { // the sign of the whole piece is known, or nothing can be
+        return;
+    }
+    JacobianPart rest = parts_.take();
+    const int axes = spline_.axes();
+    for (int k = 0; k < axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        const Interval whole = pieces_.front()[at];
+        const double length = whole.upper - whole.lower, out = 8 * eps;
+        const double lower = (part[at].lower - whole.lower) / length - out,
+                     upper = (part[at].upper - whole.lower) / length + out;
+        if (upper < 1) {
+            rest.f = split(rest.f, max_axes - axes + k, upper);
+            rest.to[at] = upper;
+        }
+        if (lower > 0) {
+            split(rest.f, max_axes - axes + k, lower / rest.to[at]);
+            rest.from[at] = lower;
+        }
+    }
+    parts_.add(std::move(rest));
+}
 
 FoldTest fold_test(const Spline &spline, const double *reference) {
     const UsualLimit usual(usual_work(spline.point_count()));
-    const LimitedSearch search;
-    return FoldSearch(spline, reference).run();
+    const LimitedSearch limited;
+    const pieces::PieceMaker maker(spline, whole_domain(spline));
+    FoldSearch search(spline, reference_of(spline, maker, reference));
+    search.start(maker);
+    return search.run();
+}
+
+FoldTests::FoldTests(const Spline &spline, const double *reference)
+    : spline_(spline), maker_(spline, whole_domain(spline)),
+      reference_(reference_of(spline, maker_, reference)) {}
+
+FoldTests::~FoldTests() = default;
+
+void FoldTests::set_piece(int64_t index) {
+    auto search = std::make_unique<FoldSearch>(spline_, reference_);
+    search->start(maker_.piece(index));
+    piece_ = std::move(search);
+}
+
+FoldTest FoldTests::test(int64_t halvings) const {
+    FoldSearch search = *piece_;
+    search.limit(halvings);
+    return search.run();
+}
+
+FoldTest FoldTests::test(const Part &part, int64_t halvings) const {
+    FoldSearch search = *piece_;
+    search.limit(halvings);
+    search.restrict_to(part);
+    return search.run();
+}
+
+std::vector<FoldTest> fold_tests(const Spline &spline, const double *reference) {
+    const UsualLimit usual(usual_work(spline.point_count()));
+    const LimitedSearch limited;
+    FoldTests tests(spline, reference);
+    const int64_t pieces = refine::count_pieces(spline);
+    std::vector<FoldTest> found;
+    Steps steps(pieces);
+    for (int64_t i = 0; i < pieces; ++i, steps.next()) {
+        tests.set_piece(i);
+        found.push_back(tests.test(halvings_of_piece));
+    }
+    return found;
 }
 
 } // namespace nrb::analysis

@@ -70,10 +70,11 @@ JacobianPart PartQueue::take() {
 
 bool PartQueue::halve(JacobianPart &part, const std::array<double, max_axes> &scale, double least) {
     const int k = longest_axis(part, axes_, scale, least);
-    if (k < 0 || *halvings_ <= 0 || work_ended()) {
+    if (k < 0 || *halvings_ <= 0 || most_ <= 0 || work_ended()) {
         return false;
     }
     --*halvings_;
+    --most_;
     parts_.push_back(split_off_lower(part, axes_, k));
     parts_.push_back(std::move(part));
     return true;

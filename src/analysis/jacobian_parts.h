@@ -5,6 +5,7 @@
 #include "pieces/derivative_pieces.h"
 
 #include <deque>
+#include <limits>
 #include <optional>
 
 namespace nrb::analysis {
@@ -27,6 +28,8 @@ class PartQueue {
 public:
     explicit PartQueue(int axes) : axes_(axes) {} // an empty deque allocates
 
+    // No more are halved than so many.
+    void limit(int64_t halvings) noexcept { most_ = halvings; }
     void add(JacobianPart part);
     [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
     [[nodiscard]] size_t size() const noexcept { return parts_.size(); }
@@ -39,7 +42,8 @@ public:
 
 private:
     int axes_;
-    std::optional<int64_t> halvings_; // that are left
+    int64_t most_ = std::numeric_limits<int64_t>::max();
+    std::optional<int64_t> halvings_; // that memory allows, less those made
     std::deque<JacobianPart> parts_;
 };
 

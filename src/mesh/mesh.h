@@ -53,6 +53,13 @@ struct MeshEdge {
     bool reached = true;
 };
 
+// The cell of a grid over a volume, with corners in the order of VTK, and what is known of the sign of the Jacobian of the volume in it.
+struct MeshHexahedron {
+    std::array<int32_t, 8> corners; // points
+    int8_t fold;                    // one of the constants of analysis/folds.h
+    int8_t sign;                    // that of the determinant where there is no fold, 0: it vanishes
+};
+
 // Faces are in the order of those of the model, in the coordinates of their parts.
 struct Mesh {
     std::vector<Vector3> points; // z = 0 in the plane
@@ -62,6 +69,8 @@ struct Mesh {
     std::vector<MeshFace> faces;
     std::vector<MeshEdge> edges;
     std::vector<int32_t> edge_points{};
+    std::vector<MeshHexahedron> hexahedra{};    // the last axis fastest
+    std::array<std::vector<double>, 3> lines{}; // of the grid, from end to end of each axis of the volume
     // Of the model: what it takes to put its parts into the whole.
     double metres_per_unit = 0; // 0: not known
     std::vector<model::ModelPart> parts{};

@@ -2,6 +2,7 @@
 #include "mesh/surface_mesh.h"
 
 #include "base/watch.h"
+#include "mesh/extent.h"
 #include "mesh/outside.h"
 #include "model/from_faces.h"
 
@@ -78,29 +79,6 @@ void drop_loose_points(Mesh &mesh) {
     for (MeshVertex &vertex : mesh.vertices) {
         vertex.point = number[static_cast<size_t>(vertex.point)];
     }
-}
-
-// Of the box of control points.
-double extent_of(const Spline &spline, std::vector<Interval> &box) {
-    box.resize(static_cast<size_t>(spline.dim()), {infinity, -infinity});
-    double extent = 0;
-    for (int c = 0; c < spline.dim(); ++c) {
-        Interval &side = box[static_cast<size_t>(c)];
-        for (int64_t i = 0; i < spline.point_count(); ++i) {
-            const double x = spline.coordinate(i, c);
-            side = {std::min(side.lower, x), std::max(side.upper, x)};
-        }
-        extent = std::max(extent, side.upper - side.lower);
-    }
-    return extent;
-}
-
-// With one distance.
-MeshRule settled(MeshRule rule, double extent) {
-    if (rule.relative > 0) {
-        rule.chord = std::min(rule.chord, rule.relative * extent);
-    }
-    return rule;
 }
 
 MeshRule settled(const model::Model &model, const MeshRule &rule) {

@@ -36,9 +36,9 @@ def functions():
 
 def names_of(function):
     """What a function may be called here."""
-    name = re.sub("^nurbs_(statistics_|face_|model_|meet_|mesh_(?!curve|surface|face$|model$))?", "",
+    name = re.sub("^nurbs_(statistics_|face_|model_|meet_|mesh_(?!curve|surface|face$|model$|volume$))?", "",
                   function.removesuffix("_with"))
-    name = re.sub("^mesh_(?!curve).*", "mesh", name).replace("read_model", "read")
+    name = re.sub("^mesh_(?!curve|volume).*", "mesh", name).replace("read_model", "read")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
             re.sub("^create_", "", name)}

@@ -162,6 +162,18 @@ static void curve_shapes() {
     const MeshVertices corners = ball.vertices();
     EXPECT(std::cmp_equal(3 * corners.points.size(), corners.normals.size()));
     EXPECT(status_of([&] { (void)ball.triangles(1); }) == Status::flags);
+    const Spline block = extrude(floor_plane(), {0, 0, 1});
+    const Mesh cells = Mesh::of_volume(block, limits, 5);
+    const MeshHexahedra boxes = cells.hexahedra();
+    EXPECT(boxes.corners.size() == 8 && cells.counts().points == 8 &&
+           near(boxes.domains, {0, 1, 0, 1, 0, 1}));
+    EXPECT(boxes.folds == std::vector{fold_none} && boxes.signs == std::vector{1} && cells.bound().reached);
+    const FoldPieces pieces_of_block = fold_pieces(block);
+    EXPECT(pieces_of_block.folds == boxes.folds && pieces_of_block.signs == boxes.signs);
+    const BezierCells exact = bezier_cells(circle({}, 1));
+    const BezierCellPoints own = bezier_cell_points(circle({}, 1));
+    EXPECT(exact.kind == 75 && exact.point_count == 8 && exact.cells.size() == 12 && exact.cells[10] == 0);
+    EXPECT(own.points.size() == 16 && own.weights.size() == 8);
     const Hits zeros = roots(Spline::create_bezier({2}, 1, {0.75, -1.25, 0.75}));
     EXPECT(near(zeros.params, {0.25, 0.75}) && zeros.kinds == (std::vector{hit_crossing, hit_crossing}) &&
            zeros.complete);

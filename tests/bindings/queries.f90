@@ -260,6 +260,7 @@ contains
         call expect(all(kinds == NURBS_HIT_CROSSING) .and. all(shape(boxes) == [2, 2, 1]), 'its kind')
         call sections_of_the_ball()
         call triangles_of_the_ball()
+        call cells_of_a_block()
         call singular_points(base, 1d-3, params, boxes)
         call expect(size(params, 1) == 0 .and. size(boxes, 3) == 0, 'none')
     end subroutine surface_shapes
@@ -316,6 +317,29 @@ contains
         call copy%triangles(corners, flags=1, status=status)
         call expect(status == NURBS_ERROR_FLAGS, 'a flag that there is not')
     end subroutine triangles_of_the_ball
+
+    subroutine cells_of_a_block()
+        type(nurbs_spline) :: block, ring
+        type(nurbs_mesh) :: mesh
+        real(c_double), allocatable :: domains(:, :, :), points(:, :), weights(:)
+        integer(c_int64_t), allocatable :: corners(:, :), cells(:, :)
+        integer(c_int32_t), allocatable :: folds(:), signs(:)
+        integer(c_int64_t) :: n
+        integer(c_int32_t) :: kind
+        call extrude_spline(floor_plane, [0d0, 0d0, 1d0], block)
+        call mesh%of_volume(block, limit=5)
+        call mesh%hexahedra(corners, domains, folds, signs)
+        call expect(all(shape(corners) == [1, 8]) .and. minval(corners) == 1 .and. maxval(corners) == 8, 'a hexahedron')
+        call expect(all(domains(1, :, 1) == 0) .and. all(domains(2, :, 1) == 1), 'its ends')
+        call expect(all(folds == NURBS_FOLD_NONE) .and. all(signs == 1), 'not folded')
+        call fold_pieces(block, folds, signs)
+        call expect(size(folds) == 1 .and. all(folds == NURBS_FOLD_NONE) .and. all(signs == 1), 'nor a piece')
+        call create_circle(ring, 1d0)
+        call bezier_cells(ring, cells, kind, n)
+        call bezier_cell_points(ring, points, weights)
+        call expect(all(shape(cells) == [4, 3]) .and. kind == 75 .and. n == 8 .and. cells(4, 2) == 1, 'arcs')
+        call expect(all(shape(points) == [8, 2]) .and. size(weights) == 8, 'their points')
+    end subroutine cells_of_a_block
 
     subroutine folds()
         type(nurbs_spline) :: g

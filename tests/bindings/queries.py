@@ -367,6 +367,28 @@ class Meshes(unittest.TestCase):
         self.assertEqual(twice.edges.sizes.sum(), len(twice.edge_points))
         near(mesh.points[mesh.edge_points[0]], mesh.points[mesh.edge_points[-1]])
 
+    def test_of_a_volume(self):
+        block = nurbs.plane([1, 0, 0], [0, 0, 2], [1, 0, 0]).revolve(pi / 2)
+        mesh = block.mesh_volume(1e-2)
+        cells = mesh.hexahedra
+        self.assertTrue(mesh.bound.reached and len(cells.corners) > 3)
+        self.assertEqual(len(np.unique(cells.corners)), mesh.counts.points)
+        near(mesh.points[cells.corners[:, 6]], block(cells.domains[:, :, 1]))
+        self.assertTrue((cells.folds == nurbs.NURBS_FOLD_NONE).all() and len(np.unique(cells.signs)) == 1)
+        self.assertEqual(block.fold_pieces().signs.tolist(), [cells.signs[0]])
+        self.assertLessEqual(len(block.mesh_volume(1e-9, limit=20).hexahedra.corners), 20)
+        self.assertRaises(nurbs.ArgumentError, nurbs.sphere().mesh_volume)
+        self.assertRaises(nurbs.ArgumentError, block.mesh_volume, 0.1, limit=-1)
+
+    def test_bezier_cells(self):
+        circle = nurbs.circle()
+        found, own = circle.bezier_cells(), circle.bezier_cell_points()
+        self.assertEqual((found.kind, found.point_count), (75, 8))
+        self.assertEqual(found.cells.tolist(), [[0, 2, 1], [2, 4, 3], [4, 6, 5], [6, 0, 7]])
+        pieces = circle.bezier_pieces()
+        near(own.points[found.cells[0, [0, 2, 1]]], pieces.points[0])
+        near(own.weights[found.cells[3, 2]], pieces.weights[3, 1])
+
     def test_are_constant(self):
         mesh = copy.deepcopy(nurbs.sphere().mesh())
         for wrong in (lambda: setattr(mesh, "points", 1), lambda: delattr(mesh, "_handle")):

@@ -178,6 +178,17 @@ fn curve_shapes() -> Result<()> {
     assert!(floor.vertices()?.normals.iter().all(|n| near(n, &[0., 0., 1.])));
     assert_eq!(floor.triangles(sys::NURBS_MESH_WELDED)?.len(), 2);
     assert_eq!(status_of(floor.triangles(1)), sys::NURBS_ERROR_FLAGS);
+    let block = floor_plane()?.extrude(&[0., 0., 1.])?;
+    let cells = Mesh::of_volume(&block, Some(&limits), 5)?;
+    let boxes = cells.hexahedra()?;
+    assert!(boxes.corners.len() == 1 && cells.counts()?.points == 8 && boxes.domains == [[0., 1.]; 3]);
+    assert!(boxes.folds == [sys::NURBS_FOLD_NONE] && boxes.signs == [1] && cells.bound()?.reached);
+    let pieces = block.fold_pieces(&[])?;
+    assert!(pieces.folds == boxes.folds && pieces.signs == boxes.signs);
+    let exact = circle(1.)?.bezier_cells()?;
+    let own = circle(1.)?.bezier_cell_points()?;
+    assert!(exact.kind == 75 && exact.point_count == 8 && exact.cells.len() == 12 && exact.cells[10] == 0);
+    assert!(own.points.len() == 16 && own.weights.len() == 8);
     let zeros = Spline::bezier(&[2], 1, &[0.75, -1.25, 0.75], None)?.roots(0., 0.)?;
     assert!(near(&zeros.params, &[0.25, 0.75]) && zeros.complete && zeros.ranges.len() == 2);
     assert_eq!(circle(1.)?.curve_level(1, &[1., 2., 0.], 0.)?.kinds, [sys::NURBS_HIT_CROSSING; 2]);

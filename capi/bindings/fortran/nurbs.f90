@@ -37,7 +37,7 @@ module nurbs
     use nurbs_faces, only: nurbs_face
     use nurbs_models, only: nurbs_model
     use nurbs_meets, only: nurbs_meet
-    use nurbs_meshes, only: mesh_curve, nurbs_mesh
+    use nurbs_meshes, only: mesh_curve, bezier_cells, bezier_cell_points, nurbs_mesh
     use nurbs_fits
     use nurbs_knot_vectors
     use nurbs_frames

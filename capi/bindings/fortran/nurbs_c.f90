@@ -2853,6 +2853,28 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_fold_test_with
+        !> nurbs_fold_test() of each polynomial piece by itself, in the order of nurbs_bezier_pieces() and
+        !> nurbs_bezier_cells(), with one reference for all of them.
+        function nurbs_fold_pieces(g, reference, cap, folds, signs, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: reference(*)
+            integer(c_int64_t), value :: cap
+            integer(c_int32_t), intent(inout), optional :: folds(*), signs(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_fold_pieces
+        !> nurbs_fold_pieces() as a call that can be watched and ended.
+        function nurbs_fold_pieces_with(g, reference, cap, folds, signs, count, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: reference(*)
+            integer(c_int64_t), value :: cap
+            integer(c_int32_t), intent(inout), optional :: folds(*), signs(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_fold_pieces_with
         ! --- Where shapes meet
         !> Roots of a scalar curve: where f(t) = value.
         function nurbs_roots(g, value, tolerance, cap, params, kinds, ranges, count, complete) bind(c) &
@@ -4569,6 +4591,25 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_model_with
+        !> Hexahedra in place of a volume in space, on a grid of lines along its axes.
+        function nurbs_mesh_volume(g, options, limit, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_mesh_options), intent(in), optional :: options
+            integer(c_int64_t), value :: limit
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_volume
+        !> nurbs_mesh_volume() as a call that can be watched and ended.
+        function nurbs_mesh_volume_with(g, options, limit, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_mesh_options), intent(in), optional :: options
+            integer(c_int64_t), value :: limit
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_volume_with
         !> Another handle on the same mesh, in constant time.
         function nurbs_mesh_clone(mesh, out) bind(c) result(r)
             import
@@ -4686,6 +4727,36 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: own_points(*), count
             integer(c_int32_t) :: r
         end function nurbs_mesh_edge_points
+        !> The hexahedra of a mesh of nurbs_mesh_volume(), last axis fastest.
+        function nurbs_mesh_hexahedra(mesh, cap, corners, domains, folds, signs, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: corners(*), count
+            real(c_double), intent(inout), optional :: domains(*)
+            integer(c_int32_t), intent(inout), optional :: folds(*), signs(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_hexahedra
+        !> A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
+        !> neighbours have in common.
+        function nurbs_bezier_cells(g, cap, own_points, kind, points, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_points(*), points, count
+            integer(c_int32_t), intent(inout), optional :: kind
+            integer(c_int32_t) :: r
+        end function nurbs_bezier_cells
+        !> The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit
+        !> for bit, each once; those of a seam as the first cell has them.
+        function nurbs_bezier_cell_points(g, cap, points, weights, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: points(*), weights(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_bezier_cell_points
         ! --- Writing files
         !> Fills an options struct with the defaults.
         function nurbs_write_options_init(options, struct_size) bind(c) result(r)

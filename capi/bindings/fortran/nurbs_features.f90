@@ -5,15 +5,15 @@ module nurbs_features
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_curve_features, nurbs_extrema, nurbs_curve_monotone_pieces, nurbs_curve_convexity, &
-        nurbs_straightness, nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_test, &
-        nurbs_curve_features_with, nurbs_extrema_with, nurbs_fold_test_with
+        nurbs_straightness, nurbs_planarity, nurbs_boundary_contacts, nurbs_singular_points, nurbs_fold_pieces, &
+        nurbs_fold_test, nurbs_curve_features_with, nurbs_extrema_with, nurbs_fold_pieces_with, nurbs_fold_test_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
     public :: curve_features, extrema, monotone_pieces, curve_convexity, straightness, planarity, boundary_contacts
-    public :: singular_points, fold_test
+    public :: singular_points, fold_pieces, fold_test
 
 contains
 
@@ -189,6 +189,35 @@ contains
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine singular_points
+
+    !> A NURBS_FOLD_ constant for each polynomial piece by itself, and 1 or -1, the sign of its Jacobian, where that is
+    !> proven to be one; reference as for fold_test.
+    subroutine fold_pieces(g, folds, signs, reference, status, call)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), allocatable, intent(inout) :: folds(:), signs(:)
+        real(c_double), intent(in), optional :: reference(3)
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        if (present(call)) then
+            code = nurbs_fold_pieces_with(g%handle, reference, 0_c_int64_t, count=n, call=watched(call))
+        else
+            code = nurbs_fold_pieces(g%handle, reference, 0_c_int64_t, count=n)
+        end if
+        if (allocated(folds)) deallocate (folds)
+        if (allocated(signs)) deallocate (signs)
+        allocate (folds(n), signs(n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_fold_pieces_with(g%handle, reference, n, folds, signs, call=watched(call))
+            else
+                code = nurbs_fold_pieces(g%handle, reference, n, folds, signs)
+            end if
+        end if
+        call settle(code, status)
+    end subroutine fold_pieces
 
     !> A NURBS_FOLD_ constant, and parameters positive(axes) and negative(axes) of either sign, NaN if none are known;
     !> reference: the direction that normals are compared with.

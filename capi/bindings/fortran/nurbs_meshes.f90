@@ -4,11 +4,13 @@
 module nurbs_meshes
     use, intrinsic :: iso_c_binding
     use nurbs_constants
-    use nurbs_c, only: nurbs_mesh_curve, nurbs_mesh_surface, nurbs_mesh_face, nurbs_mesh_model, nurbs_mesh_counts, &
-        nurbs_mesh_bound, nurbs_mesh_points, nurbs_mesh_points_f32, nurbs_mesh_vertices, nurbs_mesh_vertices_f32, &
-        nurbs_mesh_triangles, nurbs_mesh_triangles_i32, nurbs_mesh_faces, nurbs_mesh_edges, nurbs_mesh_edge_points, &
-        nurbs_mesh_write_file, nurbs_mesh_curve_with, nurbs_mesh_surface_with, nurbs_mesh_face_with, &
-        nurbs_mesh_model_with, nurbs_mesh_write_file_with, nurbs_mesh_options, nurbs_write_options
+    use nurbs_c, only: nurbs_mesh_curve, nurbs_mesh_surface, nurbs_mesh_face, nurbs_mesh_model, nurbs_mesh_volume, &
+        nurbs_mesh_counts, nurbs_mesh_bound, nurbs_mesh_points, nurbs_mesh_points_f32, nurbs_mesh_vertices, &
+        nurbs_mesh_vertices_f32, nurbs_mesh_triangles, nurbs_mesh_triangles_i32, nurbs_mesh_faces, nurbs_mesh_edges, &
+        nurbs_mesh_edge_points, nurbs_mesh_write_file, nurbs_mesh_hexahedra, nurbs_bezier_cells, &
+        nurbs_bezier_cell_points, nurbs_mesh_curve_with, nurbs_mesh_surface_with, nurbs_mesh_face_with, &
+        nurbs_mesh_model_with, nurbs_mesh_volume_with, nurbs_mesh_write_file_with, nurbs_mesh_options, &
+        nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -17,13 +19,13 @@ module nurbs_meshes
     use nurbs_models
     implicit none
     private
-    public :: mesh_curve
+    public :: mesh_curve, bezier_cells, bezier_cell_points
 
     !> Triangles in place of shapes; an assignment makes another handle on the same triangles.
     type, extends(nurbs_mesh_handle), public :: nurbs_mesh
     contains
-        procedure :: of_surface, of_face, of_model, counts, bound, points, points_f32, vertices, vertices_f32, triangles
-        procedure :: triangles_i32, faces, edges, edge_points, write_file
+        procedure :: of_surface, of_face, of_model, of_volume, counts, bound, points, points_f32, vertices, vertices_f32
+        procedure :: triangles, triangles_i32, faces, edges, edge_points, write_file, hexahedra
     end type nurbs_mesh
 
 contains
@@ -119,6 +121,26 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine of_model
+
+    !> Hexahedra in place of a volume, within a proven distance, on a grid of lines along its axes; at most so many, if
+    !> limit is present.
+    subroutine of_volume(this, g, options, limit, status, call)
+        class(nurbs_mesh), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        type(nurbs_mesh_options), intent(in), optional :: options
+        integer(c_int32_t), intent(in), optional :: limit
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_mesh_volume_with(g%handle, options, int(given(limit, 0), c_int64_t), watched(call), made)
+        else
+            code = nurbs_mesh_volume(g%handle, options, int(given(limit, 0), c_int64_t), made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_volume
 
     !> How much it holds.
     subroutine counts(this, points, vertices, triangles, faces, edges, edge_points, status)
@@ -334,4 +356,61 @@ contains
         end if
         call settle(code, status)
     end subroutine write_file
+
+    !> Of each hexahedron corners(8), points in the order of VTK_HEXAHEDRON, domains(2, 3), its ends along each axis of
+    !> the volume, whether that folds there, and the sign of its Jacobian there, if it is proven to be one, else 0.
+    subroutine hexahedra(this, corners, domains, folds, signs, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: corners(:, :)
+        real(c_double), allocatable, intent(inout) :: domains(:, :, :)
+        integer(c_int32_t), allocatable, intent(inout) :: folds(:), signs(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int64_t), allocatable :: corners_c(:, :)
+        n = 0
+        code = nurbs_mesh_hexahedra(this%handle, 0_c_int64_t, count=n)
+        if (allocated(domains)) deallocate (domains)
+        if (allocated(folds)) deallocate (folds)
+        if (allocated(signs)) deallocate (signs)
+        allocate (corners_c(8, n), domains(2, 3, n), folds(n), signs(n))
+        if (code == NURBS_OK) code = nurbs_mesh_hexahedra(this%handle, n, corners_c, domains, folds, signs)
+        if (code == NURBS_OK) corners = transpose(corners_c) + 1
+        call settle(code, status)
+    end subroutine hexahedra
+
+    !> The polynomial pieces as Bezier cells in the order of VTK, by places in bezier_cell_points.
+    subroutine bezier_cells(g, cells, kind, point_count, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int64_t), allocatable, intent(inout) :: cells(:, :)
+        integer(c_int32_t), intent(inout), optional :: kind
+        integer(c_int64_t), intent(inout), optional :: point_count
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int64_t), allocatable :: cells_c(:, :)
+        n = 0
+        code = nurbs_bezier_cells(g%handle, 0_c_int64_t, count=n)
+        allocate (cells_c(active_of(g%handle), n))
+        if (code == NURBS_OK) code = nurbs_bezier_cells(g%handle, n, cells_c, kind, point_count)
+        if (code == NURBS_OK) cells = transpose(cells_c) + 1
+        call settle(code, status)
+    end subroutine bezier_cells
+
+    !> The control points of the Bezier cells, each once, and their weights.
+    subroutine bezier_cell_points(g, points, weights, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), allocatable, intent(inout) :: points(:, :), weights(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: points_c(:, :)
+        n = 0
+        code = nurbs_bezier_cell_points(g%handle, 0_c_int64_t, count=n)
+        if (allocated(weights)) deallocate (weights)
+        allocate (points_c(dim_of(g%handle), n), weights(n))
+        if (code == NURBS_OK) code = nurbs_bezier_cell_points(g%handle, n, points_c, weights)
+        points = transpose(points_c)
+        call settle(code, status)
+    end subroutine bezier_cell_points
 end module nurbs_meshes

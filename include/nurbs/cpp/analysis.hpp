@@ -248,6 +248,46 @@ inline Returned<SingularPoints> singular_points(const Spline &g, double toleranc
     return found;
 }
 
+/// Which polynomial pieces of a surface or volume fold over.
+struct FoldPieces {
+    std::vector<std::int32_t> folds; ///< A fold_ constant for each piece.
+    /// 1 or -1: the sign of J where it is not 0, if there is no fold; else 0.
+    std::vector<std::int32_t> signs;
+};
+
+/// Which polynomial pieces fold over, each by itself, in the order of the Bezier pieces; reference as for
+/// fold_test.
+inline Returned<FoldPieces> fold_pieces(const Spline &g, View<double> reference = {}) {
+    detail::require_given(reference, 3, "reference");
+    FoldPieces found{};
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_fold_pieces, g.get(), detail::pointer(reference), cap, found.folds.data(),
+                     found.signs.data(), &count);
+    };
+    ask(0);
+    found.folds = detail::room<std::int32_t>(count);
+    found.signs = detail::room<std::int32_t>(count);
+    ask(count);
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<FoldPieces> fold_pieces(const Spline &g, View<double> reference, const CallOptions &call) {
+    detail::require_given(reference, 3, "reference");
+    FoldPieces found{};
+    const detail::Watch watch(call);
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_fold_pieces_with, g.get(), detail::pointer(reference), cap, found.folds.data(),
+                     found.signs.data(), &count, watch.get());
+    };
+    ask(0);
+    found.folds = detail::room<std::int32_t>(count);
+    found.signs = detail::room<std::int32_t>(count);
+    ask(count);
+    return found;
+}
+
 /// One of the fold_ constants, and parameters [axes] of either sign, NaN if none are known.
 struct Fold {
     std::int32_t result;          ///< One of the fold_ constants.

@@ -128,6 +128,57 @@ struct MeshEdges {
     std::vector<std::int32_t> reached; ///< 1 where all that was asked for is proven, else 0.
 };
 
+/// Hexahedra in place of a volume, last axis fastest.
+struct MeshHexahedra {
+    std::vector<std::int64_t> corners; ///< [n][8] points, in the order of VTK_HEXAHEDRON.
+    std::vector<double> domains;       ///< [n][3][2] ends along each axis of the volume.
+    std::vector<std::int32_t> folds;   ///< A fold_ constant: whether the volume folds there.
+    /// 1 or -1: the sign of the Jacobian of the volume there, if it is proven to be one; else 0.
+    std::vector<std::int32_t> signs;
+};
+
+/// A spline as Bezier cells.
+struct BezierCells {
+    std::vector<std::int64_t> cells; ///< [n][M] control points of each, in the order of VTK.
+    std::int32_t kind;               ///< What VTK calls such cells.
+    std::int64_t point_count;        ///< The number of control points.
+};
+
+/// The polynomial pieces as Bezier cells in the order of VTK, by places in bezier_cell_points.
+inline Returned<BezierCells> bezier_cells(const Spline &g) {
+    BezierCells found{};
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_bezier_cells, g.get(), cap, found.cells.data(), &found.kind, &found.point_count,
+                     &count);
+    };
+    ask(0);
+    found.cells = detail::room<std::int64_t>(count, detail::active(g.get()));
+    ask(count);
+    return found;
+}
+
+/// The control points of Bezier cells, each once.
+struct BezierCellPoints {
+    std::vector<double> points;  ///< [n][dim].
+    std::vector<double> weights; ///< Their weights.
+};
+
+/// The control points of the Bezier cells, each once, and their weights.
+inline Returned<BezierCellPoints> bezier_cell_points(const Spline &g) {
+    BezierCellPoints found{};
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_bezier_cell_points, g.get(), cap, found.points.data(), found.weights.data(),
+                     &count);
+    };
+    ask(0);
+    found.points = detail::room(count, detail::dimension(g.get()));
+    found.weights = detail::room(count);
+    ask(count);
+    return found;
+}
+
 /// Triangles in place of shapes: a handle that is copied in constant time and freed by its destructor.
 class Mesh : public detail::MeshHandle {
 public:
@@ -164,6 +215,18 @@ public:
                                                  const CallOptions &call) {
         const detail::Watch watch(call);
         return detail::made<Mesh>(nurbs_mesh_model_with, model.get(), &options, watch.get());
+    }
+    /// Hexahedra in place of a volume, within a proven distance, on a grid of lines along its axes; at most so
+    /// many if `limit` is not 0.
+    [[nodiscard]] static Returned<Mesh> of_volume(const Spline &g, const MeshOptions &options = {},
+                                                  std::int64_t limit = 0) {
+        return detail::made<Mesh>(nurbs_mesh_volume, g.get(), &options, limit);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Mesh> of_volume(const Spline &g, const MeshOptions &options,
+                                                  std::int64_t limit, const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Mesh>(nurbs_mesh_volume_with, g.get(), &options, limit, watch.get());
     }
     /// How much it holds.
     [[nodiscard]] Returned<MeshCounts> counts() const {
@@ -324,6 +387,22 @@ public:
         }
         const detail::Watch watch(call);
         return detail::call(nurbs_mesh_write_file_with, get(), path.c_str(), format, &options, watch.get());
+    }
+    /// The hexahedra of the mesh of a volume.
+    [[nodiscard]] Returned<MeshHexahedra> hexahedra() const {
+        MeshHexahedra found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_hexahedra, get(), cap, found.corners.data(), found.domains.data(),
+                         found.folds.data(), found.signs.data(), &count);
+        };
+        ask(0);
+        found.corners = detail::room<std::int64_t>(count, 8);
+        found.domains = detail::room(count, 3, 2);
+        found.folds = detail::room<std::int32_t>(count);
+        found.signs = detail::room<std::int32_t>(count);
+        ask(count);
+        return found;
     }
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace nrb::refine {
 
@@ -52,12 +53,11 @@ void write_points(const Spline &whole, const PieceOrder &order, double *points) 
 }
 
 void write_domains(const Spline &spline, int64_t pieces, double *domains) {
-    for (int64_t i = 0; i < pieces; ++i, domains += 2 * spline.axes()) {
-        int64_t index = i;
-        for (int k = spline.axes(); k-- > 0;) {
-            const KnotVector &axis = spline.axis(k);
-            std::copy_n(axis.spans().breaks().data() + index % axis.spans().size(), 2, domains + 2 * k);
-            index /= axis.spans().size();
+    for (int64_t i = 0; i < pieces; ++i) {
+        const Part part = domain_of_piece(spline, i);
+        for (size_t k = 0; std::cmp_less(k, spline.axes()); ++k) {
+            *domains++ = part[k].lower;
+            *domains++ = part[k].upper;
         }
     }
 }
@@ -70,6 +70,17 @@ int64_t count_pieces(const Spline &spline) {
         pieces = checked_product(pieces, spline.axis(k).spans().size(), "pieces");
     }
     return pieces;
+}
+
+Part domain_of_piece(const Spline &spline, int64_t index) {
+    Part part{};
+    for (int k = spline.axes(); k-- > 0;) {
+        const std::span<const double> breaks = spline.axis(k).spans().breaks();
+        const auto spans = breaks.size() - 1, at = static_cast<size_t>(index) % spans;
+        part[static_cast<size_t>(k)] = {breaks[at], breaks[at + 1]};
+        index /= static_cast<int64_t>(spans);
+    }
+    return part;
 }
 
 int64_t points_of_piece(const Spline &spline) noexcept {

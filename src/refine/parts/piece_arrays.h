@@ -2,7 +2,7 @@
 // The polynomial pieces of a spline as arrays, without a spline for each.
 #pragma once
 
-#include "spline/spline.h"
+#include "spline/part.h"
 
 namespace nrb::refine {
 
@@ -17,6 +17,9 @@ struct PieceArrays {
 int64_t count_pieces(const Spline &spline);
 // Control points of each piece.
 int64_t points_of_piece(const Spline &spline) noexcept;
+
+// The domain of a piece along each axis; last axis fastest in pieces.
+Part domain_of_piece(const Spline &spline, int64_t index);
 
 // Writes what bezier_pieces() has in its parts, bit for bit. Throws what that throws, before anything is written.
 void write_pieces(const SplinePtr &spline, const PieceArrays &arrays);

@@ -109,6 +109,7 @@ struct Inputs {
     n::Spline loop = n::Spline::create({2}, {6}, {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0}, 2, {1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0}, {}, 1u);
     n::Spline surface = n::Spline::create({2, 1}, {3, 4}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 3, {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 3.0, 3.0, 0.5, 0.0, 0.0, 0.5, 1.0, 1.0, 0.5, 2.0, 2.0, 0.5, 3.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 2.0, 3.0, 1.0, 3.0, 4.0}, {}, 0u);
     n::Spline volume = n::Spline::create({1, 1, 1}, {2, 2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0}, 4, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0}, {}, 0u);
+    n::Spline solid = n::Spline::create({1, 2, 1}, {3, 3, 2}, {0.0, 0.0, 0.5, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0}, 3, {0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 0.5, 1.0, 0.25, 1.0, 0.0, 0.25, 1.0, 1.0, 0.5, 0.0, 0.0, 0.5, 0.0, 1.0, 0.5, 0.5, 0.0, 0.5, 0.5, 1.0, 0.75, 1.0, 0.0, 0.75, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.5, 0.0, 1.0, 0.5, 1.0, 1.25, 1.0, 0.0, 1.25, 1.0, 1.0}, {}, 0u);
     n::Spline homogeneous = n::Spline::create_homogeneous({2}, {3}, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, 2, {1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 1.0}, 0u);
     n::Spline twist = n::Spline::create({3}, {4}, {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0}, 3, {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 3.0, 3.0, 3.0}, {}, 0u);
     n::Spline segment = n::Spline::create({2}, {3}, {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, 2, {0.0, 0.0, 1.0, 1.0, 2.0, 0.0}, {1.0, 3.0, 5.0}, 0u);
@@ -121,6 +122,7 @@ struct Inputs {
     n::Model layered = n::Model::read(std::as_bytes(std::span(layers)));
     n::Meet meet = n::Meet::sections(surface, std::array<double, 3>{0.0, 0.0, 1.0}, {0.5, 2.0}, 0.001);
     n::Mesh mesh = [&] { n::MeshOptions options; options.chord = 1.0; options.relative_chord = 0.0; return n::Mesh::of_face(face, options); }();
+    n::Mesh block = [&] { n::MeshOptions options; options.chord = 0.1; options.relative_chord = 0.0; return n::Mesh::of_volume(solid, options, 100); }();
 };
 
 void data(const Inputs &in) {
@@ -398,6 +400,32 @@ void data(const Inputs &in) {
         show("weights", found.weights);
         show("domains", found.domains);
         show("piece_counts", found.piece_counts);
+    }
+    {
+        begin("bezier_cells");
+        const auto found = n::bezier_cells(in.surface);
+        show("own_points", found.cells);
+        show("kind", found.kind);
+        show("points", found.point_count);
+    }
+    {
+        begin("bezier_cells closed");
+        const auto found = n::bezier_cells(in.loop);
+        show("own_points", found.cells);
+        show("kind", found.kind);
+        show("points", found.point_count);
+    }
+    {
+        begin("bezier_cell_points");
+        const auto found = n::bezier_cell_points(in.surface);
+        show("points", found.points);
+        show("weights", found.weights);
+    }
+    {
+        begin("bezier_cell_points rational");
+        const auto found = n::bezier_cell_points(in.curve);
+        show("points", found.points);
+        show("weights", found.weights);
     }
     {
         begin("split_at_knots");
@@ -954,6 +982,14 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("mesh_volume");
+        n::MeshOptions options;
+        options.chord = 0.1;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_volume(in.solid, options, 100);
+        show("out", found);
+    }
+    {
         begin("mesh_points");
         const auto found = in.mesh.points();
         show("points", found);
@@ -1039,6 +1075,14 @@ void data(const Inputs &in) {
         n::WriteOptions options;
         options.unit = 0.0254;
         in.mesh.write_file(replaced_path(), 3, options);
+    }
+    {
+        begin("mesh_hexahedra");
+        const auto found = in.block.hexahedra();
+        show("corners", found.corners);
+        show("domains", found.domains);
+        show("folds", found.folds);
+        show("signs", found.signs);
     }
     by_hand("mesh_clone");
     by_hand("meet_clone");
@@ -1387,6 +1431,14 @@ void data(const Inputs &in) {
         options.chord = 1.0;
         options.relative_chord = 0.0;
         const auto found = n::Mesh::of_model(in.model, options, watched());
+        show("out", found);
+    }
+    {
+        begin("mesh_volume_with");
+        n::MeshOptions options;
+        options.chord = 0.1;
+        options.relative_chord = 0.0;
+        const auto found = n::Mesh::of_volume(in.solid, options, 100, watched());
         show("out", found);
     }
     by_hand("mesh_write_with");
@@ -2615,6 +2667,12 @@ void query(const Inputs &in) {
         show("negative", found.negative);
     }
     {
+        begin("fold_pieces");
+        const auto found = n::fold_pieces(in.surface);
+        show("folds", found.folds);
+        show("signs", found.signs);
+    }
+    {
         begin("roots");
         const n::Spline ramp = n::Spline::create_bezier({2}, 1, {0.0, 0.25, 1.0});
         const auto found = n::roots(ramp, 0.5, 0.0);
@@ -3291,6 +3349,12 @@ void query(const Inputs &in) {
         show("result", found.result);
         show("positive", found.positive);
         show("negative", found.negative);
+    }
+    {
+        begin("fold_pieces_with");
+        const auto found = n::fold_pieces(in.surface, {}, watched());
+        show("folds", found.folds);
+        show("signs", found.signs);
     }
     {
         begin("roots_with");

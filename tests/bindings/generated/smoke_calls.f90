@@ -624,6 +624,7 @@ program smoke_calls
     type(nurbs_spline) :: loop
     type(nurbs_spline) :: surface
     type(nurbs_spline) :: volume
+    type(nurbs_spline) :: solid
     type(nurbs_spline) :: homogeneous
     type(nurbs_spline) :: twist
     type(nurbs_spline) :: segment
@@ -636,11 +637,13 @@ program smoke_calls
     type(nurbs_model) :: layered
     type(nurbs_meet) :: meet
     type(nurbs_mesh) :: mesh
+    type(nurbs_mesh) :: block
     type(nurbs_data) :: data_given
     real(c_double), target :: data_params(5, 1)
     real(c_double), target :: data_values(5, 1)
     type(nurbs_spline) :: curves_given(1)
     type(nurbs_face) :: faces_given(2)
+    type(nurbs_mesh_options) :: options_given
     type(nurbs_mesh_options) :: options_given
 
     call curve%create(degrees=[2], counts=[9], knots=[0.0d0, 0.0d0, 0.0d0, 0.25d0, 0.25d0, 0.5d0, 0.5d0, 0.75d0, &
@@ -660,6 +663,12 @@ program smoke_calls
         1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0], points=reshape([0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, &
         0.0d0, 1.0d0, 0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, 1.0d0, &
         0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0, 1.0d0], [8, 4], order=[2, 1]), flags=0)
+    call solid%create(degrees=[1, 2, 1], counts=[3, 3, 2], knots=[0.0d0, 0.0d0, 0.5d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, &
+        0.0d0, 1.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0], &
+        points=reshape([0.0d0, 0.0d0, 0.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.5d0, 0.0d0, 0.0d0, 0.5d0, 1.0d0, 0.25d0, &
+        1.0d0, 0.0d0, 0.25d0, 1.0d0, 1.0d0, 0.5d0, 0.0d0, 0.0d0, 0.5d0, 0.0d0, 1.0d0, 0.5d0, 0.5d0, 0.0d0, 0.5d0, &
+        0.5d0, 1.0d0, 0.75d0, 1.0d0, 0.0d0, 0.75d0, 1.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, 1.0d0, 1.0d0, &
+        0.5d0, 0.0d0, 1.0d0, 0.5d0, 1.0d0, 1.25d0, 1.0d0, 0.0d0, 1.25d0, 1.0d0, 1.0d0], [18, 3], order=[2, 1]), flags=0)
     call homogeneous%create_homogeneous(degrees=[2], counts=[3], knots=[0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0], &
         points=reshape([1.0d0, 0.0d0, 1.0d0, 0.0d0, 1.0d0, 0.0d0, -1.0d0, 0.0d0, 1.0d0], [3, 3], order=[2, 1]), flags=0)
     call twist%create(degrees=[3], counts=[4], knots=[0.0d0, 0.0d0, 0.0d0, 0.0d0, 1.0d0, 1.0d0, 1.0d0, 1.0d0], &
@@ -688,6 +697,10 @@ program smoke_calls
     options_given%chord = 1.0d0
     options_given%relative_chord = 0.0d0
     call mesh%of_face(face=face, options=options_given)
+    call default_mesh_options(options_given)
+    options_given%chord = 0.1d0
+    options_given%relative_chord = 0.0d0
+    call block%of_volume(g=solid, options=options_given, limit=100)
     call calls_of_data()
     call calls_of_edit()
     call calls_of_evaluation()
@@ -1065,6 +1078,42 @@ contains
             call show('weights', weights_found)
             call show('domains', flat(domains_found))
             call show('piece_counts', piece_counts_found)
+        end block
+        call begin('bezier_cells')
+        block
+            integer(c_int64_t), allocatable :: cells_found(:, :)
+            integer(c_int32_t) :: kind_found
+            integer(c_int64_t) :: point_count_found
+            call bezier_cells(g=surface, cells=cells_found, kind=kind_found, point_count=point_count_found)
+            call show('own_points', flat(reshape(cells_found, [size(cells_found, 2), size(cells_found, 1)], order=[2, &
+                1])) - 1)
+            call show('kind', kind_found)
+            call show('points', point_count_found)
+        end block
+        call begin('bezier_cells closed')
+        block
+            integer(c_int64_t), allocatable :: cells_found(:, :)
+            call bezier_cells(g=loop, cells=cells_found)
+            call show('own_points', flat(reshape(cells_found, [size(cells_found, 2), size(cells_found, 1)], order=[2, &
+                1])) - 1)
+        end block
+        call begin('bezier_cell_points')
+        block
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            call bezier_cell_points(g=surface, points=points_found, weights=weights_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
+        end block
+        call begin('bezier_cell_points rational')
+        block
+            real(c_double), allocatable :: points_found(:, :)
+            real(c_double), allocatable :: weights_found(:)
+            call bezier_cell_points(g=curve, points=points_found, weights=weights_found)
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('weights', weights_found)
         end block
         call begin('split_at_knots')
         block
@@ -1886,6 +1935,16 @@ contains
             call found%of_model(model=model, options=options_given)
             call show('out', found)
         end block
+        call begin('mesh_volume')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 0.1d0
+            options_given%relative_chord = 0.0d0
+            call found%of_volume(g=solid, options=options_given, limit=100)
+            call show('out', found)
+        end block
         call begin('mesh_points')
         block
             real(c_double), allocatable :: values_found(:, :)
@@ -2016,6 +2075,19 @@ contains
             options_given%unit = 0.0254d0
             call mesh%write_file(path=written('smoke_calls_fortran.replaced', replaced_text), format=3, &
                 options=options_given)
+        end block
+        call begin('mesh_hexahedra')
+        block
+            integer(c_int64_t), allocatable :: corners_found(:, :)
+            real(c_double), allocatable :: domains_found(:, :, :)
+            integer(c_int32_t), allocatable :: folds_found(:)
+            integer(c_int32_t), allocatable :: signs_found(:)
+            call block%hexahedra(corners=corners_found, domains=domains_found, folds=folds_found, signs=signs_found)
+            call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
+                order=[2, 1])) - 1)
+            call show('domains', flat(domains_found))
+            call show('folds', folds_found)
+            call show('signs', signs_found)
         end block
         call by_hand('mesh_clone')
         call by_hand('meet_clone')
@@ -2570,6 +2642,17 @@ contains
             options_given%chord = 1.0d0
             options_given%relative_chord = 0.0d0
             call found%of_model(model=model, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call begin('mesh_volume_with')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 0.1d0
+            options_given%relative_chord = 0.0d0
+            call found%of_volume(g=solid, options=options_given, limit=100, call=watching)
             call show('out', found)
         end block
         call by_hand('mesh_write_with')
@@ -4439,6 +4522,14 @@ contains
             call show('positive', positive_found)
             call show('negative', negative_found)
         end block
+        call begin('fold_pieces')
+        block
+            integer(c_int32_t), allocatable :: folds_found(:)
+            integer(c_int32_t), allocatable :: signs_found(:)
+            call fold_pieces(g=surface, folds=folds_found, signs=signs_found)
+            call show('folds', folds_found)
+            call show('signs', signs_found)
+        end block
         call begin('roots')
         block
             type(nurbs_spline) :: ramp
@@ -5567,6 +5658,15 @@ contains
             call show('result', fold_found)
             call show('positive', positive_found)
             call show('negative', negative_found)
+        end block
+        call begin('fold_pieces_with')
+        block
+            integer(c_int32_t), allocatable :: folds_found(:)
+            integer(c_int32_t), allocatable :: signs_found(:)
+            type(nurbs_call) :: watching
+            call fold_pieces(g=surface, folds=folds_found, signs=signs_found, call=watching)
+            call show('folds', folds_found)
+            call show('signs', signs_found)
         end block
         call begin('roots_with')
         block

@@ -244,6 +244,7 @@ struct Given {
     r#loop: Spline,
     surface: Spline,
     volume: Spline,
+    solid: Spline,
     homogeneous: Spline,
     twist: Spline,
     segment: Spline,
@@ -256,6 +257,7 @@ struct Given {
     layered: Model,
     meet: Meet,
     mesh: Mesh,
+    block: Mesh,
 }
 
 fn given() -> nurbs::Result<Given> {
@@ -319,6 +321,22 @@ fn given() -> nurbs::Result<Given> {
         None,
         0,
     )?;
+    let solid = Spline::create(
+        &[1, 2, 1],
+        &[3, 3, 2],
+        &[
+            0.0, 0.0, 0.5, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0,
+        ],
+        3,
+        &[
+            0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 0.5, 1.0, 0.25, 1.0, 0.0, 0.25, 1.0,
+            1.0, 0.5, 0.0, 0.0, 0.5, 0.0, 1.0, 0.5, 0.5, 0.0, 0.5, 0.5, 1.0, 0.75, 1.0, 0.0, 0.75,
+            1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.5, 0.0, 1.0, 0.5, 1.0, 1.25, 1.0, 0.0,
+            1.25, 1.0, 1.0,
+        ],
+        None,
+        0,
+    )?;
     let homogeneous = Spline::create_homogeneous(
         &[2],
         &[3],
@@ -370,11 +388,17 @@ fn given() -> nurbs::Result<Given> {
         &face,
         Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
     )?;
+    let block = Mesh::of_volume(
+        &solid,
+        Some(&nurbs::MeshOptions::new()?.chord(0.1).relative_chord(0.0)),
+        100,
+    )?;
     Ok(Given {
         curve,
         r#loop,
         surface,
         volume,
+        solid,
         homogeneous,
         twist,
         segment,
@@ -387,6 +411,7 @@ fn given() -> nurbs::Result<Given> {
         layered,
         meet,
         mesh,
+        block,
     })
 }
 
@@ -703,6 +728,32 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("weights", &found.weights);
         show("domains", &found.domains);
         show("piece_counts", &found.piece_counts);
+    }
+    begin("bezier_cells");
+    {
+        let found = given.surface.bezier_cells()?;
+        show("own_points", &found.cells);
+        show("kind", &found.kind);
+        show("points", &found.point_count);
+    }
+    begin("bezier_cells closed");
+    {
+        let found = given.r#loop.bezier_cells()?;
+        show("own_points", &found.cells);
+        show("kind", &found.kind);
+        show("points", &found.point_count);
+    }
+    begin("bezier_cell_points");
+    {
+        let found = given.surface.bezier_cell_points()?;
+        show("points", &found.points);
+        show("weights", &found.weights);
+    }
+    begin("bezier_cell_points rational");
+    {
+        let found = given.curve.bezier_cell_points()?;
+        show("points", &found.points);
+        show("weights", &found.weights);
     }
     begin("split_at_knots");
     {
@@ -1568,6 +1619,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("mesh_volume");
+    {
+        let found = Mesh::of_volume(
+            &given.solid,
+            Some(&nurbs::MeshOptions::new()?.chord(0.1).relative_chord(0.0)),
+            100,
+        )?;
+        show("out", &found);
+    }
     begin("mesh_points");
     {
         let found = given.mesh.points()?;
@@ -1658,6 +1718,14 @@ fn data(given: &Given) -> nurbs::Result<()> {
             3,
             Some(&nurbs::WriteOptions::new()?.unit(0.0254)),
         )?;
+    }
+    begin("mesh_hexahedra");
+    {
+        let found = given.block.hexahedra()?;
+        show("corners", &found.corners);
+        show("domains", &found.domains);
+        show("folds", &found.folds);
+        show("signs", &found.signs);
     }
     by_hand("mesh_clone");
     by_hand("meet_clone");
@@ -2218,6 +2286,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Mesh::of_model_with(
             &given.model,
             Some(&nurbs::MeshOptions::new()?.chord(1.0).relative_chord(0.0)),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_volume_with");
+    {
+        let found = Mesh::of_volume_with(
+            &given.solid,
+            Some(&nurbs::MeshOptions::new()?.chord(0.1).relative_chord(0.0)),
+            100,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
@@ -3713,6 +3791,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("positive", &found.positive);
         show("negative", &found.negative);
     }
+    begin("fold_pieces");
+    {
+        let found = given.surface.fold_pieces(&[])?;
+        show("folds", &found.folds);
+        show("signs", &found.signs);
+    }
     begin("roots");
     {
         let ramp = Spline::bezier(&[2], 1, &[0.0, 0.25, 1.0], None)?;
@@ -4580,6 +4664,14 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("result", &found.result);
         show("positive", &found.positive);
         show("negative", &found.negative);
+    }
+    begin("fold_pieces_with");
+    {
+        let found = given
+            .surface
+            .fold_pieces_with(&[], &mut Call::new().progress(|_| true))?;
+        show("folds", &found.folds);
+        show("signs", &found.signs);
     }
     begin("roots_with");
     {

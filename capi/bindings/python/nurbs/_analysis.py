@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple, Optional
 
 import numpy
 
-from ._arrays import address, if_given
+from ._arrays import address, addresses, if_given
 from ._base import SplineBase
 from ._calls import listed, watched
 from ._library import call, get, lib
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
 
 __all__ = ["CurveFeatures", "MonotonePieces", "Straightness", "Planarity", "BoundaryContacts", "SingularPoints",
-           "Extrema", "Fold", "Recognized", "ShapeFactor"]
+           "Extrema", "Fold", "FoldPieces", "Recognized", "ShapeFactor"]
 
 
 class CurveFeatures(NamedTuple):
@@ -96,6 +96,13 @@ class Fold(NamedTuple):
     result: int
     positive: Floats
     negative: Floats
+
+
+class FoldPieces(NamedTuple):
+    """A NURBS_FOLD_ constant (n,) for each polynomial piece, and 1 or -1, the sign of its Jacobian, if there is no fold."""
+
+    folds: Int32s
+    signs: Int32s
 
 
 class Recognized(NamedTuple):
@@ -189,6 +196,15 @@ class Analysis(SplineBase):
         call(watched(lib.nurbs_fold_test, progress, work), self._handle, address(given), ctypes.byref(result),
              positive.ctypes.data, negative.ctypes.data)
         return Fold(result.value, positive, negative)
+
+    def fold_pieces(self, reference: Optional[ArrayLike] = None, *, progress: Progress = None,
+                    work: Optional[int] = None) -> FoldPieces:
+        """Whether each polynomial piece by itself folds over, as by fold_test(), in the order of bezier_pieces()."""
+        given = if_given(reference, 3, "a reference")
+        n = get(ctypes.c_int64, lib.nurbs_fold_pieces, self._handle, address(given), 0, None, None)
+        found = FoldPieces(numpy.empty(n, numpy.int32), numpy.empty(n, numpy.int32))
+        call(watched(lib.nurbs_fold_pieces, progress, work), self._handle, address(given), n, *addresses(*found), None)
+        return found
 
     def recognize(self, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Recognized:
         """The first shape of the list of nurbs_recognize() (point, line, circle, plane, sphere, ...) from which no

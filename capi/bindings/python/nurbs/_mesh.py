@@ -13,7 +13,7 @@ import numpy
 from ._arrays import addresses
 from ._base import SplineBase
 from ._calls import watched
-from ._library import call, lib
+from ._library import call, get, lib
 from ._plot import _COLOR, plot_mesh
 from ._write import MESH_SUFFIXES, file_bytes, to_file
 from .constants import NURBS_FORMAT_STL, NURBS_MESH_WELDED
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from ._arrays import Floats, Int32s, Int64s, Shape, Singles
     from ._calls import Progress
 
-__all__ = ["CurvePolyline", "DrawableVertices", "Mesh", "MeshBound", "MeshCounts", "MeshEdges", "MeshFaces",
-           "MeshVertices"]
+__all__ = ["BezierCells", "BezierCellPoints", "CurvePolyline", "DrawableVertices", "Mesh", "MeshBound", "MeshCounts",
+           "MeshEdges", "MeshFaces", "MeshHexahedra", "MeshVertices"]
 
 _Mesh = TypeVar("_Mesh", bound="Mesh")
 _Array = TypeVar("_Array", bound="numpy.ndarray[Any, Any]")
@@ -100,13 +100,40 @@ class MeshEdges(NamedTuple):
     reached: Int32s
 
 
+class MeshHexahedra(NamedTuple):
+    """Of each hexahedron (n,) its corners (n, 8), points in the order of VTK_HEXAHEDRON, its ends (n, 3, 2) along each axis of the
+    volume, a NURBS_FOLD_ constant that tells whether the volume folds there, and 1 or -1, the sign of its Jacobian there, if it
+    is proven to be one."""
+
+    corners: Int64s
+    domains: Floats
+    folds: Int32s
+    signs: Int32s
+
+
+class BezierCells(NamedTuple):
+    """Control points (n, M) of each Bezier cell in the order of VTK, places in Spline.bezier_cell_points(), what VTK calls such
+    cells, and the number of control points."""
+
+    cells: Int64s
+    kind: int
+    point_count: int
+
+
+class BezierCellPoints(NamedTuple):
+    """Control points (n, dimension) of Bezier cells, each once, and their weights (n,)."""
+
+    points: Floats
+    weights: Floats
+
+
 class _Options(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_int64), ("chord", ctypes.c_double), ("relative_chord", ctypes.c_double),
                 ("longest", ctypes.c_double)]
 
 
 class Mesh:
-    """Triangles in place of a surface, a face or a model, as their methods mesh() make them.
+    """Triangles in place of a surface, a face or a model, as their methods mesh() make them; or hexahedra in place of a volume.
 
         mesh = surface.mesh(chord=0.01)
         mesh.write_file("surface.stl")
@@ -120,7 +147,7 @@ class Mesh:
     _handle: Optional[int] = None
 
     def __init__(self) -> None:
-        raise TypeError("a Mesh is an answer: of Spline.mesh(), Face.mesh() or Model.mesh()")
+        raise TypeError("a Mesh is an answer: of Spline.mesh(), Spline.mesh_volume(), Face.mesh() or Model.mesh()")
 
     @classmethod
     def _made(cls: Type[_Mesh], function: Any, *arguments: Any) -> _Mesh:
@@ -133,11 +160,12 @@ class Mesh:
         return mesh
 
     @classmethod
-    def _of(cls: Type[_Mesh], function: Any, shape: Any, chord: float, relative: float, longest: float) -> _Mesh:
+    def _of(cls: Type[_Mesh], function: Any, shape: Any, chord: float, relative: float, longest: float,
+            *more: Any) -> _Mesh:
         options: Any = _Options()
         call(lib.nurbs_mesh_options_init, ctypes.byref(options), ctypes.sizeof(options))
         options.chord, options.relative_chord, options.longest = chord, relative, longest
-        return cls._made(function, shape, ctypes.byref(options))
+        return cls._made(function, shape, ctypes.byref(options), *more)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a Mesh does not change: {name} cannot be set")
@@ -275,6 +303,15 @@ class Mesh:
         """The points (n,) that the polylines of edges have, one polyline after the other."""
         return self._filled(lib.nurbs_mesh_edge_points, numpy.empty(self.counts.edge_points, numpy.int64))
 
+    @property
+    def hexahedra(self) -> MeshHexahedra:
+        """The hexahedra in place of a volume, last axis fastest."""
+        n = get(ctypes.c_int64, lib.nurbs_mesh_hexahedra, self._handle, 0, None, None, None, None)
+        found = MeshHexahedra(numpy.empty((n, 8), numpy.int64), numpy.empty((n, 3, 2)), numpy.empty(n, numpy.int32),
+                              numpy.empty(n, numpy.int32))
+        call(lib.nurbs_mesh_hexahedra, self._handle, n, *addresses(*found), None)
+        return found
+
     # --- Pictures ---
 
     def plot(self, ax: Any = None, *, color: Any = _COLOR, edges: bool = True, alpha: float = 1.0) -> Any:
@@ -317,3 +354,25 @@ class Meshes(SplineBase):
         share `relative` of its extent (the longest side of the box of the control points) unless that is 0; with sides no
         longer than `longest`, unless that is 0."""
         return Mesh._of(watched(lib.nurbs_mesh_surface, progress, work), self._handle, chord, relative, longest)
+
+    def mesh_volume(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, limit: int = 0, *,
+                    progress: Progress = None, work: Optional[int] = None) -> Mesh:
+        """Hexahedra in place of a volume, on a grid of lines along its axes, with limits as for mesh(); at most `limit` of them
+        (0: 2^20), or one for each polynomial piece."""
+        return Mesh._of(watched(lib.nurbs_mesh_volume, progress, work), self._handle, chord, relative, longest, limit)
+
+    def bezier_cells(self) -> BezierCells:
+        """The polynomial pieces as Bezier cells in the order of VTK, by places in bezier_cell_points()."""
+        kind, points, count = ctypes.c_int32(), ctypes.c_int64(), ctypes.c_int64()
+        rest = ctypes.byref(kind), ctypes.byref(points), ctypes.byref(count)
+        call(lib.nurbs_bezier_cells, self._handle, 0, None, *rest)
+        cells = numpy.empty((count.value, math.prod(degree + 1 for degree in self.degrees)), numpy.int64)
+        call(lib.nurbs_bezier_cells, self._handle, count.value, cells.ctypes.data, *rest)
+        return BezierCells(cells, kind.value, points.value)
+
+    def bezier_cell_points(self) -> BezierCellPoints:
+        """The control points of the Bezier cells, each once, and their weights."""
+        n = get(ctypes.c_int64, lib.nurbs_bezier_cell_points, self._handle, 0, None, None)
+        found = BezierCellPoints(numpy.empty((n, self.dimension)), numpy.empty(n))
+        call(lib.nurbs_bezier_cell_points, self._handle, n, *addresses(*found), None)
+        return found

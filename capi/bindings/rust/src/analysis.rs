@@ -121,6 +121,16 @@ pub struct Fold {
     pub negative: Vec<f64>,
 }
 
+/// Which polynomial pieces of a surface or volume fold over.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct FoldPieces {
+    /// A `NURBS_FOLD_` constant for each piece.
+    pub folds: Vec<i32>,
+    /// 1 or -1: the sign of J where it is not 0, if there is no fold; else 0.
+    pub signs: Vec<i32>,
+}
+
 /// Features of curves and surfaces; `complete` tells that nothing was missed.
 impl Spline {
     /// The features along a curve of these kinds, a sum of `NURBS_FEATURE_` constants.
@@ -318,6 +328,37 @@ impl Spline {
         let mut boxes = vec![[0.0; 2]; n * axes];
         check(fill(count, params.as_mut_ptr(), boxes.as_mut_ptr().cast(), &mut count))?;
         Ok(SingularPoints { params, boxes, complete: complete != 0 })
+    }
+
+    /// Which polynomial pieces fold over, each by itself, in the order of the Bezier pieces; reference as for
+    /// fold_test.
+    pub fn fold_pieces(&self, reference: &[f64]) -> Result<FoldPieces> {
+        let reference = if_given(reference, 3, "reference")?;
+        let fill = |cap, folds, signs, count| unsafe {
+            sys::nurbs_fold_pieces(self.raw(), reference, cap, folds, signs, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut folds = vec![0; n];
+        let mut signs = vec![0; n];
+        check(fill(count, folds.as_mut_ptr(), signs.as_mut_ptr(), &mut count))?;
+        Ok(FoldPieces { folds, signs })
+    }
+
+    /// The same as `fold_pieces`; it can be watched and stopped.
+    pub fn fold_pieces_with(&self, reference: &[f64], call: &mut Call) -> Result<FoldPieces> {
+        let reference = if_given(reference, 3, "reference")?;
+        let mut fill = |cap, folds, signs, count| unsafe {
+            sys::nurbs_fold_pieces_with(self.raw(), reference, cap, folds, signs, count, call.options())
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut folds = vec![0; n];
+        let mut signs = vec![0; n];
+        check(fill(count, folds.as_mut_ptr(), signs.as_mut_ptr(), &mut count))?;
+        Ok(FoldPieces { folds, signs })
     }
 
     /// Whether a surface or volume folds over; `reference` `[3]` is the direction that normals are compared

@@ -118,6 +118,42 @@ pub struct MeshEdges {
     pub reached: Vec<i32>,
 }
 
+/// Hexahedra in place of a volume, last axis fastest.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeshHexahedra {
+    /// `[n][8]` points, in the order of VTK_HEXAHEDRON.
+    pub corners: Vec<[i64; 8]>,
+    /// `[n][3][2]` ends along each axis of the volume.
+    pub domains: Vec<[f64; 2]>,
+    /// A `NURBS_FOLD_` constant: whether the volume folds there.
+    pub folds: Vec<i32>,
+    /// 1 or -1: the sign of the Jacobian of the volume there, if it is proven to be one; else 0.
+    pub signs: Vec<i32>,
+}
+
+/// A spline as Bezier cells.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct BezierCells {
+    /// `[n][M]` control points of each, in the order of VTK.
+    pub cells: Vec<i64>,
+    /// What VTK calls such cells.
+    pub kind: i32,
+    /// The number of control points.
+    pub point_count: i64,
+}
+
+/// The control points of Bezier cells, each once.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct BezierCellPoints {
+    /// `[n][dim]`.
+    pub points: Vec<f64>,
+    /// Their weights.
+    pub weights: Vec<f64>,
+}
+
 /// Shapes made of what is straight and flat, within a proven distance.
 impl Spline {
     /// A polyline in place of a curve, every segment within `chord` of its part of the curve, as proven; with
@@ -182,6 +218,35 @@ impl Spline {
         check(fill(count, params.as_mut_ptr(), points.as_mut_ptr(), &mut count))?;
         Ok(CurvePolyline { params, points, bound, reached: reached != 0 })
     }
+
+    /// The polynomial pieces as Bezier cells in the order of VTK, by places in bezier_cell_points.
+    pub fn bezier_cells(&self) -> Result<BezierCells> {
+        let mut kind = 0;
+        let mut point_count = 0;
+        let mut fill = |cap, cells, count| unsafe {
+            sys::nurbs_bezier_cells(self.raw(), cap, cells, &mut kind, &mut point_count, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut cells = vec![0; n * self.active()?];
+        check(fill(count, cells.as_mut_ptr(), &mut count))?;
+        Ok(BezierCells { cells, kind, point_count })
+    }
+
+    /// The control points of the Bezier cells, each once, and their weights.
+    pub fn bezier_cell_points(&self) -> Result<BezierCellPoints> {
+        let fill = |cap, points, weights, count| unsafe {
+            sys::nurbs_bezier_cell_points(self.raw(), cap, points, weights, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut points = vec![0.0; n * self.dimension()? as usize];
+        let mut weights = vec![0.0; n];
+        check(fill(count, points.as_mut_ptr(), weights.as_mut_ptr(), &mut count))?;
+        Ok(BezierCellPoints { points, weights })
+    }
 }
 
 /// Shapes made of what is straight and flat, within a proven distance.
@@ -219,6 +284,26 @@ impl Mesh {
     pub fn of_model_with(model: &Model, options: Option<&MeshOptions>, call: &mut Call) -> Result<Mesh> {
         Mesh::made(|out| unsafe {
             sys::nurbs_mesh_model_with(model.raw(), mesh_options_pointer(options), call.options(), out)
+        })
+    }
+
+    /// Hexahedra in place of a volume, within a proven distance, on a grid of lines along its axes; at most
+    /// so many if `limit` is not 0.
+    pub fn of_volume(g: &Spline, options: Option<&MeshOptions>, limit: i64) -> Result<Mesh> {
+        Mesh::made(|out| unsafe {
+            sys::nurbs_mesh_volume(g.raw(), mesh_options_pointer(options), limit, out)
+        })
+    }
+
+    /// The same as `of_volume`; it can be watched and stopped.
+    pub fn of_volume_with(
+        g: &Spline,
+        options: Option<&MeshOptions>,
+        limit: i64,
+        call: &mut Call,
+    ) -> Result<Mesh> {
+        Mesh::made(|out| unsafe {
+            sys::nurbs_mesh_volume_with(g.raw(), mesh_options_pointer(options), limit, call.options(), out)
         })
     }
 
@@ -478,5 +563,28 @@ impl Mesh {
                 call.options(),
             )
         })
+    }
+
+    /// The hexahedra of the mesh of a volume.
+    pub fn hexahedra(&self) -> Result<MeshHexahedra> {
+        let fill = |cap, corners, domains, folds, signs, count| unsafe {
+            sys::nurbs_mesh_hexahedra(self.raw(), cap, corners, domains, folds, signs, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut corners = vec![[0; 8]; n];
+        let mut domains = vec![[0.0; 2]; 3 * n];
+        let mut folds = vec![0; n];
+        let mut signs = vec![0; n];
+        check(fill(
+            count,
+            corners.as_mut_ptr().cast(),
+            domains.as_mut_ptr().cast(),
+            folds.as_mut_ptr(),
+            signs.as_mut_ptr(),
+            &mut count,
+        ))?;
+        Ok(MeshHexahedra { corners, domains, folds, signs })
     }
 }

@@ -3635,6 +3635,30 @@ extern "C" {
         negative: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// nurbs_fold_test() of each polynomial piece by itself, in the order of nurbs_bezier_pieces() and
+    /// nurbs_bezier_cells(), with one reference for all of them.
+    ///
+    /// May be null: `reference`, `folds`, `signs`, `count`.
+    pub fn nurbs_fold_pieces(
+        g: *const nurbs,
+        reference: *const f64,
+        cap: i64,
+        folds: *mut i32,
+        signs: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// nurbs_fold_pieces() as a call that can be watched and ended.
+    ///
+    /// May be null: `reference`, `folds`, `signs`, `count`, `call`.
+    pub fn nurbs_fold_pieces_with(
+        g: *const nurbs,
+        reference: *const f64,
+        cap: i64,
+        folds: *mut i32,
+        signs: *mut i32,
+        count: *mut i64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     // --- Where shapes meet
     /// Roots of a scalar curve: where f(t) = value.
     ///
@@ -5443,6 +5467,25 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
+    /// Hexahedra in place of a volume in space, on a grid of lines along its axes.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_volume(
+        g: *const nurbs,
+        options: *const nurbs_mesh_options,
+        limit: i64,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_volume() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_volume_with(
+        g: *const nurbs,
+        options: *const nurbs_mesh_options,
+        limit: i64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
     /// Another handle on the same mesh, in constant time.
     pub fn nurbs_mesh_clone(mesh: *const nurbs_mesh, out: *mut *mut nurbs_mesh) -> nurbs_status;
     /// Frees a handle on a mesh.
@@ -5568,6 +5611,41 @@ extern "C" {
         mesh: *const nurbs_mesh,
         cap: i64,
         own_points: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The hexahedra of a mesh of nurbs_mesh_volume(), last axis fastest.
+    ///
+    /// May be null: `corners`, `domains`, `folds`, `signs`, `count`.
+    pub fn nurbs_mesh_hexahedra(
+        mesh: *const nurbs_mesh,
+        cap: i64,
+        corners: *mut i64,
+        domains: *mut f64,
+        folds: *mut i32,
+        signs: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
+    /// neighbours have in common.
+    ///
+    /// May be null: `own_points`, `kind`, `points`, `count`.
+    pub fn nurbs_bezier_cells(
+        g: *const nurbs,
+        cap: i64,
+        own_points: *mut i64,
+        kind: *mut i32,
+        points: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for
+    /// bit, each once; those of a seam as the first cell has them.
+    ///
+    /// May be null: `points`, `weights`, `count`.
+    pub fn nurbs_bezier_cell_points(
+        g: *const nurbs,
+        cap: i64,
+        points: *mut f64,
+        weights: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
     // --- Writing files

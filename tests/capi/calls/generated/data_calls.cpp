@@ -271,6 +271,22 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_bezier_pieces(in.curve, 4, o.values, o.values + 24, o.values + 36, o.spans, o.spans + 1);
      }},
+    {"bezier_cells",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_cells(in.surface, 4, o.spans, o.states, o.spans + 24, o.spans + 25);
+     }},
+    {"bezier_cells closed",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_cells(in.loop, 8, o.spans, nullptr, nullptr, o.spans + 24);
+     }},
+    {"bezier_cell_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_cell_points(in.surface, 32, o.values, o.values + 96, o.spans);
+     }},
+    {"bezier_cell_points rational",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_bezier_cell_points(in.curve, 32, o.values, o.values + 64, nullptr);
+     }},
     {"split_at_knots",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_split_at_knots(in.curve, 0, 1, &o.list);
@@ -1022,6 +1038,14 @@ const Call group[] = {
          options.relative_chord = 0;
          return nurbs_mesh_model(in.model, &options, &o.mesh);
      }, true},
+    {"mesh_volume",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 0.1;
+         options.relative_chord = 0;
+         return nurbs_mesh_volume(in.solid, &options, 100, &o.mesh);
+     }, true},
     {"mesh_points",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_mesh_points(in.mesh, 16, o.values, o.spans);
@@ -1117,6 +1141,10 @@ const Call group[] = {
          (void)nurbs_write_options_init(&options, sizeof options);
          options.unit = 0.0254;
          return nurbs_mesh_write_file(in.mesh, replaced_path, 3, &options);
+     }},
+    {"mesh_hexahedra",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_hexahedra(in.block, 3, o.spans, o.values, o.states, o.states + 3, o.spans + 24);
      }},
     {"mesh_clone",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1686,6 +1714,16 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_mesh_model_with(in.model, &options, &call, &o.mesh);
+     }, true},
+    {"mesh_volume_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 0.1;
+         options.relative_chord = 0;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_volume_with(in.solid, &options, 100, &call, &o.mesh);
      }, true},
     {"mesh_write_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -219,6 +219,10 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_fold_test(in.surface, nullptr, o.states, o.values, o.values + 2);
      }},
+    {"fold_pieces",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_fold_pieces(in.surface, nullptr, 4, o.states, o.states + 4, o.spans);
+     }},
     {"roots",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_ramp(in, make_ramp);
@@ -856,6 +860,12 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fold_test_with(in.surface, nullptr, o.states, o.values, o.values + 2, &call);
+     }},
+    {"fold_pieces_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fold_pieces_with(in.surface, nullptr, 4, o.states, o.states + 4, o.spans, &call);
      }},
     {"roots_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

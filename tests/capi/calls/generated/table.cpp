@@ -48,6 +48,16 @@ nurbs_status make_volume(const Inputs &, nurbs **out) {
     return nurbs_create(3, degrees, counts, knots, 12, 4, points, 0, 0, nullptr, 0, 0, out);
 }
 
+nurbs_status make_solid(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1, 2, 1};
+    static constexpr int64_t counts[] = {3, 3, 2};
+    static constexpr double knots[] = {0, 0, 0.5, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 1, 1};
+    static constexpr double points[] = {0, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 0.5, 1, 0.25, 1, 0, 0.25, 1, 1,
+        0.5, 0, 0, 0.5, 0, 1, 0.5, 0.5, 0, 0.5, 0.5, 1, 0.75, 1, 0, 0.75, 1, 1, 1, 0, 0, 1, 0, 1, 1, 0.5,
+        0, 1, 0.5, 1, 1.25, 1, 0, 1.25, 1, 1};
+    return nurbs_create(3, degrees, counts, knots, 15, 3, points, 0, 0, nullptr, 0, 0, out);
+}
+
 nurbs_status make_homogeneous(const Inputs &, nurbs **out) {
     static constexpr int32_t degrees[] = {2};
     static constexpr int64_t counts[] = {3};
@@ -132,6 +142,14 @@ nurbs_status make_mesh(const Inputs &in, nurbs_mesh **out) {
     options.chord = 1;
     options.relative_chord = 0;
     return nurbs_mesh_face(in.face, &options, out);
+}
+
+nurbs_status make_block(const Inputs &in, nurbs_mesh **out) {
+    nurbs_mesh_options options;
+    (void)nurbs_mesh_options_init(&options, sizeof options);
+    options.chord = 0.1;
+    options.relative_chord = 0;
+    return nurbs_mesh_volume(in.solid, &options, 100, out);
 }
 
 nurbs_status make_copy(const Inputs &in, nurbs **out) {
@@ -275,6 +293,7 @@ Inputs make_inputs() {
     CHECK_OK(make_loop(in, &in.loop));
     CHECK_OK(make_surface(in, &in.surface));
     CHECK_OK(make_volume(in, &in.volume));
+    CHECK_OK(make_solid(in, &in.solid));
     CHECK_OK(make_homogeneous(in, &in.homogeneous));
     CHECK_OK(make_twist(in, &in.twist));
     CHECK_OK(make_segment(in, &in.segment));
@@ -287,6 +306,7 @@ Inputs make_inputs() {
     CHECK_OK(make_layered(in, &in.layered));
     CHECK_OK(make_meet(in, &in.meet));
     CHECK_OK(make_mesh(in, &in.mesh));
+    CHECK_OK(make_block(in, &in.block));
     return in;
 }
 

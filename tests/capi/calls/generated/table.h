@@ -12,24 +12,25 @@ namespace calls {
 
 // What is made once for all calls.
 struct Inputs {
-    nurbs *curve, *loop, *surface, *volume, *homogeneous, *twist, *segment, *outline;
+    nurbs *curve, *loop, *surface, *volume, *solid, *homogeneous, *twist, *segment, *outline;
     nurbs_list *list;
     nurbs_statistics *no_statistics, *statistics;
     nurbs_face *face;
     nurbs_model *model, *layered;
     nurbs_meet *meet;
-    nurbs_mesh *mesh;
+    nurbs_mesh *mesh, *block;
 };
 
 inline constexpr nurbs *Inputs::*const splines[] = {&Inputs::curve, &Inputs::loop, &Inputs::surface,
-    &Inputs::volume, &Inputs::homogeneous, &Inputs::twist, &Inputs::segment, &Inputs::outline};
+    &Inputs::volume, &Inputs::solid, &Inputs::homogeneous, &Inputs::twist, &Inputs::segment,
+    &Inputs::outline};
 inline constexpr nurbs_list *Inputs::*const lists[] = {&Inputs::list};
 inline constexpr nurbs_statistics *Inputs::*const all_statistics[] = {&Inputs::no_statistics,
     &Inputs::statistics};
 inline constexpr nurbs_face *Inputs::*const faces_made[] = {&Inputs::face};
 inline constexpr nurbs_model *Inputs::*const models[] = {&Inputs::model, &Inputs::layered};
 inline constexpr nurbs_meet *Inputs::*const meets[] = {&Inputs::meet};
-inline constexpr nurbs_mesh *Inputs::*const meshes[] = {&Inputs::mesh};
+inline constexpr nurbs_mesh *Inputs::*const meshes[] = {&Inputs::mesh, &Inputs::block};
 
 namespace arrays {
 inline constexpr double new_knots[] = {0.3, 0.6};
@@ -257,6 +258,7 @@ nurbs_status make_curve(const Inputs &in, nurbs **out);
 nurbs_status make_loop(const Inputs &in, nurbs **out);
 nurbs_status make_surface(const Inputs &in, nurbs **out);
 nurbs_status make_volume(const Inputs &in, nurbs **out);
+nurbs_status make_solid(const Inputs &in, nurbs **out);
 nurbs_status make_homogeneous(const Inputs &in, nurbs **out);
 nurbs_status make_twist(const Inputs &in, nurbs **out);
 nurbs_status make_segment(const Inputs &in, nurbs **out);
@@ -269,6 +271,7 @@ nurbs_status make_model(const Inputs &in, nurbs_model **out);
 nurbs_status make_layered(const Inputs &in, nurbs_model **out);
 nurbs_status make_meet(const Inputs &in, nurbs_meet **out);
 nurbs_status make_mesh(const Inputs &in, nurbs_mesh **out);
+nurbs_status make_block(const Inputs &in, nurbs_mesh **out);
 nurbs_status make_copy(const Inputs &in, nurbs **out);
 nurbs_status make_half(const Inputs &in, nurbs **out);
 nurbs_status make_ramp(const Inputs &in, nurbs **out);

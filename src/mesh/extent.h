@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// How large a shape is, for limits that are shares of that.
+#pragma once
+
+#include "mesh/mesh.h"
+
+#include <algorithm>
+
+namespace nrb::mesh {
+
+// The longest side of the box of control points, to which those of a spline are added.
+inline double extent_of(const Spline &spline, std::vector<Interval> &box) {
+    box.resize(static_cast<size_t>(spline.dim()), {infinity, -infinity});
+    double extent = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        Interval &side = box[static_cast<size_t>(c)];
+        for (int64_t i = 0; i < spline.point_count(); ++i) {
+            const double x = spline.coordinate(i, c);
+            side = {std::min(side.lower, x), std::max(side.upper, x)};
+        }
+        extent = std::max(extent, side.upper - side.lower);
+    }
+    return extent;
+}
+
+// With one distance.
+inline MeshRule settled(MeshRule rule, double extent) {
+    if (rule.relative > 0) {
+        rule.chord = std::min(rule.chord, rule.relative * extent);
+    }
+    return rule;
+}
+
+} // namespace nrb::mesh
