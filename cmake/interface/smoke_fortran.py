@@ -290,7 +290,8 @@ def files(binding, model):
         lines += literal(name, text) if isinstance(text, str) else data_literal(name, text)
     lines += [f"    type(nurbs_{KINDS[entry.kind]}) :: {entry.name}" for _, entry in shared]
     made = [maker(step, entry, words, model) for step, entry in shared]
-    lines += [f"    {line}" for declared, _ in made for line in declared]
+    # Several handles may be made with options of one kind.
+    lines += [f"    {line}" for line in dict.fromkeys(line for declared, _ in made for line in declared)]
     lines.append("")
     for _, statements in made:
         for text in statements:

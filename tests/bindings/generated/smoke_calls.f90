@@ -644,7 +644,6 @@ program smoke_calls
     type(nurbs_spline) :: curves_given(1)
     type(nurbs_face) :: faces_given(2)
     type(nurbs_mesh_options) :: options_given
-    type(nurbs_mesh_options) :: options_given
 
     call curve%create(degrees=[2], counts=[9], knots=[0.0d0, 0.0d0, 0.0d0, 0.25d0, 0.25d0, 0.5d0, 0.5d0, 0.75d0, &
         0.75d0, 1.0d0, 1.0d0, 1.0d0], points=reshape([1.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 1.0d0, -1.0d0, 1.0d0, -1.0d0, &
