@@ -10,9 +10,13 @@ namespace nrb::mesh {
 namespace {
 
 // Where a cell needs more parts, it is halved.
-constexpr double most_parts = 4;
+constexpr double most_parts = 8;
+// Of the width of a cell, for triangles to be over those beside them only.
+constexpr double most_out = 0.25;
+// By what second derivatives differ in parts that are alike, relative to them.
+constexpr double most_varied = 0.1;
 // What slopes count about, in bounds of meshes.
-constexpr double slope_times = 0.5;
+constexpr double slope_times = 0.15;
 
 Vector3 point_of(const double *corner) noexcept {
     return (1 / corner[3]) * Vector3{corner[0], corner[1], corner[2]};
@@ -41,14 +45,32 @@ HessianBox box_about(const CellCorners &corners) noexcept {
     return HessianBox(a, {along, cross(normal, along), normal});
 }
 
+namespace {
+
+// The most of the second derivative, across each of the two sides along axis k, that the function has which is 0 in both ends of that side.
+double beside_sides(const HessianBox &box, size_t k) noexcept {
+    const Vector3 across = box.axes()[1 - k];
+    double most = 0;
+    for (const double end : {0.0, 1.0}) {
+        const Hessian h = box.along(across, box.origin() + end * box.speed(1 - k) * across);
+        const Range &range = k == 0 ? h.uu : h.vv;
+        const double slope = k == 0 ? range.v : range.u, rest = k == 0 ? range.u : range.v;
+        most =
+            std::max(most, std::abs(range.middle + (end - 0.5) * slope) + std::abs(rest) / 2 + range.radius);
+    }
+    return most;
+}
+
+} // namespace
+
 CellBend bend_of(const HessianBox &box) noexcept {
-    const Hessian along = box.of(0), across = box.of(1), height = box.of(2);
+    const Hessian height = box.of(2);
     const double w = box.least_weight();
     const auto divided = [&](const Range &range) {
         return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
     };
     return {{divided(height.uu), divided(height.uv), divided(height.vv)},
-            {across.uu.most() / w / 8, along.vv.most() / w / 8},
+            {beside_sides(box, 0) / w / 8, beside_sides(box, 1) / w / 8},
             {box.speed(0), box.speed(1)}};
 }
 
@@ -96,18 +118,44 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double other = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {-a, b}}}),
                                   over_triangle(h, {{{a, -b}, {a, b}, {-a, b}}}));
     const double height = std::min(one, other), out = std::max(beside[0] * u * u, beside[1] * v * v);
-    return at_border ? diagonal(height, out) : height + (out + height) * slope_times * slope(u, v);
+    const double width = std::min(speeds[0] * u, speeds[1] * v);
+    return alone || out > most_out * width ? diagonal(height, out)
+                                           : height + (out + height) * slope_times * slope(u, v);
 }
 
-// As many parts as it takes, and then half of them.
+namespace {
+
+// As few parts as it takes along both axes, if no axis needs many.
+std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
+    std::array<double, 2> parts{1, 1};
+    while (!(bend.in_parts(parts[0], parts[1]) <= chord)) {
+        const bool first = bend.in_parts(2 * parts[0], parts[1]) <= bend.in_parts(parts[0], 2 * parts[1]);
+        double &more = parts[first ? 0 : 1];
+        more *= 2;
+        if (more > most_parts) {
+            return {2, 2};
+        }
+    }
+    while (parts[0] > 2 && bend.in_parts(parts[0] - 1, parts[1]) <= chord) {
+        parts[0] -= 1;
+    }
+    while (parts[1] > 2 && bend.in_parts(parts[0], parts[1] - 1) <= chord) {
+        parts[1] -= 1;
+    }
+    return parts;
+}
+
+} // namespace
+
+// Half of the parts that it takes, where these are going to be alike.
 Cut best_cut(const CellBend &bend, double chord) noexcept {
     const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
-    double u = 1, v = 1;
-    while (u * v < most_parts && !(bend.in_parts(u, v) <= chord)) {
-        (bend.in_parts(u + 1, v) <= bend.in_parts(u, v + 1) ? u : v) += 1;
+    const Range &range = axis == 0 ? bend.heights.uu : bend.heights.vv;
+    if (range.width() > most_varied * std::abs(range.middle)) {
+        return {axis, 0.5};
     }
-    const double parts = axis == 0 ? u : v;
-    return {axis, u * v < most_parts && parts > 2 ? std::floor(parts / 2) / parts : 0.5};
+    const double parts = parts_for(bend, chord)[axis];
+    return {axis, parts > 2 ? std::floor(parts / 2) / parts : 0.5};
 }
 
 } // namespace nrb::mesh

@@ -12,7 +12,7 @@ struct CellBend {
     Hessian heights;
     std::array<double, 2> beside{};
     std::array<double, 2> speeds{}; // lengths of the sides, about
-    bool at_border = false;         // where no other triangles are beside it
+    bool alone = false;             // where other triangles are not to be counted on
 
     // The distance of a cell of a grid of so many along the axes.
     [[nodiscard]] double in_parts(double u_parts, double v_parts) const noexcept;

@@ -144,7 +144,7 @@ void CellTree::Builder::look_at(Item item) {
     make_nets(item);
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
-    bend.at_border = at_border(item);
+    bend.alone = at_border(item);
     const bool small =
         (!(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest) && !wide_axis(item.part).has_value();
     const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
@@ -384,6 +384,7 @@ void CellTree::Builder::cut(int32_t number) {
     block_ = cell.block;
     Item item = item_of(cell);
     CellBend bend = bend_of(cell.box);
+    bend.alone = true; // no help of others was enough, but in the end triangles do without
     const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;

@@ -39,6 +39,7 @@ TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, co
         }
     }
     result.out = result.whole = result.height; // distances, whatever the direction
+    result.outs.fill(result.height);
     return result;
 }
 

@@ -59,8 +59,7 @@ private:
     [[nodiscard]] double rounding() const noexcept;
     [[nodiscard]] double within_reach(double length, double share) const noexcept;
     void prove();
-    [[nodiscard]] MeshBound mesh_bound() const;
-    void set_borders(MeshBound &bound) const;
+    [[nodiscard]] MeshTriangle mesh_triangle(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] bool is_border(const Site &site) const noexcept;
     [[nodiscard]] std::array<int32_t, 3> points_of(const SiteTriangle &triangle) const noexcept {
         return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
@@ -209,27 +208,13 @@ bool DomainMesher::is_border(const Site &site) const noexcept {
     return false;
 }
 
-void DomainMesher::set_borders(MeshBound &bound) const {
-    for (const BorderPoint &point : domain_.border.points) {
-        bound.set_border(point.point);
+MeshTriangle DomainMesher::mesh_triangle(const SiteTriangle &triangle) const noexcept {
+    MeshTriangle result{points_of(triangle)};
+    for (size_t k = 0; k < 3; ++k) {
+        result.border[k] = triangle.border[k] >= 0 || (is_border(sites_[triangle.sites[(k + 1) % 3]]) &&
+                                                       is_border(sites_[triangle.sites[(k + 2) % 3]]));
     }
-    for (const Site &site : sites_.all()) {
-        if (is_border(site)) {
-            bound.set_border(site.point);
-        }
-    }
-}
-
-MeshBound DomainMesher::mesh_bound() const {
-    MeshBound all(static_cast<size_t>(sites_.point_count()));
-    set_borders(all);
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        all.add_normal(points_of(triangles_[i]), proven_[i].bound.normal);
-    }
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        all.add(points_of(triangles_[i]), proven_[i].bound);
-    }
-    return all;
+    return result;
 }
 
 // What moves the pieces, and points that are evaluated. Where weights have either sign, that is relative to the least of the
@@ -264,11 +249,17 @@ void DomainMesher::prove() {
             count_work(work_of_triangle);
         }
     }
-    const MeshBound all = mesh_bound();
+    std::vector<MeshTriangle> all;
+    std::vector<TriangleBound> bounds;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        all.push_back(mesh_triangle(triangles_[i]));
+        bounds.push_back(proven_[i].bound);
+    }
+    const MeshBound mesh(static_cast<size_t>(sites_.point_count()), all, bounds);
     const double slack = rounding();
     distances_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        const Distances d = all.distances(points_of(triangles_[i]), proven_[i].bound);
+        const Distances d = mesh.distances(i);
         const double more = proven_[i].over + slack;
         distances_.push_back({grid_.unscaled(d.from_shape + more) * (1 + 4 * eps),
                               grid_.unscaled(d.from_mesh + more) * (1 + 4 * eps)});

@@ -43,6 +43,22 @@ bool leaves(const Rectangle &part, const Rectangle &block) noexcept {
     return result;
 }
 
+void take_better(double other, double &bound) noexcept {
+    bound = std::min(bound, other);
+}
+
+// Both are bounds of one triangle.
+void take_better(const TriangleBound &other, TriangleBound &bound) noexcept {
+    take_better(other.height, bound.height);
+    take_better(other.out, bound.out);
+    take_better(other.beside, bound.beside);
+    take_better(other.whole, bound.whole);
+    for (size_t k = 0; k < 3; ++k) {
+        take_better(other.sides[k], bound.sides[k]);
+        take_better(other.outs[k], bound.outs[k]);
+    }
+}
+
 } // namespace
 
 TriangleProof::TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites,
@@ -99,7 +115,7 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     if (!(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
         const PieceRange pieces = nets_.pieces_in(place.part);
         if (pieces.count() > 1 && pieces.count() <= most_pieces) {
-            bound = by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block));
+            take_better(by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block)), bound);
         }
     }
     return {bound, place.moved};
@@ -138,8 +154,10 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     const HessianBox box = nets_.box(place.part, pieces);
     result.over += moves_over(triangle, box, place.part);
     const CellPart here{&box, place.part};
-    result.bound =
-        pieces.count() > 1 ? by_pieces_.bound(corners, pieces, block) : triangle_bound(corners, {&here, 1});
+    result.bound = triangle_bound(corners, {&here, 1});
+    if (pieces.count() > 1) {
+        take_better(by_pieces_.bound(corners, pieces, block), result.bound);
+    }
     return result;
 }
 

@@ -7,8 +7,11 @@ namespace nrb::mesh {
 
 namespace {
 
-// The chord of 60 degrees is 1.
-constexpr double most_turned = 0.95;
+// Chords of 57 and of 29 degrees.
+constexpr double most_turned = 0.95, most_turned_by_sides = 0.5;
+// At poles there are more.
+constexpr int32_t most_around = 64;
+constexpr double more = 1 + 64 * eps;
 
 bool is_zero(const Vector3 &v) noexcept {
     return v.x == 0 && v.y == 0 && v.z == 0;
@@ -16,56 +19,186 @@ bool is_zero(const Vector3 &v) noexcept {
 
 } // namespace
 
-void MeshBound::add_normal(const std::array<int32_t, 3> &corners, const Vector3 &normal) noexcept {
-    for (const int32_t corner : corners) {
-        Point &point = points_[static_cast<size_t>(corner)];
-        point.normal = point.normal + normal;
+MeshBound::MeshBound(size_t points, std::span<const MeshTriangle> triangles,
+                     std::span<const TriangleBound> bounds)
+    : triangles_(triangles), bounds_(bounds), points_(points) {
+    set_fans();
+    for (Point &point : points_) {
+        set_point(point);
     }
 }
 
-void MeshBound::add(const std::array<int32_t, 3> &corners, const TriangleBound &bound) noexcept {
-    for (const int32_t corner : corners) {
-        Point &point = points_[static_cast<size_t>(corner)];
-        if (point.altitude == infinity && !is_zero(point.normal)) {
-            point.normal = unit(point.normal);
+void MeshBound::set_fans() {
+    const auto for_each_corner = [&](auto &&visit) {
+        for (size_t i = 0; i < triangles_.size(); ++i) {
+            for (size_t k = 0; k < 3; ++k) {
+                visit(static_cast<int32_t>(i), points_[static_cast<size_t>(triangles_[i].points[k])]);
+            }
         }
-        const double turned = is_zero(bound.normal) ? 2 : length(bound.normal - point.normal) + 8 * eps;
-        point.turned = std::max(point.turned, turned);
-        point.altitude = std::min(point.altitude, bound.altitude);
-        point.height = std::max(point.height, bound.height);
-        point.out = std::max(point.out, bound.out);
-        point.beside = std::max(point.beside, bound.beside);
+    };
+    for_each_corner([](int32_t, Point &point) { ++point.count; });
+    int32_t next = 0;
+    for (Point &point : points_) {
+        point.first = next;
+        next += point.count;
+        point.count = 0;
+    }
+    fans_.resize(static_cast<size_t>(next));
+    for_each_corner([&](int32_t triangle, Point &point) {
+        fans_[static_cast<size_t>(point.first + point.count++)] = triangle;
+        point.normal = point.normal + bounds_[static_cast<size_t>(triangle)].normal;
+    });
+}
+
+void MeshBound::set_point(Point &point) noexcept {
+    const auto number = static_cast<int32_t>(&point - points_.data());
+    point.normal = is_zero(point.normal) ? point.normal : unit(point.normal);
+    around_.clear();
+    for (int32_t i = point.first; i < point.first + point.count; ++i) {
+        const int32_t triangle = fans_[static_cast<size_t>(i)];
+        const auto &corners = triangles_[static_cast<size_t>(triangle)].points;
+        for (size_t k = 0; k < 3; ++k) {
+            if (corners[k] == number) {
+                around_.push_back({triangle, corners[(k + 1) % 3], corners[(k + 2) % 3], k});
+                add_corner(static_cast<size_t>(triangle), k, point);
+            }
+        }
+    }
+    set_turns(point);
+}
+
+// Sides at the border may turn inwards instead.
+void MeshBound::set_turns(Point &point) noexcept {
+    if (point.count > most_around) {
+        point.turns = infinity;
+        return;
+    }
+    const auto add = [&](const Corner &from, size_t side, const Corner &over) {
+        point.turns =
+            std::max(point.turns, bounds_[static_cast<size_t>(from.triangle)].turns[from.corner][side] /
+                                      bounds_[static_cast<size_t>(over.triangle)].sines[over.corner]);
+    };
+    for (const Corner &a : around_) {
+        const auto &border = triangles_[static_cast<size_t>(a.triangle)].border;
+        for (size_t m = 0; m < 2; ++m) {
+            if (border[(a.corner + 1 + m) % 3]) {
+                add(a, m, a);
+            }
+        }
+        for (const Corner &b : around_) {
+            if (a.next == b.previous) { // across side `corner + 2` of a, which is `corner + 1` of b
+                add(a, 1, b);
+                add(b, 0, a);
+            }
+        }
     }
 }
 
-// Chords of angles add up to at least the chord of their sum, and tan a <= 1.02 c / (1 - c^2 / 2) for a chord c.
-Distances MeshBound::distances(const std::array<int32_t, 3> &corners,
-                               const TriangleBound &bound) const noexcept {
-    const Distances alone{bound.from_shape(), bound.from_mesh()};
-    double turned = 0, apart = 0, altitude = infinity, height = 0, out = 0, beside = 0;
-    for (const int32_t corner : corners) {
-        const Point &point = points_[static_cast<size_t>(corner)];
-        if (point.border) {
-            return alone;
+void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const noexcept {
+    const TriangleBound &bound = bounds_[triangle];
+    const double turned = is_zero(bound.normal) ? 2 : length(bound.normal - point.normal) + 8 * eps;
+    point.turned = std::max(point.turned, turned);
+    point.altitude = std::min(point.altitude, bound.altitude);
+    point.height = std::max(point.height, bound.height);
+    point.out = std::max(point.out, bound.out);
+    point.beside = std::max(point.beside, bound.beside);
+    for (size_t k = 0; k < 3; ++k) {
+        if (k != corner && triangles_[triangle].border[k]) {
+            point.border = std::max(point.border, bound.sides[k]);
         }
-        const double from_mean = length(bound.normal - point.normal) + 8 * eps;
-        turned = std::max(turned, point.turned + from_mean);
-        apart = std::max(apart, point.turned + std::max(point.turned, from_mean));
-        altitude = std::min(altitude, point.altitude);
-        height = std::max(height, point.height);
-        out = std::max(out, point.out);
-        beside = std::max(beside, point.beside);
     }
-    const double cosine = 1 - turned * turned / 2;
-    const double apart_of_all = std::min(2 * turned, 2 * apart);
-    if (!(turned < most_turned && std::max(out + height, beside) < 0.99 * altitude * cosine)) {
-        return alone;
+}
+
+// Chords of angles add up to at least the chord of their sum.
+MeshBound::Around MeshBound::around(size_t triangle) const noexcept {
+    Around all;
+    for (size_t k = 0; k < 3; ++k) {
+        const Point &point = point_of(triangle, k);
+        all.turned =
+            std::max(all.turned, point.turned + length(bounds_[triangle].normal - point.normal) + 8 * eps);
+        all.altitude = std::min(all.altitude, point.altitude);
+        all.height = std::max(all.height, point.height);
+        all.out = std::max(all.out, point.out);
+        all.beside = std::max(all.beside, point.beside);
+        all.turns = std::max(all.turns, point.turns);
+        all.border = std::max(all.border, point.border);
     }
-    const double slope = turned / cosine, more = 1 + 64 * eps,
-                 parting = 1.05 * apart_of_all / (cosine * cosine);
-    const Distances around{(bound.height + bound.out * slope) * more,
-                           (height / cosine + (out + height * slope) * parting) * more};
-    return {std::min(alone.from_shape, around.from_shape), std::min(alone.from_mesh, around.from_mesh)};
+    return all;
+}
+
+// Looks at the fewer of those around its ends: at a pole there are many.
+MeshBound::Neighbour MeshBound::across(size_t triangle, size_t side) const noexcept {
+    const int32_t from = triangles_[triangle].points[(side + 1) % 3],
+                  to = triangles_[triangle].points[(side + 2) % 3];
+    const Point &a = points_[static_cast<size_t>(from)], &b = points_[static_cast<size_t>(to)];
+    const Point &less = a.count <= b.count ? a : b;
+    for (int32_t i = less.first; i < less.first + less.count; ++i) {
+        const int32_t other = fans_[static_cast<size_t>(i)];
+        const auto &p = triangles_[static_cast<size_t>(other)].points;
+        for (size_t k = 0; k < 3; ++k) {
+            if (p[(k + 1) % 3] == to && p[(k + 2) % 3] == from) {
+                return {other, k};
+            }
+        }
+    }
+    return {};
+}
+
+Distances MeshBound::over_side(size_t triangle, size_t side) const noexcept {
+    const TriangleBound &own = bounds_[triangle];
+    const Neighbour next = across(triangle, side);
+    if (next.triangle < 0) {
+        return {infinity, infinity};
+    }
+    const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
+    const double cosine = dot(own.normal, other.normal) - 8 * eps,
+                 sine = length(cross(own.normal, other.normal)) + 8 * eps;
+    return {own.height + own.outs[side] * (sine / cosine),
+            std::max(other.height * cosine + other.outs[next.side] * sine, other.height / cosine)};
+}
+
+// tan a <= 1.02 c / (1 - c^2 / 2) for a chord c.
+Distances MeshBound::by_star(size_t triangle, const Around &around) const noexcept {
+    const double cosine = 1 - around.turned * around.turned / 2;
+    const double slope = around.turned / cosine, parting = 2.1 * around.turned / (cosine * cosine);
+    return {(bounds_[triangle].height + bounds_[triangle].out * slope) * more,
+            (around.height / cosine + (around.out + around.height * slope) * parting) * more};
+}
+
+Distances MeshBound::by_sides(size_t triangle) const noexcept {
+    const TriangleBound &own = bounds_[triangle];
+    Distances result{own.height, own.height};
+    for (size_t k = 0; k < 3; ++k) {
+        const double border = std::max(point_of(triangle, k + 1).border, point_of(triangle, k + 2).border);
+        const Distances over = triangles_[triangle].border[k]
+                                   ? Distances{diagonal(own.height, own.outs[k]), border}
+                                   : over_side(triangle, k);
+        result.from_shape = std::max(result.from_shape, over.from_shape * more);
+        result.from_mesh = std::max(result.from_mesh, over.from_mesh * more);
+    }
+    return result;
+}
+
+Distances MeshBound::distances(size_t triangle) const noexcept {
+    const TriangleBound &own = bounds_[triangle];
+    Distances best{own.from_shape(), own.from_mesh()};
+    const auto take = [&](const Distances &other) {
+        best.from_shape = std::min(best.from_shape, other.from_shape);
+        best.from_mesh = std::min(best.from_mesh, other.from_mesh);
+    };
+    const Around all = around(triangle);
+    const double cosine = 1 - all.turned * all.turned / 2;
+    if (!(all.turned < most_turned &&
+          std::max(all.out + all.height, all.beside) < 0.99 * all.altitude * cosine)) {
+        return best;
+    }
+    if (all.border == 0) {
+        take(by_star(triangle, all));
+    }
+    if (all.turned < most_turned_by_sides && all.turns < 0.99 * cosine * cosine) {
+        take(by_sides(triangle));
+    }
+    return best;
 }
 
 } // namespace nrb::mesh

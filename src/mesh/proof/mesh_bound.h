@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
 // How far all triangles together are from a surface, both ways.
 //
-// A triangle T with normal n may have others all around it, those that share a corner with it: its star. Let none of them be turned
-// against n by more than a < 60 degrees, so that the star, projected along n, lies over the plane as the graph of a function that rises by at
-// most tan a; and let m be the least altitude of a triangle of the star.
+// A triangle T with normal n may have others all around it, those that share a corner with it: its star. Everything is seen along n.
+// Let no triangle of the star be turned against n by more than a < 60 degrees, so that the star lies over the plane, and let m
+// be the least altitude of its triangles.
 // - The function that is 1 in the corners of T, 0 in all others and linear on each triangle has a gradient of at most 1 / m, so that
-//   every way out of the star from T is at least m cos a long, as seen along n.
-// - A point x of the surface over T, with a height h, that comes out of T by r < m cos a is over the star, whose height there is at
-//   most r tan a: the distance is at most h + r tan a.
+//   every way out of the star from T is at least m cos a long.
+// - At a corner the surface over a triangle T' comes out over a side of it within an angle (turns of triangle_bound.h). If that is less than the
+//   angle of the triangle T'' across the side, no point of the surface over T' is over others at this corner but T' and T''. So the
+//   surface over T comes out over triangles that have a side in common with it, and only surfaces over these come out over T.
+// - Thus a point x of the surface over T, of the height h, which comes out by r over the side of T', is over T', whose plane
+//   is at most r tan b away from that of T there, with the angle b of both: the distance is at most h + r tan b.
 // - The image of the border of the star is less than m cos a away from that border, so that it winds around each point p of T as that does:
-//   some point x of the surface over the star is over p. Let x belong to T' of the star, with height h' over its plane, r' out of T'. Along n, the height over the plane of T' is h' / cos a;
-//   T' comes as near as r' + h' sin a to p, and on the way from there to p the plane of T' and the star part by no more than that times the most that
-//   gradients of the star differ, b. These are images of the normals under the central projection, which stretches by 1 / cos^2 a at most.
+//   some point x of the surface over the star is over p. It belongs to T, or to a T' with a common side, and then, in the plane across
+//   this side, it is h' over T' and r' over the side: turned by b its height over T is at most h' cos b + r' sin b, or h' / cos b.
+// - Where a side of T is the border of the mesh, x may come out over it, and the image of the border may come inside by as much as it is
+//   beside the side.
 #pragma once
 
 #include "mesh/proof/triangle_bound.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace nrb::mesh {
@@ -28,28 +33,58 @@ struct Distances {
     [[nodiscard]] double most() const noexcept { return std::max(from_shape, from_mesh); }
 };
 
+// By its points. border[k]: side k, opposite of corner k, is at the border of the mesh.
+struct MeshTriangle {
+    std::array<int32_t, 3> points{};
+    std::array<bool, 3> border{};
+};
+
 class MeshBound {
 public:
-    explicit MeshBound(size_t points) : points_(points) {}
+    // Each triangle has its bound.
+    MeshBound(size_t points, std::span<const MeshTriangle> triangles, std::span<const TriangleBound> bounds);
 
-    // Points that do not have triangles all around.
-    void set_border(int32_t point) noexcept { points_[static_cast<size_t>(point)].border = true; }
-    // Of every triangle first its normal, then its bound, then the distances of each.
-    void add_normal(const std::array<int32_t, 3> &corners, const Vector3 &normal) noexcept;
-    void add(const std::array<int32_t, 3> &corners, const TriangleBound &bound) noexcept;
-    [[nodiscard]] Distances distances(const std::array<int32_t, 3> &corners,
-                                      const TriangleBound &bound) const noexcept;
+    [[nodiscard]] Distances distances(size_t triangle) const noexcept;
 
 private:
     // The most of the triangles around.
     struct Point {
-        bool border = false;
         Vector3 normal{};  // the sum, and then the mean
         double turned = 0; // from the mean, as a chord of the unit sphere
-        double altitude = infinity;
-        double height = 0, out = 0, beside = 0;
+        double altitude = infinity, height = 0, out = 0, beside = 0;
+        double turns = 0;             // in terms of the sines of angles across sides
+        double border = 0;            // how far the border is from its sides
+        int32_t first = 0, count = 0; // of the triangles around
     };
+    void set_fans();
+    void set_point(Point &point) noexcept;
+    void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;
+    void set_turns(Point &point) noexcept;
+    struct Around {
+        double turned = 0, altitude = infinity, height = 0, out = 0, beside = 0, turns = 0, border = 0;
+    };
+    [[nodiscard]] Around around(size_t triangle) const noexcept;
+    [[nodiscard]] Distances by_star(size_t triangle, const Around &around) const noexcept;
+    [[nodiscard]] Distances by_sides(size_t triangle) const noexcept;
+    [[nodiscard]] const Point &point_of(size_t triangle, size_t corner) const noexcept {
+        return points_[static_cast<size_t>(triangles_[triangle].points[corner % 3])];
+    }
+    struct Neighbour {
+        int32_t triangle = -1;
+        size_t side = 0;
+    };
+    [[nodiscard]] Neighbour across(size_t triangle, size_t side) const noexcept;
+    [[nodiscard]] Distances over_side(size_t triangle, size_t side) const noexcept;
+
+    std::span<const MeshTriangle> triangles_;
+    std::span<const TriangleBound> bounds_;
     std::vector<Point> points_;
+    std::vector<int32_t> fans_;
+    struct Corner {
+        int32_t triangle, next, previous;
+        size_t corner;
+    };
+    std::vector<Corner> around_; // of one point
 };
 
 } // namespace nrb::mesh

@@ -43,11 +43,24 @@ public:
             steepest = std::max(steepest, differences_[k]);
             largest_[k] = std::max({std::abs(q[k][0]), std::abs(q[k][1]), std::abs(q[k][2])}) + rest[k];
         }
-        all_ = 0.118 * steepest + std::abs(in_ends / 12 - opposite / 6) / 27 + all / 8;
+        product_ = std::abs(in_ends / 12 - opposite / 6);
+        all_ = 0.118 * steepest + product_ / 27 + all / 8;
     }
 
     [[nodiscard]] double above() const noexcept {
         return most_of_pairs({-means_[0], -means_[1], -means_[2]}) / 2 + all_;
+    }
+    // The most of N if it is at most 0 in the ends of side k and -below in corner k. All terms with l_k but one of the side are at most l_k
+    // times what `below` is to outweigh; the radius adds at most l_i l_j (1 + l_k) / (1 - l_k) / 2 times that of the side, along which
+    // l_i l_j <= (1 - l_k)^2 / 4, as one sees on the line from corner k through the point.
+    [[nodiscard]] double above(size_t k, double below) const noexcept {
+        const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const double lifts = std::max({-means_[i], -means_[j], 0.0}) / 2 +
+                             std::max(differences_[i], differences_[j]) + product_ / 4 +
+                             std::max(rest_[i], rest_[j]) / 2;
+        return lifts * (1 + 16 * eps) <= below
+                   ? std::max(-means_[k], 0.0) / 8 + rest_[k] / 8 + 0.0963 * differences_[k]
+                   : above();
     }
     [[nodiscard]] double both() const noexcept { return std::max(most_of_pairs(means_) / 2 + all_, above()); }
     [[nodiscard]] double on_side(size_t k) const noexcept {
@@ -59,7 +72,7 @@ public:
 
 private:
     Values means_{}, differences_{}, largest_{}, rest_;
-    double all_;
+    double product_, all_;
 };
 
 } // namespace nrb::mesh

@@ -54,6 +54,9 @@ private:
     [[nodiscard]] double sharpness() const noexcept;
     [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
     [[nodiscard]] double off(const Vector3 &d) const noexcept;
+    [[nodiscard]] double sine(size_t k, double area) const noexcept;
+    void set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
+                   TriangleBound &result) const noexcept;
 
     const std::array<TriangleCorner, 3> &corners_;
     std::span<const CellPart> cells_;
@@ -186,12 +189,50 @@ double Triangle::beside_segment() const noexcept {
     return lengths_[k] > 0 ? diagonal(beside, beyond + 8 * eps * longest_) * rounding : infinity;
 }
 
+// Seen along a direction a off the normal, a cosine of angles changes by sin^2 a at most before sides are shortened.
+double Triangle::sine(size_t k, double area) const noexcept {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
+    return cosine < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
+}
+
+// About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
+// l_P l_E q / 2 - l_K (w a - r / 2), with the altitude a of K, the most q of |N''| along the side and r of that along the others. So l_K <= p l_E where N > 0,
+// for p = q / 2 / (w a - r / 2), and there N <= l_E q / 2. Along the side the distance from P is at least
+// l_E (w |PE| - |V''| / 2) less what l_K moves, and heights h, of which half may count, are at most (1 + p) l_E h / 2.
+void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
+                         TriangleBound &result) const noexcept {
+    const double h = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
+    for (size_t k = 0; k < 3; ++k) {
+        const Hessian v = over_cells([&](const HessianBox &box) { return box.size(corners_[k].point, 0); });
+        const std::array<double, 3> bends{v.beside(steps_[0][0], steps_[0][1]),
+                                          v.beside(steps_[1][0], steps_[1][1]),
+                                          v.beside(steps_[2][0], steps_[2][1])};
+        for (size_t m = 0; m < 2; ++m) {
+            const size_t side = (k + 1 + m) % 3, opposite = (k + 2 - m) % 3;
+            const double cosine = -dot(sides_[side], sides_[opposite]) / lengths_[side];
+            const double out = across[side].largest(side) / 2;
+            const double in = least_weight_ * area / lengths_[side] -
+                              std::max(across[side].largest(k), across[side].largest(opposite)) / 2;
+            const double share = out / in, high = (1 + share) * h;
+            const double along =
+                least_weight_ * lengths_[side] - bends[side] / 2 -
+                share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends[k], bends[opposite]) / 2);
+            const double turn = (out + high) / (along - high) * rounding;
+            result.turns[k][m] = in > 0 && along > high ? turn : infinity;
+        }
+    }
+}
+
 TriangleBound Triangle::bound() const noexcept {
     const Vector3 product = cross(sides_[0], sides_[1]);
     const double area = length(product);
     if (!(area > 1e-12 * longest_ * longest_)) { // no plane to speak of
         const double whole = std::min(equal_parameters(), beside_segment());
-        return {whole, 0, whole, {whole, whole, whole}, whole, 0, {}};
+        TriangleBound result;
+        result.height = result.beside = result.whole = whole;
+        result.sides.fill(whole);
+        return result;
     }
     const Vector3 normal = (1 / area) * product;
     const Bend heights = bend(normal, corners_[0].point);
@@ -200,10 +241,16 @@ TriangleBound Triangle::bound() const noexcept {
     result.normal = normal;
     result.altitude = area / longest_ * (1 - 16 * eps);
     result.height = (heights.both() / least_weight_ + flat) * rounding;
+    const auto bend_across = [&](size_t k) {
+        return bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
+    };
+    const std::array<Bend, 3> across{bend_across(0), bend_across(1), bend_across(2)};
     for (size_t k = 0; k < 3; ++k) {
-        const Vector3 across = cross((1 / lengths_[k]) * sides_[k], normal);
-        const Bend bend_out = bend(across, corner(k + 1).point);
-        result.out = std::max(result.out, bend_out.above() / least_weight_ + slack);
+        const Bend &bend_out = across[k];
+        result.sines[k] = sine(k, area);
+        const double below = least_weight_ * area / lengths_[k];
+        result.outs[k] = bend_out.above(k, below / rounding) / least_weight_ + slack;
+        result.out = std::max(result.out, result.outs[k]);
         const double beside = runs_along(k)
                                   ? diagonal(heights.on_side(k), bend_out.on_side(k)) / least_weight_ + slack
                                   : equal_parameters();
@@ -217,6 +264,10 @@ TriangleBound Triangle::bound() const noexcept {
     result.whole = from_a_side(result);
     result.height = std::min(result.height, result.whole); // sides are in the plane
     result.out = std::min(result.out, result.whole);
+    for (double &over : result.outs) {
+        over = std::min(over * rounding, result.out);
+    }
+    set_turns(across, heights, area, result);
     return result;
 }
 
@@ -225,9 +276,13 @@ TriangleBound Triangle::bound() const noexcept {
 TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept {
     const Triangle triangle(corners, cells);
-    return triangle.certain()
-               ? triangle.bound()
-               : TriangleBound{infinity, 0, infinity, {infinity, infinity, infinity}, infinity, 0, {}};
+    if (triangle.certain()) {
+        return triangle.bound();
+    }
+    TriangleBound result;
+    result.height = result.beside = infinity;
+    result.sides.fill(infinity);
+    return result;
 }
 
 } // namespace nrb::mesh

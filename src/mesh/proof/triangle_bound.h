@@ -47,9 +47,16 @@ struct TriangleBound {
     double out = 0;                // how far, in the plane, the surface comes out of the triangle
     double beside = 0;             // how far from the sides their images are
     std::array<double, 3> sides{}; // from each of them
-    double whole = infinity;       // no point of the surface is farther from the triangle
-    double altitude = 0;           // the least one of the triangle
-    Vector3 normal{};              // 0: the triangle has none
+    std::array<double, 3> outs{};  // how far the surface comes out over each side, in the plane
+    // At corner k points of the surface come out over side k + 1, and over side k + 2, within an angle of this tangent, as
+    // seen along a direction up to 30 degrees off the normal.
+    std::array<std::array<double, 2>, 3> turns{
+        {{infinity, infinity}, {infinity, infinity}, {infinity, infinity}}};
+    std::array<double, 3>
+        sines{};             // of the angles, and 1 of those that are obtuse as seen along such a direction
+    double whole = infinity; // no point of the surface is farther from the triangle
+    double altitude = 0;     // the least one of the triangle
+    Vector3 normal{};        // 0: the triangle has none
 
     // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
     [[nodiscard]] double from_shape() const noexcept {
