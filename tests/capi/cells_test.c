@@ -226,7 +226,7 @@ static int32_t stop(double done, void *user) {
 
 static void watched(void) {
     nurbs *g = bent();
-    const nurbs_mesh_options options = options_of(1e-9);
+    const nurbs_mesh_options options = options_of(1e-9), fine = options_of(1e-13);
     nurbs_call_options call;
     nurbs_mesh *mesh = NULL;
     int32_t fold = -1;
@@ -245,7 +245,8 @@ static void watched(void) {
     call.work = 0;
     call.progress = stop;
     call.user = &asked;
-    CHECK_FAILS(nurbs_mesh_volume_with(g, &options, 1 << 20, &call, &mesh), NURBS_ERROR_CANCELLED, "");
+    /* A million cells take a second, far more than the 10 ms after which the callback is asked. */
+    CHECK_FAILS(nurbs_mesh_volume_with(g, &fine, 1 << 20, &call, &mesh), NURBS_ERROR_CANCELLED, "");
     CHECK(mesh == NULL && asked > 0);
     nurbs_destroy(g);
 }

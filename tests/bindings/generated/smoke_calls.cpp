@@ -2956,6 +2956,12 @@ void query(const Inputs &in) {
         show("negative", found.negative);
     }
     {
+        begin("fold_pieces seen from above");
+        const auto found = n::fold_pieces(in.surface, {1.0, 2.0, 3.0});
+        show("folds", found.folds);
+        show("signs", found.signs);
+    }
+    {
         begin("recognize curve");
         const auto found = n::recognize(in.curve, 1e-09);
         show("shape", found.shape);
@@ -3614,6 +3620,12 @@ void query(const Inputs &in) {
         show("result", found.result);
         show("positive", found.positive);
         show("negative", found.negative);
+    }
+    {
+        begin("fold_pieces_with seen from above");
+        const auto found = n::fold_pieces(in.surface, {1.0, 2.0, 3.0}, watched());
+        show("folds", found.folds);
+        show("signs", found.signs);
     }
     {
         begin("recognize_with curve");

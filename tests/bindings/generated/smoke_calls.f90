@@ -5039,6 +5039,14 @@ contains
             call show('positive', positive_found)
             call show('negative', negative_found)
         end block
+        call begin('fold_pieces seen from above')
+        block
+            integer(c_int32_t), allocatable :: folds_found(:)
+            integer(c_int32_t), allocatable :: signs_found(:)
+            call fold_pieces(g=surface, folds=folds_found, signs=signs_found, reference=[1.0d0, 2.0d0, 3.0d0])
+            call show('folds', folds_found)
+            call show('signs', signs_found)
+        end block
         call begin('recognize curve')
         block
             type(recognized_shape) :: found_found
@@ -6168,6 +6176,16 @@ contains
             call show('result', fold_found)
             call show('positive', positive_found)
             call show('negative', negative_found)
+        end block
+        call begin('fold_pieces_with seen from above')
+        block
+            integer(c_int32_t), allocatable :: folds_found(:)
+            integer(c_int32_t), allocatable :: signs_found(:)
+            type(nurbs_call) :: watching
+            call fold_pieces(g=surface, folds=folds_found, signs=signs_found, reference=[1.0d0, 2.0d0, 3.0d0], &
+                call=watching)
+            call show('folds', folds_found)
+            call show('signs', signs_found)
         end block
         call begin('recognize_with curve')
         block

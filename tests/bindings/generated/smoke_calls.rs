@@ -4156,6 +4156,12 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("positive", &found.positive);
         show("negative", &found.negative);
     }
+    begin("fold_pieces seen from above");
+    {
+        let found = given.surface.fold_pieces(&[1.0, 2.0, 3.0])?;
+        show("folds", &found.folds);
+        show("signs", &found.signs);
+    }
     begin("recognize curve");
     {
         let found = given.curve.recognize(1e-09)?;
@@ -5070,6 +5076,14 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("result", &found.result);
         show("positive", &found.positive);
         show("negative", &found.negative);
+    }
+    begin("fold_pieces_with seen from above");
+    {
+        let found = given
+            .surface
+            .fold_pieces_with(&[1.0, 2.0, 3.0], &mut Call::new().progress(|_| true))?;
+        show("folds", &found.folds);
+        show("signs", &found.signs);
     }
     begin("recognize_with curve");
     {

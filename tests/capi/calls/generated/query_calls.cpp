@@ -513,6 +513,10 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_fold_test(in.surface, arrays::center, o.states, o.values, o.values + 2);
      }},
+    {"fold_pieces seen from above",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_fold_pieces(in.surface, arrays::center, 4, o.states, o.states + 4, o.spans);
+     }},
     {"recognize curve",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_recognize(in.curve, 1e-09, o.states, o.values, o.values + 9, o.values + 12);
@@ -1199,6 +1203,12 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_fold_test_with(in.surface, arrays::center, o.states, o.values, o.values + 2, &call);
+     }},
+    {"fold_pieces_with seen from above",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_fold_pieces_with(in.surface, arrays::center, 4, o.states, o.states + 4, o.spans, &call);
      }},
     {"recognize_with curve",
      [](const Inputs &in, Output &o) -> nurbs_status {
