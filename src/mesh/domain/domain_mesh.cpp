@@ -3,6 +3,7 @@
 
 #include "base/watch.h"
 #include "mesh/cells/cell_triangles.h"
+#include "mesh/domain/dropped_triangles.h"
 #include "mesh/domain/triangle_pool.h"
 
 #include <algorithm>
@@ -417,6 +418,7 @@ DomainMesh DomainMesher::output() {
         }
         return own;
     };
+    std::vector<std::array<int32_t, 3>> all;
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (!triangles_.has(i)) {
             continue;
@@ -424,7 +426,7 @@ DomainMesh DomainMesher::output() {
         const Distances d = distances(i);
         result.from_shape = std::max(result.from_shape, d.from_shape);
         result.from_mesh = std::max(result.from_mesh, d.from_mesh);
-        const auto &p = triangles_.meshed(i).points;
+        const auto &p = all.emplace_back(triangles_.meshed(i).points);
         if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) {
             const auto &s = triangles_[i].sites;
             result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
@@ -434,7 +436,7 @@ DomainMesh DomainMesher::output() {
     for (size_t i = 0; i < triangles_.size() && !over; ++i) {
         over = is_over(i);
     }
-    const bool whole = crossed_.empty() && !result.triangles.empty() && is_whole();
+    const bool whole = crossed_.empty() && !result.triangles.empty() && have_all_dropped(all) && is_whole();
     result.reached = whole && !over && chord_ <= rule_.chord && longest_ <= rule_.longest;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
     result.united = united_;

@@ -667,7 +667,7 @@ void data(const Inputs &in) {
     }
     {
         begin("approximate");
-        const auto found = n::approximate(in.curve, 0.001, {3}, 0);
+        const auto found = n::approximate(in.curve, 0.3, {3}, 0);
         show("out", found.spline);
         show("bound", found.bound);
     }
@@ -1223,7 +1223,7 @@ void data(const Inputs &in) {
     }
     {
         begin("approximate_with");
-        const auto found = n::approximate(in.curve, 0.001, {3}, 0, watched());
+        const auto found = n::approximate(in.curve, 0.3, {3}, 0, watched());
         show("out", found.spline);
         show("bound", found.bound);
     }

@@ -1475,7 +1475,7 @@ contains
         block
             type(nurbs_spline) :: out_found
             real(c_double) :: bound_found
-            call approximate(g=curve, tolerance=0.001d0, out=out_found, degrees=[3], max_count=0, bound=bound_found)
+            call approximate(g=curve, tolerance=0.3d0, out=out_found, degrees=[3], max_count=0, bound=bound_found)
             call show('out', out_found)
             call show('bound', bound_found)
         end block
@@ -2293,7 +2293,7 @@ contains
             type(nurbs_spline) :: out_found
             real(c_double) :: bound_found
             type(nurbs_call) :: watching
-            call approximate(g=curve, tolerance=0.001d0, out=out_found, degrees=[3], max_count=0, bound=bound_found, &
+            call approximate(g=curve, tolerance=0.3d0, out=out_found, degrees=[3], max_count=0, bound=bound_found, &
                 call=watching)
             call show('out', out_found)
             call show('bound', bound_found)

@@ -1216,7 +1216,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("approximate");
     {
-        let found = given.curve.approximate(0.001, &[3], 0)?;
+        let found = given.curve.approximate(0.3, &[3], 0)?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }
@@ -1897,7 +1897,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found =
             given
                 .curve
-                .approximate_with(0.001, &[3], 0, &mut Call::new().progress(|_| true))?;
+                .approximate_with(0.3, &[3], 0, &mut Call::new().progress(|_| true))?;
         show("out", &found.spline);
         show("bound", &found.bound);
     }

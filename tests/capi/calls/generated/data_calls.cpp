@@ -646,7 +646,7 @@ const Call group[] = {
     {"approximate",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr int32_t degrees[] = {3};
-         return nurbs_approximate(in.curve, degrees, 0.001, 0, o.values, &o.out);
+         return nurbs_approximate(in.curve, degrees, 0.3, 0, o.values, &o.out);
      }, true},
     {"face_create",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1343,7 +1343,7 @@ const Call group[] = {
          static constexpr int32_t degrees[] = {3};
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_approximate_with(in.curve, degrees, 0.001, 0, o.values, &call, &o.out);
+         return nurbs_approximate_with(in.curve, degrees, 0.3, 0, o.values, &call, &o.out);
      }, true},
     {"face_create_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
