@@ -66,7 +66,7 @@ struct Mesh {
     std::vector<Vector3> points; // z = 0 in the plane
     std::vector<MeshVertex> vertices;
     std::vector<std::array<int32_t, 3>>
-        triangles; // of vertices, counterclockwise about the normal of the surface
+        triangles;              // of vertices, counterclockwise about the normal of the surface
     std::vector<bool> paired{}; // of each triangle: it and the next one are all of a cell; empty: none are
     std::vector<MeshFace> faces;
     std::vector<MeshEdge> edges;

@@ -103,7 +103,8 @@ void check_surface(const Spline &surface) {
 class ModelMesher {
 public:
     ModelMesher(const model::Model &model, const MeshRule &rule)
-        : model_(model), rule_(rule), edges_(model, {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
+        : model_(model), rule_(rule),
+          edges_(model, {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
           parts_(model.faces.size()) {}
 
     Mesh mesh() {

@@ -393,8 +393,8 @@ void CellTree::Builder::cut(int32_t number) {
     CellBend bend = bend_of(cell.box);
     bend.alone = true; // no help of others was enough, but in the end triangles do without
     const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
-    const CellTurn turn = rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(cell.box, rule_.least)
-                                                                               : CellTurn{};
+    const CellTurn turn =
+        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(cell.box, rule_.least) : CellTurn{};
     const bool first = turn.both > rule_.angle / 2 ? turn.along[0] >= turn.along[1] : u <= v;
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;

@@ -336,9 +336,10 @@ bool DomainMesher::is_to_divide(size_t triangle) const noexcept {
         return true;
     }
     const SiteTriangle &own = triangles_[triangle];
-    return is_turned(own) && (own.cell < 0 ? round_ < most_angle_rounds
-                                           : turn_of(cells_.tree().cells()[static_cast<size_t>(own.cell)].box,
-                                                     least_).both > angle_ / 2);
+    return is_turned(own) &&
+           (own.cell < 0 ? round_ < most_angle_rounds
+                         : turn_of(cells_.tree().cells()[static_cast<size_t>(own.cell)].box, least_).both >
+                               angle_ / 2);
 }
 
 // What is no longer stays as it is.
