@@ -95,7 +95,7 @@ private:
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const noexcept {
-        return angle_ > 0 && normals_apart(triangle) > most_apart_;
+        return angle_ > 0 && !is_at_point(triangle) && normals_apart(triangle) > most_apart_;
     }
     [[nodiscard]] bool is_to_divide(size_t triangle) const noexcept;
     [[nodiscard]] double least_split(size_t triangle) const noexcept;
