@@ -10,6 +10,7 @@
 #include "spline/kind.h"
 
 #include <cmath>
+#include <numbers>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -22,7 +23,7 @@ constexpr int64_t usual_hexahedra = int64_t{1} << 20;
 constexpr int64_t usual_work_for_meshes = 4000000000, work_for_a_point = 20000;
 
 void check_limits(const mesh::MeshRule &rule) {
-    const bool limited = rule.relative > 0 || rule.longest > 0;
+    const bool limited = rule.relative > 0 || rule.longest > 0 || rule.angle > 0;
     if (!(rule.chord > 0) || (std::isinf(rule.chord) && !limited)) {
         fail(Status::tolerance, "options: chord = %s, expected > 0, and finite without another limit",
              Number(rule.chord).text);
@@ -33,6 +34,9 @@ void check_limits(const mesh::MeshRule &rule) {
     }
     if (!(rule.longest >= 0) || std::isinf(rule.longest)) {
         fail(Status::length, "options: longest = %s, expected 0, or a length", Number(rule.longest).text);
+    }
+    if (!(rule.angle >= 0 && rule.angle <= std::numbers::pi)) {
+        fail(Status::angle, "options: angle = %s, expected one from 0 to pi", Number(rule.angle).text);
     }
 }
 
@@ -47,7 +51,7 @@ mesh::MeshRule rule_of(const nurbs_mesh_options *options) {
         return usual_rule();
     }
     const nurbs_mesh_options &given = checked_struct("options", options);
-    const mesh::MeshRule rule{given.chord, given.relative_chord, given.longest};
+    const mesh::MeshRule rule{given.chord, given.relative_chord, given.longest, given.angle};
     check_limits(rule);
     return rule;
 }
@@ -78,6 +82,7 @@ nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int64_t struct
         options->chord = usual.chord;
         options->relative_chord = usual.relative;
         options->longest = usual.longest;
+        options->angle = usual.angle;
     });
 }
 
@@ -129,6 +134,9 @@ nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options
         mesh::check_volume(*g->spline);
         check_length(limit, "limit");
         const mesh::MeshRule rule = rule_of(options);
+        if (rule.angle > 0) {
+            fail(Status::angle, "options: angle = %s, expected 0 for a volume", Number(rule.angle).text);
+        }
         *out = new nurbs_mesh{mesh::mesh_of_volume(g->spline, rule, limit == 0 ? usual_hexahedra : limit)};
     });
 }

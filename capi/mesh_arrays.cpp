@@ -42,23 +42,45 @@ void give_points(const mesh::Mesh &own, int64_t cap, Number *points, int64_t *co
     put(count, int64_t{std::ssize(own.points)});
 }
 
-// Corners of triangles as vertices, or as points.
-template <class Integer>
-void give_triangles(const mesh::Mesh &own, uint32_t flags, int64_t cap, Integer *corners, int64_t *count) {
+bool is_welded(uint32_t flags) {
     if ((flags & ~NURBS_MESH_WELDED) != 0) {
         fail(Status::flags, "flags = 0x%x, expected NURBS_MESH_WELDED or 0", flags);
     }
+    return flags != 0;
+}
+
+// As vertices, or as points.
+template <class Integer, size_t width>
+void put_corners(const mesh::Mesh &own, bool welded, const std::array<int32_t, width> &vertices, size_t i,
+                 Integer *out) noexcept {
+    for (size_t k = 0; k < width; ++k) {
+        const int32_t vertex = vertices[k];
+        put(out, width * i + k, Integer{welded ? own.vertices[static_cast<size_t>(vertex)].point : vertex});
+    }
+}
+
+template <class Integer>
+void give_triangles(const mesh::Mesh &own, uint32_t flags, int64_t cap, Integer *corners, int64_t *count) {
+    const bool welded = is_welded(flags);
     const int64_t filled = checked_cap(cap, std::ssize(own.triangles));
     check_apart({memory("corners", corners, 3 * filled), memory("count", count, 1)}, {});
-    const bool welded = flags != 0;
     for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-            const int32_t vertex = own.triangles[i][k];
-            put(corners, 3 * i + k,
-                Integer{welded ? own.vertices[static_cast<size_t>(vertex)].point : vertex});
-        }
+        put_corners(own, welded, own.triangles[i], i, corners);
     }
     put(count, int64_t{std::ssize(own.triangles)});
+}
+
+// So that its triangles are those of its corners 0, 1, 2 and 0, 2, 3, each from a corner of its own. Both have the ends of the diagonal,
+// and the first one has its third corner behind these.
+std::array<int32_t, 4> quad_of(const mesh::Mesh &own, size_t first) {
+    const std::array<int32_t, 3> &a = own.triangles[first], &b = own.triangles[first + 1];
+    size_t k = 0; // the corner that the second one does not have
+    while (std::ranges::find(b, a[k]) != b.end()) {
+        ++k;
+    }
+    const int32_t from = a[(k + 2) % 3], to = a[(k + 1) % 3];
+    const auto other = std::ranges::find_if(b, [&](int32_t x) { return x != from && x != to; });
+    return {from, a[k], to, *other};
 }
 
 // The ends of a cell of a grid along each axis.
@@ -165,6 +187,25 @@ nurbs_status nurbs_mesh_triangles(const nurbs_mesh *mesh, uint32_t flags, int64_
 nurbs_status nurbs_mesh_triangles_i32(const nurbs_mesh *mesh, uint32_t flags, int64_t cap, int32_t *corners,
                                       int64_t *count) {
     return guard([&] { give_triangles(mesh_of(mesh), flags, cap, corners, count); });
+}
+
+nurbs_status nurbs_mesh_quads(const nurbs_mesh *mesh, uint32_t flags, int64_t cap, int64_t *corners,
+                              int64_t *own_triangles, int64_t *count) {
+    return guard([&] {
+        const mesh::Mesh &own = mesh_of(mesh);
+        const bool welded = is_welded(flags);
+        const int64_t all = std::ranges::count(own.paired, true), filled = checked_cap(cap, all);
+        check_apart({memory("corners", corners, 4 * filled), memory("own_triangles", own_triangles, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0, quad = 0; std::cmp_less(quad, filled); ++i) {
+            if (own.paired[i]) {
+                put_corners(own, welded, quad_of(own, i), quad, corners);
+                put(own_triangles, quad++, static_cast<int64_t>(i));
+            }
+        }
+        put(count, all);
+    });
 }
 
 nurbs_status nurbs_mesh_faces(const nurbs_mesh *mesh, int64_t cap, int64_t *first_vertices,

@@ -8232,6 +8232,7 @@ typedef struct nurbs_mesh_options {
     double chord;          /**< the largest distance of shape and mesh, both ways, > 0; INFINITY */
     double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; 1e-3 */
     double longest;        /**< length of sides of triangles, >= 0; 0: no limit; 0 */
+    double angle;          /**< of normals at corners of triangles, in radians, 0 to pi; 0: no limit; 0 */
 } nurbs_mesh_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -8271,6 +8272,14 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * point of the mesh (a pole), and opposite sides that are equal as to points (a closed or periodic axis) have
  * the same points: exactly equal ones here, to the tolerance of the face in nurbs_mesh_face().
  *
+ * **The angle** between the normals of the surface at any two corners of a triangle (those of nurbs_mesh_vertices(),
+ * from the side of the triangle) is at most `angle`, and so it is at the ends of each side for the triangles on both
+ * sides of it, where the surface has no crease. Corners without a normal do not count. On its way there the domain is
+ * halved until a bound of the second derivatives all over a cell says that the normal turns by no more in it: an
+ * estimate, not a proof, that finds waves between the corners. No angle below 1e-7 is reached, and none at places
+ * that are singular, where the normal jumps inside of a polynomial piece: triangles there become as short as 1e-6 of the
+ * size of the surface.
+ *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
  * given there is one of about two million triangles, and more for many control points.
@@ -8281,7 +8290,7 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * \param[out] out the new mesh, of one face and no edges.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OPTIONS; _TOLERANCE if chord is not > 0, if
  *   relative_chord is not finite or < 0, or if there is no limit at all, _LENGTH if longest is not finite or < 0,
- *   _OVERFLOW if there are 2^31 vertices or more.
+ *   _ANGLE if angle is not from 0 to pi, _OVERFLOW if there are 2^31 vertices or more.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface(const nurbs *g, const nurbs_mesh_options *options,
                                           nurbs_mesh **out);
@@ -8299,7 +8308,7 @@ NURBS_API nurbs_status nurbs_mesh_surface_with(const nurbs *g, const nurbs_mesh_
 /** \brief Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these and
  * the border a constrained Delaunay triangulation. The border is of polylines of the edges of the face
  * (nurbs_mesh_curve()), whose points lie on the edge, and whose sides are between places of the curve in the
- * domain. How far these places are from the edge, which is at most the tolerance of the face, is in the bounds.
+ * domain; `angle` limits that of their tangents as well as that of normals. How far these places are from the edge, which is at most the tolerance of the face, is in the bounds.
  * \param[in] face a face of a surface of dimension 2 or 3.
  * \param[in] options or NULL for the defaults: limits.
  * \param[out] out the new mesh: of one face; its edges are those of the model of nurbs_model_create() with this face
@@ -8368,11 +8377,12 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  *
  * Costs: about a microsecond for a hexahedron, and some 10 us for a piece.
  * \param[in] g a volume of dimension 3 whose degrees are at least 1 (nurbs_elevate() raises others).
- * \param[in] options or NULL for the defaults: limits, of which `longest` is that of sides of hexahedra.
+ * \param[in] options or NULL for the defaults: limits, of which `longest` is that of sides of hexahedra, and `angle` has
+ *   to be 0.
  * \param[in] limit most hexahedra, 0 for 2^20: lines are farther apart than asked for rather than that there are more,
  *   and `reached` of nurbs_mesh_bound() is 0; but there is one for each polynomial piece at least.
  * \param[out] out the new mesh.
- * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0; _NOT_REPRESENTABLE
+ * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE if angle is not 0; _NOT_REPRESENTABLE
  *   if the control points of a side overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
@@ -8489,6 +8499,25 @@ NURBS_API nurbs_status nurbs_mesh_triangles(const nurbs_mesh *mesh, uint32_t fla
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_triangles_i32(const nurbs_mesh *mesh, uint32_t flags, int64_t cap,
                                                 int32_t *corners, int64_t *count);
+
+/** \brief The quads of a mesh: pairs of triangles that are all of a cell of the domain, which has no vertex of another cell
+ * on its sides.
+ *
+ * The two triangles of a quad are 0, 1, 2 and 0, 2, 3 of its corners (each begins with any of these), as programs divide
+ * quads, and for these the distances of nurbs_mesh_bound() are proven: not for a bilinear patch, nor for the other diagonal.
+ * They are one after the other in nurbs_mesh_triangles(); all others are triangles between cells of different sizes,
+ * at poles and along the border of a trimmed face, and stay triangles in a mesh of both.
+ * \param[in] mesh a mesh.
+ * \param[in] flags NURBS_MESH_WELDED or 0.
+ * \param[in] cap length of the outputs: 0, or at least the number of quads.
+ * \param[out] corners [cap][4] or NULL: vertices, or with NURBS_MESH_WELDED points, 0-based, counterclockwise about the
+ *   normal.
+ * \param[out] own_triangles [cap] or NULL: the first triangle of each quad, rising, 0-based; the next one is the second.
+ * \param[out] count or NULL: number of quads.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _FLAGS, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_quads(const nurbs_mesh *mesh, uint32_t flags, int64_t cap, int64_t *corners,
+                                        int64_t *own_triangles, int64_t *count);
 
 /** \brief What of a mesh stands for which face.
  * \param[in] mesh a mesh.

@@ -23,6 +23,11 @@ inline double extent_of(const Spline &spline, std::vector<Interval> &box) {
     return extent;
 }
 
+// No normal is known as well as smaller angles. For these a mesh for the eye is made.
+inline double angle_within_reach(double angle) {
+    return angle > 0 && angle < 1e-7 ? 0.1 : angle;
+}
+
 // With one distance.
 inline MeshRule settled(MeshRule rule, double extent) {
     if (rule.relative > 0) {

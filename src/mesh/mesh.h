@@ -22,6 +22,7 @@ struct MeshRule {
     double relative =
         0; // the same as a share of the largest side of the box of all control points; 0: no limit
     double longest = 0; // side of a triangle; 0: no limit
+    double angle = 0;   // between the normals at the corners of a triangle; 0: no limit
 };
 
 // Where a face has a point: on a border of faces, at a crease or a seam a point has several.
@@ -65,7 +66,8 @@ struct Mesh {
     std::vector<Vector3> points; // z = 0 in the plane
     std::vector<MeshVertex> vertices;
     std::vector<std::array<int32_t, 3>>
-        triangles; // of vertices, counterclockwise about the normal of the surface
+        triangles;              // of vertices, counterclockwise about the normal of the surface
+    std::vector<bool> paired{}; // of each triangle: it and the next one are all of a cell; empty: none are
     std::vector<MeshFace> faces;
     std::vector<MeshEdge> edges;
     std::vector<int32_t> edge_points{};

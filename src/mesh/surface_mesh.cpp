@@ -46,6 +46,7 @@ void append(const DomainMesh &part, Mesh &mesh) {
         vertex.point = vertex.point < 0 ? first - 1 - vertex.point : vertex.point;
         mesh.vertices.push_back(vertex);
     }
+    mesh.paired.insert(mesh.paired.end(), part.paired.begin(), part.paired.end());
     for (const auto &triangle : part.triangles) {
         mesh.triangles.push_back({base + triangle[0], base + triangle[1], base + triangle[2]});
     }
@@ -102,7 +103,8 @@ void check_surface(const Spline &surface) {
 class ModelMesher {
 public:
     ModelMesher(const model::Model &model, const MeshRule &rule)
-        : model_(model), rule_(rule), edges_(model, {rule.chord * share_of_edges, 0, rule.longest}),
+        : model_(model), rule_(rule),
+          edges_(model, {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
           parts_(model.faces.size()) {}
 
     Mesh mesh() {

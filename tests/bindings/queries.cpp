@@ -162,6 +162,11 @@ static void curve_shapes() {
     const MeshVertices corners = ball.vertices();
     EXPECT(std::cmp_equal(3 * corners.points.size(), corners.normals.size()));
     EXPECT(status_of([&] { (void)ball.triangles(1); }) == Status::flags);
+    const MeshQuads pairs = ball.quads();
+    EXPECT(!pairs.triangles.empty() && pairs.corners.size() == 4 * pairs.triangles.size());
+    MeshOptions turns = limits;
+    turns.angle = 0.1;
+    EXPECT(Mesh(Mesh::of_surface(sphere({}, 1), turns)).counts().triangles > held.triangles);
     const Spline block = extrude(floor_plane(), {0, 0, 1});
     const Mesh cells = Mesh::of_volume(block, limits, 5);
     const MeshHexahedra boxes = cells.hexahedra();

@@ -314,6 +314,8 @@ contains
         call expect(all(shape(xyz) == [int(points), 3]) .and. minval(at) == 1 .and. maxval(at) == points, 'points of vertices')
         call expect(all(shape(corners) == [int(triangles), 3]) .and. maxval(corners) == points, 'corners')
         call expect(all(abs(sum(normals**2, dim=2) - 1) < 1d-14), 'normals')
+        call copy%quads(corners, at)
+        call expect(all(shape(corners) == [size(at), 4]) .and. minval(at) >= 1 .and. maxval(at) < triangles, 'quads')
         call copy%triangles(corners, flags=1, status=status)
         call expect(status == NURBS_ERROR_FLAGS, 'a flag that there is not')
     end subroutine triangles_of_the_ball

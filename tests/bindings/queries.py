@@ -359,6 +359,24 @@ class Meshes(unittest.TestCase):
         self.assertEqual((mesh.triangles_i32(True) == mesh.triangles).all(), True)
         self.assertEqual(mesh.triangles_i32().dtype, np.int32)
 
+    def test_to_an_angle(self):
+        cylinder = nurbs.cylinder(1, 2)
+        mesh = cylinder.mesh(relative=1, angle=0.1)
+        a, b, c = np.swapaxes(mesh.normals[mesh.vertex_triangles], 0, 1)
+        self.assertTrue(mesh.bound.reached and (np.einsum("ij,ij->i", a, b) >= np.cos(0.1) - 1e-15).all())
+        self.assertGreater(mesh.counts.triangles, cylinder.mesh(relative=1, angle=0.4).counts.triangles)
+        self.assertRaises(nurbs.ArgumentError, cylinder.mesh, angle=4.0)
+
+    def test_quads(self):
+        mesh = nurbs.torus(3, 1).mesh(1e-2)
+        quads, points = mesh.quads, mesh.vertex_quads
+        np.testing.assert_array_equal(mesh.vertices.points[points.corners], quads.corners)
+        self.assertEqual(2 * len(quads.triangles) + len(quads.rest), mesh.counts.triangles)
+        halves = np.stack([quads.corners[:, [0, 1, 2]], quads.corners[:, [0, 2, 3]]], 1)
+        found = np.stack([mesh.triangles[quads.triangles], mesh.triangles[quads.triangles + 1]], 1)
+        np.testing.assert_array_equal(np.sort(found), np.sort(halves))
+        self.assertFalse(set(quads.rest) & (set(quads.triangles) | set(quads.triangles + 1)))
+
     def test_of_faces_and_models(self):
         face = nurbs.Face.create(nurbs.plane([2, 0, 0], [0, 4, 0]), [1], [nurbs.circle(0.25, center=[0.5, 0.5])])
         mesh, twice = face.mesh(1e-3), nurbs.Model.create([face, face]).mesh(1e-3)

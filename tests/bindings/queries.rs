@@ -178,6 +178,9 @@ fn curve_shapes() -> Result<()> {
     assert!(floor.vertices()?.normals.iter().all(|n| near(n, &[0., 0., 1.])));
     assert_eq!(floor.triangles(sys::NURBS_MESH_WELDED)?.len(), 2);
     assert_eq!(status_of(floor.triangles(1)), sys::NURBS_ERROR_FLAGS);
+    let pairs = floor.quads(0)?;
+    assert!(pairs.corners.len() == 1 && pairs.triangles == [0]);
+    assert_eq!(status_of(Mesh::of_surface(&floor_plane()?, Some(&limits.angle(4.)))), sys::NURBS_ERROR_ANGLE);
     let block = floor_plane()?.extrude(&[0., 0., 1.])?;
     let cells = Mesh::of_volume(&block, Some(&limits), 5)?;
     let boxes = cells.hexahedra()?;

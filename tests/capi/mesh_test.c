@@ -314,6 +314,71 @@ static void a_half_ball(void) {
     nurbs_model_destroy(model);
 }
 
+/* A plane is one quad; a sphere has quads everywhere but at its poles. */
+static void quads(void) {
+    nurbs *g = plane();
+    nurbs_mesh *mesh = surface_mesh(g, 1);
+    int64_t corners[4], triangles[6], first = -1, count = -1;
+    for (int welded = 0; welded < 2; ++welded) {
+        const uint32_t flags = welded ? NURBS_MESH_WELDED : 0;
+        CHECK_OK(nurbs_mesh_quads(mesh, flags, 1, corners, &first, &count));
+        CHECK(first == 0 && count == 1);
+        CHECK_OK(nurbs_mesh_triangles(mesh, flags, 2, triangles, NULL));
+        const int64_t expected[] = {corners[0], corners[1], corners[2], corners[0], corners[2], corners[3]};
+        for (int half = 0; half < 2; ++half) {
+            int same = 0;
+            for (int turn = 0; turn < 3; ++turn) {
+                same += triangles[3 * half] == expected[3 * half + turn] &&
+                        triangles[3 * half + 1] == expected[3 * half + (turn + 1) % 3] &&
+                        triangles[3 * half + 2] == expected[3 * half + (turn + 2) % 3];
+            }
+            CHECK_INT(same, 1);
+        }
+    }
+    CHECK_OK(nurbs_mesh_quads(mesh, 0, 0, NULL, NULL, &count));
+    CHECK_INT(count, 1);
+    nurbs_mesh_destroy(mesh);
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &g));
+    mesh = surface_mesh(g, 1e-3);
+    CHECK_OK(nurbs_mesh_quads(mesh, 0, 0, NULL, NULL, &count));
+    CHECK(count > 0 && 2 * count < counts_of(mesh).triangles);
+    nurbs_mesh_destroy(mesh);
+    nurbs_destroy(g);
+}
+
+/* Of a sphere normals are as far apart as points. */
+static void angles(void) {
+    nurbs *g = NULL;
+    nurbs_mesh *mesh = NULL;
+    int32_t reached = -1;
+    nurbs_mesh_options options = options_of(INFINITY, 0, 0);
+    options.angle = 0.2;
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &g));
+    CHECK_OK(nurbs_mesh_surface(g, &options, &mesh));
+    CHECK_OK(nurbs_mesh_bound(mesh, NULL, NULL, &reached));
+    CHECK_INT(reached, 1);
+    const Counts n = counts_of(mesh);
+    double *points = malloc((size_t)n.points * 3 * sizeof *points);
+    int64_t *corners = corners_of(mesh, NULL);
+    CHECK_OK(nurbs_mesh_points(mesh, n.points, points, NULL));
+    double longest = 0;
+    for (int64_t i = 0; i < 3 * n.triangles; ++i) {
+        const double *a = points + 3 * corners[i], *b = points + 3 * corners[i % 3 == 2 ? i - 2 : i + 1];
+        longest = fmax(longest, hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]));
+    }
+    CHECK(longest <= 2 * sin(0.1) && longest > 0.1 && n.triangles < 3000);
+    free(points);
+    free(corners);
+    nurbs_mesh_destroy(mesh);
+    options.angle = 1e-9; /* nobody can: some mesh, and it says so */
+    CHECK_OK(nurbs_mesh_surface(g, &options, &mesh));
+    CHECK_OK(nurbs_mesh_bound(mesh, NULL, NULL, &reached));
+    CHECK_INT(reached, 0);
+    nurbs_mesh_destroy(mesh);
+    nurbs_destroy(g);
+}
+
 static void single_precision(void) {
     nurbs *g = plane();
     nurbs_mesh *mesh = surface_mesh(g, 1);
@@ -414,6 +479,12 @@ static void limits_refused(void) {
     }
     nurbs_mesh_options options = options_of(INFINITY, 0, 0);
     CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_TOLERANCE, "chord = inf");
+    const double bad_angles[] = {-1e-9, NAN, INFINITY, 3.2};
+    for (int i = 0; i < 4; ++i) {
+        options = options_of(1, 0, 0);
+        options.angle = bad_angles[i];
+        CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_ANGLE, "angle");
+    }
     options = options_of(1, 0, 0);
     options.struct_size = 8;
     CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_OPTIONS, "struct_size = 8");
@@ -469,6 +540,11 @@ static void arrays_refused(void) {
     CHECK_FAILS(nurbs_mesh_triangles(mesh, 0, 2, i, i + 5), NURBS_ERROR_OVERLAP, "count");
     CHECK_FAILS(nurbs_mesh_triangles_i32(NULL, 0, 4, k, j), NURBS_ERROR_NULL, "mesh");
     CHECK_FAILS(nurbs_mesh_triangles_i32(mesh, 0x80000000u, 4, k, j), NURBS_ERROR_FLAGS, "flags");
+    CHECK_FAILS(nurbs_mesh_quads(NULL, 0, 1, i, i + 4, j), NURBS_ERROR_NULL, "mesh");
+    CHECK_FAILS(nurbs_mesh_quads(mesh, 2, 1, i, i + 4, j), NURBS_ERROR_FLAGS, "flags = 0x2");
+    CHECK_FAILS(nurbs_mesh_quads(mesh, 0, -1, i, i + 4, j), NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_mesh_quads(mesh, 0, 1, i, i + 3, j), NURBS_ERROR_OVERLAP, "own_triangles");
+    CHECK_FAILS(nurbs_mesh_quads(mesh, 0, 1, i, i + 4, i), NURBS_ERROR_OVERLAP, "count");
     CHECK_FAILS(nurbs_mesh_faces(NULL, 1, i, i + 1, i + 2, i + 3, a, b, k, j), NURBS_ERROR_NULL, "mesh");
     CHECK_FAILS(nurbs_mesh_faces(mesh, -5, i, i + 1, i + 2, i + 3, a, b, k, j), NURBS_ERROR_COUNT, "cap");
     CHECK_FAILS(nurbs_mesh_faces(mesh, 1, i, i, i + 2, i + 3, a, b, k, j), NURBS_ERROR_OVERLAP,
@@ -492,6 +568,8 @@ int main(void) {
     a_cylinder_with_a_hole();
     a_box();
     a_half_ball();
+    quads();
+    angles();
     single_precision();
     watched();
     limits_refused();

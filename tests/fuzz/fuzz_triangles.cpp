@@ -39,10 +39,12 @@ nurbs_mesh_options any_options(Input &in, double size) {
         options.chord = in.anything();
         options.relative_chord = in.anything();
         options.longest = in.anything();
+        options.angle = in.anything();
     } else if (in.coin()) {
         options.chord = std::ldexp(size + 1e-300, -in.below(7));
         options.relative_chord = in.coin() ? 0 : 0.1;
         options.longest = in.coin() ? 0 : size * (0.05 + in.unit());
+        options.angle = in.coin() ? 0 : 0.2 + in.unit();
     }
     return options;
 }
@@ -78,6 +80,26 @@ void check_triangles(const Arrays &all) {
         FUZZ_REQUIRE(all.welded[i] != all.welded[i % 3 == 2 ? i - 2 : i + 1]);
     }
     FUZZ_REQUIRE(all.from_shape >= 0 && all.from_mesh >= 0);
+}
+
+// Two triangles each, one after the other, and none in two.
+void check_quads(const nurbs_mesh *mesh, const Arrays &all) {
+    int64_t count = -1, next = 0;
+    FUZZ_REQUIRE(nurbs_mesh_quads(mesh, 0, 0, nullptr, nullptr, &count) == NURBS_OK);
+    std::vector<int64_t> corners(static_cast<size_t>(4 * count)), firsts(static_cast<size_t>(count));
+    FUZZ_REQUIRE(nurbs_mesh_quads(mesh, NURBS_MESH_WELDED, count, corners.data(), firsts.data(), nullptr) ==
+                 NURBS_OK);
+    for (size_t i = 0; i < firsts.size(); ++i) {
+        FUZZ_REQUIRE(firsts[i] >= next && firsts[i] + 1 < all.triangles);
+        next = firsts[i] + 2;
+        const std::array halves{std::array<size_t, 3>{0, 1, 2}, std::array<size_t, 3>{0, 2, 3}};
+        for (size_t half = 0; half < 2; ++half) {
+            const int64_t *triangle = &all.welded[3 * (static_cast<size_t>(firsts[i]) + half)];
+            for (const size_t k : halves[half]) {
+                FUZZ_REQUIRE(std::count(triangle, triangle + 3, corners[4 * i + k]) == 1);
+            }
+        }
+    }
 }
 
 void check_single(const nurbs_mesh *mesh, const Arrays &all) {
@@ -159,6 +181,7 @@ Arrays check(const nurbs_mesh *mesh) {
     const Mesh own(copy);
     Arrays all = arrays_of(copy);
     check_triangles(all);
+    check_quads(copy, all);
     check_single(copy, all);
     check_parts(copy, all);
     if (all.triangles < 100 && all.vertices % 4 == 0) { // some of the many

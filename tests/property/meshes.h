@@ -16,6 +16,7 @@ namespace support::meshes {
 using Vec = std::vector<double>;
 using Point = std::array<double, 3>;
 using Corners = std::array<int64_t, 3>;
+using Quad = std::array<int64_t, 4>;
 
 struct DestroyMesh {
     void operator()(nurbs_mesh *mesh) const noexcept { nurbs_mesh_destroy(mesh); }
@@ -26,6 +27,8 @@ struct Mesh {
     std::vector<std::array<double, 2>> params;
     std::vector<int64_t> at; // points of the vertices
     std::vector<Corners> triangles, welded;
+    std::vector<Quad> quads;
+    std::vector<int64_t> quad_triangles;
     std::vector<int64_t> first_triangles, triangle_counts; // of the faces
     std::vector<int64_t> edge_firsts, edge_sizes, edge_points;
     double from_shape = -1, from_mesh = -1;
@@ -38,7 +41,8 @@ auto *flat(std::vector<T> &records) {
 }
 
 inline Mesh arrays_of(const nurbs_mesh *mesh) {
-    int64_t points = 0, vertices = 0, triangles = 0, faces = 0, edges = 0, edge_points = 0;
+    int64_t points = 0, vertices = 0, triangles = 0, faces = 0, edges = 0, edge_points = 0, quads = 0;
+    require_ok(nurbs_mesh_quads(mesh, 0, 0, nullptr, nullptr, &quads));
     require_ok(nurbs_mesh_counts(mesh, &points, &vertices, &triangles, &faces, &edges, &edge_points));
     const auto resize = [](auto &array, int64_t n) { array.resize(static_cast<size_t>(n)); };
     Mesh all;
@@ -48,6 +52,8 @@ inline Mesh arrays_of(const nurbs_mesh *mesh) {
     resize(all.at, vertices);
     resize(all.triangles, triangles);
     resize(all.welded, triangles);
+    resize(all.quads, quads);
+    resize(all.quad_triangles, quads);
     resize(all.first_triangles, faces);
     resize(all.triangle_counts, faces);
     resize(all.edge_firsts, edges);
@@ -59,6 +65,7 @@ inline Mesh arrays_of(const nurbs_mesh *mesh) {
         nurbs_mesh_vertices(mesh, vertices, all.at.data(), flat(all.params), flat(all.normals), nullptr));
     require_ok(nurbs_mesh_triangles(mesh, 0, triangles, flat(all.triangles), nullptr));
     require_ok(nurbs_mesh_triangles(mesh, NURBS_MESH_WELDED, triangles, flat(all.welded), nullptr));
+    require_ok(nurbs_mesh_quads(mesh, 0, quads, flat(all.quads), all.quad_triangles.data(), nullptr));
     require_ok(nurbs_mesh_faces(mesh, faces, nullptr, nullptr, all.first_triangles.data(),
                                 all.triangle_counts.data(), nullptr, nullptr, nullptr, nullptr));
     require_ok(nurbs_mesh_edges(mesh, edges, nullptr, all.edge_firsts.data(), all.edge_sizes.data(), nullptr,
@@ -68,24 +75,25 @@ inline Mesh arrays_of(const nurbs_mesh *mesh) {
 }
 
 template <class Shape, class Function>
-inline Mesh mesh_of(const Shape *shape, double chord, Function make) {
+inline Mesh mesh_of(const Shape *shape, double chord, Function make, double angle = 0) {
     nurbs_mesh_options options;
     require_ok(nurbs_mesh_options_init(&options, sizeof options));
     options.chord = chord;
     options.relative_chord = 0;
+    options.angle = angle;
     nurbs_mesh *made = nullptr;
     require_ok(make(shape, &options, &made));
     const std::unique_ptr<nurbs_mesh, DestroyMesh> own(made);
     return arrays_of(made);
 }
-inline Mesh mesh_of(const nurbs *g, double chord) {
-    return mesh_of(g, chord, nurbs_mesh_surface);
+inline Mesh mesh_of(const nurbs *g, double chord, double angle = 0) {
+    return mesh_of(g, chord, nurbs_mesh_surface, angle);
 }
-inline Mesh mesh_of(const nurbs_face *face, double chord) {
-    return mesh_of(face, chord, nurbs_mesh_face);
+inline Mesh mesh_of(const nurbs_face *face, double chord, double angle = 0) {
+    return mesh_of(face, chord, nurbs_mesh_face, angle);
 }
-inline Mesh mesh_of(const nurbs_model *model, double chord) {
-    return mesh_of(model, chord, nurbs_mesh_model);
+inline Mesh mesh_of(const nurbs_model *model, double chord, double angle = 0) {
+    return mesh_of(model, chord, nurbs_mesh_model, angle);
 }
 
 inline double dot(const Point &a, const Point &b) {

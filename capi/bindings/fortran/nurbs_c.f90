@@ -203,6 +203,8 @@ module nurbs_c
         real(c_double) :: chord  ! the largest distance of shape and mesh, both ways, > 0; INFINITY
         real(c_double) :: relative_chord  ! the same as a share of the extent, >= 0; 0: no limit; 1e-3
         real(c_double) :: longest  ! length of sides of triangles, >= 0; 0: no limit; 0
+        ! between normals at corners of triangles, in radians, 0 to pi; 0: no limit; 0
+        real(c_double) :: angle
     end type nurbs_mesh_options
 
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
@@ -4695,6 +4697,16 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_mesh_triangles_i32
+        !> The quads of a mesh: pairs of triangles that are all of a cell of the domain, which has no vertex
+        !> of another cell on its sides.
+        function nurbs_mesh_quads(mesh, flags, cap, corners, own_triangles, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: flags
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: corners(*), own_triangles(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_quads
         !> What of a mesh stands for which face.
         function nurbs_mesh_faces(mesh, cap, first_vertices, vertex_counts, first_triangles, &
                 triangle_counts, from_shape, from_mesh, reaches, count) bind(c) result(r)

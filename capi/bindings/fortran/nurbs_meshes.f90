@@ -6,8 +6,8 @@ module nurbs_meshes
     use nurbs_constants
     use nurbs_c, only: nurbs_mesh_curve, nurbs_mesh_surface, nurbs_mesh_face, nurbs_mesh_model, nurbs_mesh_volume, &
         nurbs_mesh_counts, nurbs_mesh_bound, nurbs_mesh_points, nurbs_mesh_points_f32, nurbs_mesh_vertices, &
-        nurbs_mesh_vertices_f32, nurbs_mesh_triangles, nurbs_mesh_triangles_i32, nurbs_mesh_faces, nurbs_mesh_edges, &
-        nurbs_mesh_edge_points, nurbs_mesh_write_file, nurbs_mesh_hexahedra, nurbs_bezier_cells, &
+        nurbs_mesh_vertices_f32, nurbs_mesh_triangles, nurbs_mesh_triangles_i32, nurbs_mesh_quads, nurbs_mesh_faces, &
+        nurbs_mesh_edges, nurbs_mesh_edge_points, nurbs_mesh_write_file, nurbs_mesh_hexahedra, nurbs_bezier_cells, &
         nurbs_bezier_cell_points, nurbs_mesh_curve_with, nurbs_mesh_surface_with, nurbs_mesh_face_with, &
         nurbs_mesh_model_with, nurbs_mesh_volume_with, nurbs_mesh_write_file_with, nurbs_mesh_options, &
         nurbs_write_options
@@ -25,7 +25,7 @@ module nurbs_meshes
     type, extends(nurbs_mesh_handle), public :: nurbs_mesh
     contains
         procedure :: of_surface, of_face, of_model, of_volume, counts, bound, points, points_f32, vertices, vertices_f32
-        procedure :: triangles, triangles_i32, faces, edges, edge_points, write_file, hexahedra
+        procedure :: triangles, triangles_i32, quads, faces, edges, edge_points, write_file, hexahedra
     end type nurbs_mesh
 
 contains
@@ -266,6 +266,25 @@ contains
         if (code == NURBS_OK) corners = transpose(corners_c) + 1
         call settle(code, status)
     end subroutine triangles_i32
+
+    !> corners(n, 4) of pairs of triangles that are all of a cell: vertices, or with NURBS_MESH_WELDED points; and the
+    !> first of the two triangles of each.
+    subroutine quads(this, corners, own_triangles, flags, status)
+        class(nurbs_mesh), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: corners(:, :), own_triangles(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        integer(c_int64_t), allocatable :: corners_c(:, :)
+        n = 0
+        code = nurbs_mesh_quads(this%handle, given(flags, 0), 0_c_int64_t, count=n)
+        if (allocated(own_triangles)) deallocate (own_triangles)
+        allocate (corners_c(4, n), own_triangles(n))
+        if (code == NURBS_OK) code = nurbs_mesh_quads(this%handle, given(flags, 0), n, corners_c, own_triangles)
+        if (code == NURBS_OK) corners = transpose(corners_c) + 1
+        call settle(code, status)
+    end subroutine quads
 
     !> What of it stands for which face, and how far that is from the face.
     subroutine faces(this, first_vertices, vertex_counts, first_triangles, triangle_counts, from_shape, from_mesh, &

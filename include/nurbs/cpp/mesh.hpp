@@ -107,6 +107,14 @@ struct DrawableVertices {
     std::vector<float> normals; ///< [n][3], of length 1; NaN where there is none.
 };
 
+/// Pairs of triangles that are all of a cell of the domain.
+struct MeshQuads {
+    /// [n][4] vertices, or points, of which 0, 1, 2 and 0, 2, 3 are the triangles.
+    std::vector<std::int64_t> corners;
+    /// The first of the two triangles of each; the next one is the second.
+    std::vector<std::int64_t> triangles;
+};
+
 /// What of a mesh stands for which face.
 struct MeshFaces {
     std::vector<std::int64_t> first_vertices;  ///< The first vertex.
@@ -320,6 +328,20 @@ public:
         values = detail::room<std::int32_t>(count, 3);
         ask(count);
         return values;
+    }
+    /// Pairs of triangles that are all of a cell: their corners, vertices or with mesh_welded points.
+    [[nodiscard]] Returned<MeshQuads> quads(std::uint32_t flags = 0) const {
+        MeshQuads found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_mesh_quads, get(), flags, cap, found.corners.data(), found.triangles.data(),
+                         &count);
+        };
+        ask(0);
+        found.corners = detail::room<std::int64_t>(count, 4);
+        found.triangles = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
     }
     /// What of it stands for which face, and how far that is from the face.
     [[nodiscard]] Returned<MeshFaces> faces() const {

@@ -25,6 +25,13 @@ bool is_beside(double param, Interval segment) noexcept {
     return param - segment.lower <= room || segment.upper - param <= room;
 }
 
+// The break of an axis that a parameter is near.
+double at_break(const KnotVector &axis, double t, double room) noexcept {
+    const auto knots = axis.knots();
+    const auto next = std::ranges::lower_bound(knots, t - room);
+    return next != knots.end() && *next <= t + room ? *next : t;
+}
+
 } // namespace
 
 ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : model_(model), borders_(model) {
@@ -185,9 +192,11 @@ void ModelEdges::fix(const face::BorderPlace &place, const face::Point2 &x) {
     use.fixed.push_back({place.param, use.pairing->on_edge(place.param), x});
 }
 
-// What faces have at one place of an edge, but for rounding, is at one parameter, and so is what is at its ends.
+// What faces have at one place of an edge, but for rounding, is at one parameter, and so is what is at its ends. So is what is at a
+// break: of what would be between them, nobody knows the direction.
 void ModelEdges::align_fixed(size_t line) {
-    const Interval domain = curves_[line]->axis(0).domain();
+    const KnotVector &axis = curves_[line]->axis(0);
+    const Interval domain = axis.domain();
     const double room = 0x1p-36 * (domain.upper - domain.lower);
     std::vector<std::pair<Fixed *, size_t>> all;
     for (const size_t at : users_[line]) {
@@ -196,14 +205,29 @@ void ModelEdges::align_fixed(size_t line) {
         }
     }
     std::ranges::sort(all, {}, [](const auto &own) { return own.first->edge; });
+    const auto is_near = [&](size_t i, size_t k) {
+        return std::abs(all[i].first->edge - all[k].first->edge) <= 2 * room;
+    };
+    const auto is_alone = [&](size_t i) { // the only one of its curve that is near
+        bool alone = true;
+        for (size_t k = i; k > 0 && is_near(i, k - 1); --k) {
+            alone = alone && all[k - 1].second != all[i].second;
+        }
+        for (size_t k = i + 1; k < all.size() && is_near(i, k); ++k) {
+            alone = alone && all[k].second != all[i].second;
+        }
+        return alone;
+    };
     double before = domain.lower;
     size_t by = uses_.size(); // any other face may be there, too
-    for (const auto &[fixed, use] : all) {
+    for (size_t i = 0; i < all.size(); ++i) {
+        const auto [fixed, use] = all[i];
         if (fixed->edge - before <= room && use != by) {
             fixed->edge = before;
         } else if (domain.upper - fixed->edge <= room) {
             fixed->edge = domain.upper;
         } else {
+            fixed->edge = is_alone(i) ? at_break(axis, fixed->edge, room) : fixed->edge;
             before = fixed->edge;
             by = use;
         }

@@ -147,15 +147,44 @@ std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
 
 } // namespace
 
+namespace {
+
 // Half of the parts that it takes, where these are going to be alike.
+Cut cut_in_parts(const Hessian &heights, size_t axis, double parts) noexcept {
+    const Range &range = axis == 0 ? heights.uu : heights.vv;
+    const bool alike = !(range.width() > most_varied * std::abs(range.middle));
+    return {axis, alike && parts > 2 && parts <= most_parts ? std::floor(parts / 2) / parts : 0.5};
+}
+
+} // namespace
+
 Cut best_cut(const CellBend &bend, double chord) noexcept {
     const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
-    const Range &range = axis == 0 ? bend.heights.uu : bend.heights.vv;
-    if (range.width() > most_varied * std::abs(range.middle)) {
-        return {axis, 0.5};
+    return cut_in_parts(bend.heights, axis, parts_for(bend, chord)[axis]);
+}
+
+// The slopes of the surface over the plane of the cell change by its second derivatives.
+CellTurn turn_of(const HessianBox &box, double least) noexcept {
+    const Hessian height = box.of(2);
+    const double mixed = height.uv.most(), w = box.least_weight();
+    std::array<std::array<double, 2>, 2> slopes{}; // [towards][along]
+    for (size_t k = 0; k < 2; ++k) {
+        if (box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) > least) {
+            const double speed = box.speed(k) * w, own = (k == 0 ? height.uu : height.vv).most();
+            slopes[k][k] = own / speed;
+            slopes[k][1 - k] = mixed / speed;
+        }
     }
-    const double parts = parts_for(bend, chord)[axis];
-    return {axis, parts > 2 ? std::floor(parts / 2) / parts : 0.5};
+    return {{diagonal(slopes[0][0], slopes[1][0]), diagonal(slopes[0][1], slopes[1][1])},
+            diagonal(slopes[0][0] + slopes[0][1], slopes[1][0] + slopes[1][1])};
+}
+
+// What the other axis leaves is for this one, but no less than its half.
+Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept {
+    const size_t axis = turn.along[0] >= turn.along[1] ? 0 : 1;
+    const double other = turn.along[1 - axis];
+    const double room = std::sqrt(std::max(angle * angle - other * other, angle * angle / 2));
+    return cut_in_parts(box.of(2), axis, std::ceil(turn.along[axis] / room));
 }
 
 } // namespace nrb::mesh

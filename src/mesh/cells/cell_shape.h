@@ -33,4 +33,13 @@ struct Cut {
 };
 Cut best_cut(const CellBend &bend, double chord) noexcept;
 
+// By how much the normal is about to turn over a cell: along each of its axes, and from any place to any other. An axis along which nothing
+// moves by more than `least` counts for nothing.
+struct CellTurn {
+    std::array<double, 2> along{};
+    double both = 0;
+};
+CellTurn turn_of(const HessianBox &box, double least) noexcept;
+Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept;
+
 } // namespace nrb::mesh

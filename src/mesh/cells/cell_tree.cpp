@@ -56,6 +56,9 @@ private:
     void look_at(Item item);
     [[nodiscard]] bool at_border(const Item &item) const noexcept;
     [[nodiscard]] std::optional<size_t> wide_axis(const Rectangle &part) const noexcept;
+    [[nodiscard]] bool is_turned(const HessianBox &box) const noexcept {
+        return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
+    }
     [[nodiscard]] Cut cut_of(const Rectangle &part, const HessianBox &box,
                              const CellBend &bend) const noexcept;
     void make_nets(Item &item);
@@ -146,7 +149,8 @@ void CellTree::Builder::look_at(Item item) {
     CellBend bend = bend_of(found.box);
     bend.alone = at_border(item);
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
-    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
+    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small &&
+                      !is_turned(found.box);
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
     const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
     const bool enough = flat || side == Side::outside || hopeless || work_ended();
@@ -182,6 +186,9 @@ Cut CellTree::Builder::cut_of(const Rectangle &part, const HessianBox &box,
         return {*wide, 0.5};
     }
     if (bend.in_parts(1, 1) <= rule_.chord) {
+        if (is_turned(box)) {
+            return cut_for_angle(box, turn_of(box, rule_.least), rule_.angle);
+        }
         return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
     }
     return best_cut(bend, rule_.chord);
@@ -386,10 +393,13 @@ void CellTree::Builder::cut(int32_t number) {
     CellBend bend = bend_of(cell.box);
     bend.alone = true; // no help of others was enough, but in the end triangles do without
     const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
+    const CellTurn turn =
+        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(cell.box, rule_.least) : CellTurn{};
+    const bool first = turn.both > rule_.angle / 2 ? turn.along[0] >= turn.along[1] : u <= v;
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;
     open_.clear();
-    if (!divide(item, {u <= v ? size_t{0} : size_t{1}, 0.5})) {
+    if (!divide(item, {first ? size_t{0} : size_t{1}, 0.5})) {
         pool_.clear();
         return;
     }

@@ -15,6 +15,8 @@ enum class Side { outside, border, inside };
 struct CellRule {
     double chord = infinity; // in the units of the grid
     double longest = 0;      // diagonal of a cell; 0: no limit
+    double angle = 0;        // by which the normal turns over a cell; 0: no limit
+    double least = 0;        // what is no longer than that is not cut for an angle
     // Longest sides of cells: around a closed axis there are three or more, between two poles two or more, so that no triangle has two
     // corners in one point but those at a pole.
     std::array<double, 2> most_sides{infinity, infinity};

@@ -2,13 +2,16 @@
 #include "mesh/domain/domain_mesh.h"
 
 #include "base/watch.h"
+#include "mesh/cells/cell_shape.h"
 #include "mesh/cells/cell_triangles.h"
 #include "mesh/domain/dropped_triangles.h"
 #include "mesh/domain/triangle_pool.h"
+#include "mesh/extent.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 
 namespace nrb::mesh {
@@ -18,6 +21,10 @@ namespace {
 // What is left for the differences of an estimate and a proof.
 constexpr double share_of_estimate = 0.97;
 constexpr int most_rounds = 16;
+// Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
+constexpr double least_for_angles = 1e-6;
+// Rounds in which the strip is divided for an angle.
+constexpr int most_angle_rounds = 10;
 
 // Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
 class DomainMesher {
@@ -25,7 +32,9 @@ public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule)
         : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
           chord_(within_reach(rule.chord, 1e-3)), longest_(within_reach(rule.longest, 1e-2)),
-          cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
+          angle_(rule.angle < std::numbers::pi ? angle_within_reach(rule.angle) : 0),
+          most_apart_(angle_ > 0 ? 2 * std::sin(angle_ / 2) - 8 * eps : infinity),
+          least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
           proof_(domain, cells_, sites_, grid_.scaled(chord_)) {}
 
     DomainMesh run() {
@@ -65,21 +74,33 @@ private:
         return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
                 sites_[triangle.sites[2]].point};
     }
+    // Whether two corners are at one point.
+    [[nodiscard]] bool is_at_point(const SiteTriangle &triangle) const noexcept {
+        const auto p = points_of(triangle);
+        return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+    }
     struct Split {
         double size = 0;
         std::array<double, 2> place{};
         int32_t border = -1; // segment of the border
     };
     [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
-    [[nodiscard]] bool is_over(size_t triangle) const noexcept {
-        if (!triangles_.has(triangle)) {
-            return false;
-        }
+    [[nodiscard]] bool is_large(size_t triangle) const noexcept {
         const bool far = !(distances(triangle).most() <= chord_);
         return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
     }
+    [[nodiscard]] bool is_over(size_t triangle) const noexcept {
+        return triangles_.has(triangle) && (is_large(triangle) || is_turned(triangles_[triangle]));
+    }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
-    [[nodiscard]] int parts_for(double distance) const noexcept;
+    [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const noexcept {
+        return angle_ > 0 && !is_at_point(triangle) && normals_apart(triangle) > most_apart_;
+    }
+    [[nodiscard]] bool is_to_divide(size_t triangle) const noexcept;
+    [[nodiscard]] double least_split(size_t triangle) const noexcept;
+    [[nodiscard]] int parts_for(size_t triangle) const noexcept;
+    [[nodiscard]] bool is_pair(size_t triangle) const noexcept;
     [[nodiscard]] bool is_weak() const;
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
@@ -91,7 +112,9 @@ private:
     const MeshRule &rule_;
     const pieces::PieceGrid &grid_;
     SegmentIndex index_;
-    double chord_, longest_; // that triangles are made for
+    double chord_, longest_, angle_; // that triangles are made for
+    double most_apart_;              // of unit normals
+    double least_;                   // in the units of the grid
     CellGrid cells_;
     Sites sites_;
     TriangleProof proof_;
@@ -110,6 +133,8 @@ CellRule DomainMesher::cell_rule() const {
     CellRule rule;
     rule.chord = grid_.scaled(chord_) * share_of_estimate;
     rule.longest = grid_.scaled(longest_);
+    rule.angle = angle_;
+    rule.least = least_;
     for (size_t k = 0; k < 2; ++k) {
         const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
         const double parts = domain_.closed[k]                                    ? 3
@@ -275,10 +300,41 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     return best;
 }
 
-// What is beside a segment shrinks with the square of its length.
-int DomainMesher::parts_for(double distance) const noexcept {
+// Of the corners; those without a normal do not count.
+double DomainMesher::normals_apart(const SiteTriangle &triangle) const noexcept {
+    double most = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const double apart =
+            length(sites_.normal(triangle.sites[k]) - sites_.normal(triangle.sites[(k + 1) % 3]));
+        most = apart > most ? apart : most;
+    }
+    return most;
+}
+
+// Where the bound of a cell sees no turn, parts of it would not do better.
+bool DomainMesher::is_to_divide(size_t triangle) const noexcept {
+    if (is_large(triangle)) {
+        return true;
+    }
+    const SiteTriangle &own = triangles_[triangle];
+    return is_turned(own) &&
+           (own.cell < 0 ? round_ < most_angle_rounds
+                         : turn_of(cells_.tree().cells()[static_cast<size_t>(own.cell)].box, least_).both >
+                               angle_ / 2);
+}
+
+// What is no longer stays as it is.
+double DomainMesher::least_split(size_t triangle) const noexcept {
+    return !is_large(triangle) ? grid_.unscaled(least_)
+           : longest_ > 0      ? std::min(chord_, longest_) / 4
+                               : chord_ / 4;
+}
+
+// What is beside a segment shrinks with the square of its length, and normals turn with the length.
+int DomainMesher::parts_for(size_t triangle) const noexcept {
     constexpr double most = 8;
-    const double parts = std::ceil(std::sqrt(distance / chord_));
+    const double turn = angle_ > 0 ? normals_apart(triangles_[triangle]) / most_apart_ : 0;
+    const double parts = std::ceil(std::max(turn, std::sqrt(distances(triangle).most() / chord_)));
     return static_cast<int>(parts >= 2 ? std::min(parts, most) : 2);
 }
 
@@ -330,7 +386,7 @@ bool DomainMesher::improve() {
     std::vector<std::array<double, 2>> more;
     weak_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        if (!is_over(i)) {
+        if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
         const SiteTriangle &triangle = triangles_[i];
@@ -341,10 +397,11 @@ bool DomainMesher::improve() {
             continue;
         }
         const Split split = split_of(triangle);
-        if (split.border >= 0) {
+        const bool tiny = split.size <= least_split(i);
+        if (split.border >= 0 && (is_large(i) || !tiny)) {
             int &parts = weak_.try_emplace(split.border, 2).first->second;
-            parts = std::max(parts, parts_for(distances(i).most()));
-        } else if (split.size > chord_ / 4) {
+            parts = std::max(parts, parts_for(i));
+        } else if (split.border < 0 && !tiny) {
             add_place(split.place, more);
         }
     }
@@ -375,7 +432,7 @@ bool DomainMesher::is_whole() const {
             continue;
         }
         const auto &p = triangles_.meshed(i).points;
-        const bool at_pole = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+        const bool at_pole = is_at_point(triangles_[i]);
         for (size_t k = 0; k < 3; ++k) {
             const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
             if (!at_pole) {
@@ -394,6 +451,14 @@ bool DomainMesher::is_whole() const {
     }
     std::ranges::sort(directed);
     return std::ranges::adjacent_find(directed) == directed.end();
+}
+
+// Whether it and the next one are all of a cell, without other places on its border.
+bool DomainMesher::is_pair(size_t triangle) const noexcept {
+    const int32_t cell = triangles_[triangle].cell;
+    const CellState none, &state = cell < 0 ? none : states_[static_cast<size_t>(cell)];
+    return state.places == 4 && state.triangles.count == 2 && state.triangles.first == triangle &&
+           !is_at_point(triangles_[triangle]) && !is_at_point(triangles_[triangle + 1]);
 }
 
 // Without sites and points that no triangle has.
@@ -426,9 +491,10 @@ DomainMesh DomainMesher::output() {
         const Distances d = distances(i);
         result.from_shape = std::max(result.from_shape, d.from_shape);
         result.from_mesh = std::max(result.from_mesh, d.from_mesh);
-        const auto &p = all.emplace_back(triangles_.meshed(i).points);
-        if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) {
+        all.push_back(triangles_.meshed(i).points);
+        if (!is_at_point(triangles_[i])) {
             const auto &s = triangles_[i].sites;
+            result.paired.push_back(is_pair(i));
             result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
         }
     }
@@ -437,7 +503,8 @@ DomainMesh DomainMesher::output() {
         over = is_over(i);
     }
     const bool whole = crossed_.empty() && !result.triangles.empty() && have_all_dropped(all) && is_whole();
-    result.reached = whole && !over && chord_ <= rule_.chord && longest_ <= rule_.longest;
+    const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
+    result.reached = whole && !over && as_asked;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
     result.united = united_;
     result.touched = touched_;

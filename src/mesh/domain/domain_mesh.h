@@ -30,6 +30,7 @@ struct DomainMesh {
     std::vector<Vector3> points;
     std::vector<MeshVertex> vertices;
     std::vector<std::array<int32_t, 3>> triangles;
+    std::vector<bool> paired{}; // as of a mesh
     double from_shape = 0, from_mesh = 0;
     bool reached = false;
     // Segments of the border at which triangles are too far off, or that cross others, and into how many parts they

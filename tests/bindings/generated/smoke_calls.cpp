@@ -966,6 +966,15 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("mesh_surface by angle");
+        n::MeshOptions options;
+        options.chord = 10.0;
+        options.relative_chord = 0.0;
+        options.angle = 0.5;
+        const auto found = n::Mesh::of_surface(in.surface, options);
+        show("out", found);
+    }
+    {
         begin("mesh_face");
         n::MeshOptions options;
         options.chord = 1.0;
@@ -1034,6 +1043,18 @@ void data(const Inputs &in) {
         begin("mesh_triangles_i32");
         const auto found = in.mesh.triangles_i32(0u);
         show("corners", found);
+    }
+    {
+        begin("mesh_quads");
+        const auto found = in.mesh.quads(0u);
+        show("corners", found.corners);
+        show("own_triangles", found.triangles);
+    }
+    {
+        begin("mesh_quads welded");
+        const auto found = in.mesh.quads(16777216u);
+        show("corners", found.corners);
+        show("own_triangles", found.triangles);
     }
     {
         begin("mesh_faces");
@@ -1414,6 +1435,15 @@ void data(const Inputs &in) {
         options.chord = 10.0;
         options.relative_chord = 0.0;
         options.longest = 1.5;
+        const auto found = n::Mesh::of_surface(in.surface, options, watched());
+        show("out", found);
+    }
+    {
+        begin("mesh_surface_with by angle");
+        n::MeshOptions options;
+        options.chord = 10.0;
+        options.relative_chord = 0.0;
+        options.angle = 0.5;
         const auto found = n::Mesh::of_surface(in.surface, options, watched());
         show("out", found);
     }

@@ -1914,6 +1914,17 @@ contains
             call found%of_surface(g=surface, options=options_given)
             call show('out', found)
         end block
+        call begin('mesh_surface by angle')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 10.0d0
+            options_given%relative_chord = 0.0d0
+            options_given%angle = 0.5d0
+            call found%of_surface(g=surface, options=options_given)
+            call show('out', found)
+        end block
         call begin('mesh_face')
         block
             type(nurbs_mesh_options) :: options_given
@@ -2015,6 +2026,24 @@ contains
             call mesh%triangles_i32(corners=corners_found, flags=0)
             call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
                 order=[2, 1])) - 1)
+        end block
+        call begin('mesh_quads')
+        block
+            integer(c_int64_t), allocatable :: corners_found(:, :)
+            integer(c_int64_t), allocatable :: own_triangles_found(:)
+            call mesh%quads(corners=corners_found, own_triangles=own_triangles_found, flags=0)
+            call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
+                order=[2, 1])) - 1)
+            call show('own_triangles', own_triangles_found)
+        end block
+        call begin('mesh_quads welded')
+        block
+            integer(c_int64_t), allocatable :: corners_found(:, :)
+            integer(c_int64_t), allocatable :: own_triangles_found(:)
+            call mesh%quads(corners=corners_found, own_triangles=own_triangles_found, flags=16777216)
+            call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
+                order=[2, 1])) - 1)
+            call show('own_triangles', own_triangles_found)
         end block
         call begin('mesh_faces')
         block
@@ -2618,6 +2647,18 @@ contains
             options_given%chord = 10.0d0
             options_given%relative_chord = 0.0d0
             options_given%longest = 1.5d0
+            call found%of_surface(g=surface, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call begin('mesh_surface_with by angle')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 10.0d0
+            options_given%relative_chord = 0.0d0
+            options_given%angle = 0.5d0
             call found%of_surface(g=surface, options=options_given, call=watching)
             call show('out', found)
         end block

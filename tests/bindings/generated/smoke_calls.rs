@@ -1603,6 +1603,19 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("mesh_surface by angle");
+    {
+        let found = Mesh::of_surface(
+            &given.surface,
+            Some(
+                &nurbs::MeshOptions::new()?
+                    .chord(10.0)
+                    .relative_chord(0.0)
+                    .angle(0.5),
+            ),
+        )?;
+        show("out", &found);
+    }
     begin("mesh_face");
     {
         let found = Mesh::of_face(
@@ -1673,6 +1686,18 @@ fn data(given: &Given) -> nurbs::Result<()> {
     {
         let found = given.mesh.triangles_i32(0)?;
         show("corners", &found);
+    }
+    begin("mesh_quads");
+    {
+        let found = given.mesh.quads(0)?;
+        show("corners", &found.corners);
+        show("own_triangles", &found.triangles);
+    }
+    begin("mesh_quads welded");
+    {
+        let found = given.mesh.quads(16777216)?;
+        show("corners", &found.corners);
+        show("own_triangles", &found.triangles);
     }
     begin("mesh_faces");
     {
@@ -2267,6 +2292,20 @@ fn data(given: &Given) -> nurbs::Result<()> {
                     .chord(10.0)
                     .relative_chord(0.0)
                     .longest(1.5),
+            ),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("mesh_surface_with by angle");
+    {
+        let found = Mesh::of_surface_with(
+            &given.surface,
+            Some(
+                &nurbs::MeshOptions::new()?
+                    .chord(10.0)
+                    .relative_chord(0.0)
+                    .angle(0.5),
             ),
             &mut Call::new().progress(|_| true),
         )?;

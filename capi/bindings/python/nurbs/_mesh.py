@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
 
 __all__ = ["BezierCells", "BezierCellPoints", "CurvePolyline", "DrawableVertices", "Mesh", "MeshBound", "MeshCounts",
-           "MeshEdges", "MeshFaces", "MeshHexahedra", "MeshVertices"]
+           "MeshEdges", "MeshFaces", "MeshHexahedra", "MeshQuads", "MeshVertices"]
 
 _Mesh = TypeVar("_Mesh", bound="Mesh")
 _Array = TypeVar("_Array", bound="numpy.ndarray[Any, Any]")
@@ -74,6 +74,15 @@ class DrawableVertices(NamedTuple):
     points: Singles
     params: Singles
     normals: Singles
+
+
+class MeshQuads(NamedTuple):
+    """Corners (n, 4) of pairs of triangles that are all of a cell, of which 0, 1, 2 and 0, 2, 3 are the triangles; the first one (n,)
+    of these, of which the next one is the second; and the triangles (m,) that are in no pair."""
+
+    corners: Int64s
+    triangles: Int64s
+    rest: Int64s
 
 
 class MeshFaces(NamedTuple):
@@ -129,7 +138,7 @@ class BezierCellPoints(NamedTuple):
 
 class _Options(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_int64), ("chord", ctypes.c_double), ("relative_chord", ctypes.c_double),
-                ("longest", ctypes.c_double)]
+                ("longest", ctypes.c_double), ("angle", ctypes.c_double)]
 
 
 class Mesh:
@@ -161,10 +170,10 @@ class Mesh:
 
     @classmethod
     def _of(cls: Type[_Mesh], function: Any, shape: Any, chord: float, relative: float, longest: float,
-            *more: Any) -> _Mesh:
+            angle: float, *more: Any) -> _Mesh:
         options: Any = _Options()
         call(lib.nurbs_mesh_options_init, ctypes.byref(options), ctypes.sizeof(options))
-        options.chord, options.relative_chord, options.longest = chord, relative, longest
+        options.chord, options.relative_chord, options.longest, options.angle = chord, relative, longest, angle
         return cls._made(function, shape, ctypes.byref(options), *more)
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -244,6 +253,17 @@ class Mesh:
     def vertex_triangles(self) -> Int64s:
         """The vertices (n, 3) that are the corners of each triangle."""
         return self._corners(lib.nurbs_mesh_triangles, 0, numpy.empty(self._three_each, numpy.int64))
+
+    @property
+    def quads(self) -> MeshQuads:
+        """The points that are the corners of pairs of triangles which are all of a cell: most of them, but not along the
+        border of a trimmed face. Distances are proven for the triangles."""
+        return self._quads(NURBS_MESH_WELDED)
+
+    @property
+    def vertex_quads(self) -> MeshQuads:
+        """The vertices that are the corners of these pairs of triangles."""
+        return self._quads(0)
 
     def triangles_i32(self, welded: bool = False) -> Int32s:
         """The vertices, or points, (n, 3) that are the corners of each triangle, in 32 bits."""
@@ -327,6 +347,14 @@ class Mesh:
         call(function, self._handle, flags, len(corners), corners.ctypes.data, None)
         return corners
 
+    def _quads(self, flags: int) -> MeshQuads:
+        n = get(ctypes.c_int64, lib.nurbs_mesh_quads, self._handle, flags, 0, None, None)
+        corners, triangles = numpy.empty((n, 4), numpy.int64), numpy.empty(n, numpy.int64)
+        call(lib.nurbs_mesh_quads, self._handle, flags, n, *addresses(corners, triangles), None)
+        rest = numpy.ones(self.counts.triangles, bool)
+        rest[triangles] = rest[triangles + 1] = False
+        return MeshQuads(corners, triangles, numpy.flatnonzero(rest))
+
     @property
     def _three_each(self) -> Shape:
         return self.counts.triangles, 3
@@ -348,18 +376,20 @@ class Meshes(SplineBase):
         call(function, *given, count.value, params.ctypes.data, points.ctypes.data, *ends)
         return CurvePolyline(params, points, bound.value, bool(reached.value))
 
-    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, *, progress: Progress = None,
-             work: Optional[int] = None) -> Mesh:
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0, *,
+             progress: Progress = None, work: Optional[int] = None) -> Mesh:
         """Triangles in place of a surface of dimension 2 or 3, proven to be within `chord` of it, both ways, and within the
         share `relative` of its extent (the longest side of the box of the control points) unless that is 0; with sides no
-        longer than `longest`, unless that is 0."""
-        return Mesh._of(watched(lib.nurbs_mesh_surface, progress, work), self._handle, chord, relative, longest)
+        longer than `longest` and normals at corners of a triangle no more than `angle` (in radians) apart, unless these are
+        0."""
+        return Mesh._of(watched(lib.nurbs_mesh_surface, progress, work), self._handle, chord, relative, longest, angle)
 
     def mesh_volume(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, limit: int = 0, *,
                     progress: Progress = None, work: Optional[int] = None) -> Mesh:
         """Hexahedra in place of a volume, on a grid of lines along its axes, with limits as for mesh(); at most `limit` of them
         (0: 2^20), or one for each polynomial piece."""
-        return Mesh._of(watched(lib.nurbs_mesh_volume, progress, work), self._handle, chord, relative, longest, limit)
+        return Mesh._of(watched(lib.nurbs_mesh_volume, progress, work), self._handle, chord, relative, longest, 0.0,
+                        limit)
 
     def bezier_cells(self) -> BezierCells:
         """The polynomial pieces as Bezier cells in the order of VTK, by places in bezier_cell_points()."""

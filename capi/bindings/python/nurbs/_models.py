@@ -546,11 +546,11 @@ class Model:
 
     # --- Meshes ---
 
-    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, *, progress: Progress = None,
-             work: Optional[int] = None) -> Mesh:
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0, *,
+             progress: Progress = None, work: Optional[int] = None) -> Mesh:
         """Triangles in place of all faces, in the coordinates of their parts, with common points along common edges; the limits
         are those of Spline.mesh()."""
-        return Mesh._of(watched(lib.nurbs_mesh_model, progress, work), self._handle, chord, relative, longest)
+        return Mesh._of(watched(lib.nurbs_mesh_model, progress, work), self._handle, chord, relative, longest, angle)
 
     def plot(self, ax: Any = None, *, color: Any = None, edges: bool = True, alpha: float = 1.0,
              relative: float = 1e-3) -> Any:

@@ -424,6 +424,7 @@ PROTOTYPES = {
     "nurbs_mesh_vertices_f32": "i plpppp",
     "nurbs_mesh_triangles": "i pulpp",
     "nurbs_mesh_triangles_i32": "i pulpp",
+    "nurbs_mesh_quads": "i pulppp",
     "nurbs_mesh_faces": "i plpppppppp",
     "nurbs_mesh_edges": "i plpppppp",
     "nurbs_mesh_edge_points": "i plpp",

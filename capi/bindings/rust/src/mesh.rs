@@ -37,6 +37,11 @@ impl MeshOptions {
         self.raw.longest = length;
         self
     }
+    /// Angle between the normals at corners of triangles, in radians, at most pi; 0 for no limit.
+    pub fn angle(mut self, radians: f64) -> MeshOptions {
+        self.raw.angle = radians;
+        self
+    }
 }
 
 impl Default for MeshOptions {

@@ -82,6 +82,16 @@ pub struct DrawableVertices {
     pub normals: Vec<[f32; 3]>,
 }
 
+/// Pairs of triangles that are all of a cell of the domain.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+#[non_exhaustive]
+pub struct MeshQuads {
+    /// `[n][4]` vertices, or points, of which 0, 1, 2 and 0, 2, 3 are the triangles.
+    pub corners: Vec<[i64; 4]>,
+    /// The first of the two triangles of each; the next one is the second.
+    pub triangles: Vec<i64>,
+}
+
 /// What of a mesh stands for which face.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -426,6 +436,20 @@ impl Mesh {
         let mut corners = vec![[0; 3]; n];
         check(fill(count, corners.as_mut_ptr().cast(), &mut count))?;
         Ok(corners)
+    }
+
+    /// Pairs of triangles that are all of a cell: their corners, vertices or with `NURBS_MESH_WELDED` points.
+    pub fn quads(&self, flags: u32) -> Result<MeshQuads> {
+        let fill = |cap, corners, triangles, count| unsafe {
+            sys::nurbs_mesh_quads(self.raw(), flags, cap, corners, triangles, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut corners = vec![[0; 4]; n];
+        let mut triangles = vec![0; n];
+        check(fill(count, corners.as_mut_ptr().cast(), triangles.as_mut_ptr(), &mut count))?;
+        Ok(MeshQuads { corners, triangles })
     }
 
     /// What of it stands for which face, and how far that is from the face.

@@ -383,6 +383,8 @@ pub struct nurbs_mesh_options {
     pub relative_chord: f64,
     /// length of sides of triangles, \>= 0; 0: no limit; 0
     pub longest: f64,
+    /// between normals at corners of triangles, in radians, 0 to pi; 0: no limit; 0
+    pub angle: f64,
 }
 
 /// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
@@ -5572,6 +5574,18 @@ extern "C" {
         flags: u32,
         cap: i64,
         corners: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The quads of a mesh: pairs of triangles that are all of a cell of the domain, which has no vertex of
+    /// another cell on its sides.
+    ///
+    /// May be null: `corners`, `own_triangles`, `count`.
+    pub fn nurbs_mesh_quads(
+        mesh: *const nurbs_mesh,
+        flags: u32,
+        cap: i64,
+        corners: *mut i64,
+        own_triangles: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
     /// What of a mesh stands for which face.

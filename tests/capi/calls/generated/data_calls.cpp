@@ -1022,6 +1022,15 @@ const Call group[] = {
          options.longest = 1.5;
          return nurbs_mesh_surface(in.surface, &options, &o.mesh);
      }},
+    {"mesh_surface by angle",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 10;
+         options.relative_chord = 0;
+         options.angle = 0.5;
+         return nurbs_mesh_surface(in.surface, &options, &o.mesh);
+     }},
     {"mesh_face",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_mesh_options options;
@@ -1077,6 +1086,14 @@ const Call group[] = {
     {"mesh_triangles_i32",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_mesh_triangles_i32(in.mesh, 0, 16, o.states, o.spans);
+     }},
+    {"mesh_quads",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_quads(in.mesh, 0, 4, o.spans, o.spans + 16, o.spans + 20);
+     }},
+    {"mesh_quads welded",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_mesh_quads(in.mesh, NURBS_MESH_WELDED, 4, o.spans, o.spans + 16, o.spans + 20);
      }},
     {"mesh_faces",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1691,6 +1708,17 @@ const Call group[] = {
          options.chord = 10;
          options.relative_chord = 0;
          options.longest = 1.5;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_surface_with(in.surface, &options, &call, &o.mesh);
+     }},
+    {"mesh_surface_with by angle",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 10;
+         options.relative_chord = 0;
+         options.angle = 0.5;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_mesh_surface_with(in.surface, &options, &call, &o.mesh);
