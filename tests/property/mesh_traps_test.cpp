@@ -120,7 +120,7 @@ TEST(MeshTraps, normals_are_those_of_the_surface) {
         const Vec jets = eval_derivs(ground.surface.get(), 1, params);
         for (size_t i = 0; i < mesh.normals.size(); ++i) {
             const double *jet = &jets[9 * i];
-            const Point product = cross({jet[3], jet[4], jet[5]}, {jet[6], jet[7], jet[8]});
+            const Point product = meshes::cross({jet[3], jet[4], jet[5]}, {jet[6], jet[7], jet[8]});
             for (size_t c = 0; c < 3; ++c) {
                 EXPECT_NEAR(mesh.normals[i][c], product[c] / std::sqrt(dot(product, product)), 1e-13);
             }
