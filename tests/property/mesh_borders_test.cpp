@@ -9,13 +9,13 @@ namespace mesh_borders_test {
 
 using namespace support;
 using namespace support::meshes;
-using meshes::Point;
 using faces::Face;
 using faces::Ground;
 using faces::pi;
 using faces::Place;
 using faces::polygon;
 using faces::segment;
+using meshes::Point;
 
 namespace {
 

@@ -10,8 +10,8 @@ namespace mesh_sizes_test {
 
 using namespace support;
 using namespace support::meshes;
-using meshes::Point;
 using faces::pi;
+using meshes::Point;
 
 // Of surfaces; and as many of triangles.
 TEST(MeshSizes, none_of_ten_million_samples_is_farther_than_the_bounds) {

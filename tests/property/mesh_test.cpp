@@ -15,8 +15,8 @@ namespace mesh_test {
 
 using namespace support;
 using namespace support::meshes;
-using meshes::Point;
 using faces::pi;
+using meshes::Point;
 
 namespace {
 

@@ -47,18 +47,18 @@ HessianBox box_about(const CellCorners &corners) noexcept {
 
 namespace {
 
-// The most of the second derivative, across each of the two sides along axis k, that the function has which is 0 in both ends of that side.
+// The most of the second derivative, across each of the two sides along axis k, that the function has which is 0 in both ends of that
+// side: A - w P along an axis, for P on this side and on the other.
 double beside_sides(const HessianBox &box, size_t k) noexcept {
-    const Vector3 across = box.axes()[1 - k];
-    double most = 0;
-    for (const double end : {0.0, 1.0}) {
-        const Hessian h = box.along(across, box.origin() + end * box.speed(1 - k) * across);
-        const Range &range = k == 0 ? h.uu : h.vv;
-        const double slope = k == 0 ? range.v : range.u, rest = k == 0 ? range.u : range.v;
-        most =
-            std::max(most, std::abs(range.middle + (end - 0.5) * slope) + std::abs(rest) / 2 + range.radius);
-    }
-    return most;
+    const Hessian coordinate = box.of(1 - k), weight = box.of(3);
+    const Range &a = k == 0 ? coordinate.uu : coordinate.vv, &w = k == 0 ? weight.uu : weight.vv;
+    const auto on_side = [&](double end) {
+        const double p = end * box.speed(1 - k), middle = a.middle - p * w.middle, u = a.u - p * w.u,
+                     v = a.v - p * w.v;
+        return std::abs(middle + (end - 0.5) * (k == 0 ? v : u)) + std::abs(k == 0 ? u : v) / 2 + a.radius +
+               p * w.radius;
+    };
+    return std::max(on_side(0), on_side(1));
 }
 
 } // namespace

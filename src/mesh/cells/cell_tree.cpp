@@ -145,12 +145,12 @@ void CellTree::Builder::look_at(Item item) {
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.alone = at_border(item);
-    const bool small =
-        (!(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest) && !wide_axis(item.part).has_value();
+    const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
     const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small;
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
-    if (flat || side == Side::outside || hopeless || work_ended() ||
-        !divide(item, cut_of(item.part, found.box, bend))) {
+    const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
+    const bool enough = flat || side == Side::outside || hopeless || work_ended();
+    if ((enough && !wide) || !divide(item, cut_of(item.part, found.box, bend))) {
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
 }

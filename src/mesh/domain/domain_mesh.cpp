@@ -4,8 +4,7 @@
 #include "base/watch.h"
 #include "mesh/cells/cell_triangles.h"
 #include "mesh/domain/dropped_triangles.h"
-#include "mesh/domain/triangle_proof.h"
-#include "mesh/proof/mesh_bound.h"
+#include "mesh/domain/triangle_pool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +18,6 @@ namespace {
 // What is left for the differences of an estimate and a proof.
 constexpr double share_of_estimate = 0.97;
 constexpr int most_rounds = 16;
-// Multiply-adds of a triangle in a round, estimated.
-constexpr int64_t work_of_triangle = 3000;
 
 // Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
 class DomainMesher {
@@ -33,6 +30,7 @@ public:
 
     DomainMesh run() {
         for (;; ++round_) {
+            triangles_.drop_strip();
             make_cells();
             make_strip();
             sites_.evaluate();
@@ -49,7 +47,7 @@ private:
     struct CellState {
         std::array<int32_t, 4> corners{-1, -1, -1, -1}; // places; -1: not known
         int32_t places = 0;                             // on its border
-        size_t first = 0, count = 0;
+        TrianglePool::Range triangles;
     };
 
     [[nodiscard]] CellRule cell_rule() const;
@@ -60,6 +58,7 @@ private:
     [[nodiscard]] double rounding() const noexcept;
     [[nodiscard]] double within_reach(double length, double share) const noexcept;
     void prove();
+    [[nodiscard]] Distances distances(size_t triangle) const noexcept;
     [[nodiscard]] MeshTriangle mesh_triangle(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] bool is_border(const Site &site) const noexcept;
     [[nodiscard]] std::array<int32_t, 3> points_of(const SiteTriangle &triangle) const noexcept {
@@ -73,7 +72,10 @@ private:
     };
     [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
     [[nodiscard]] bool is_over(size_t triangle) const noexcept {
-        const bool far = !(distances_[triangle].most() <= chord_);
+        if (!triangles_.has(triangle)) {
+            return false;
+        }
+        const bool far = !(distances(triangle).most() <= chord_);
         return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
@@ -96,9 +98,8 @@ private:
     std::vector<std::array<double, 2>> extra_; // places of the strip besides
     int round_ = 0;
     std::vector<CellState> states_;
-    std::vector<SiteTriangle> triangles_; // those of cells first
-    std::vector<ProvenTriangle> proven_;
-    std::vector<Distances> distances_;
+    TrianglePool triangles_;
+    double slack_ = 0;                                // what rounding adds to distances
     std::vector<int32_t> crossed_;                    // segments of the border
     std::vector<std::array<int32_t, 2>> united_;      // points of the border
     std::vector<std::pair<int32_t, double>> touched_; // segments
@@ -141,44 +142,39 @@ void DomainMesher::make_cells() {
     CellTriangles maker(cells_.tree());
     std::vector<int32_t> border;
     std::vector<std::array<int32_t, 3>> made;
-    std::vector<SiteTriangle> triangles;
-    std::vector<ProvenTriangle> proven;
     const auto &all = cells_.tree().cells();
     states_.resize(all.size());
     for (size_t i = 0; i < all.size(); ++i) {
+        CellState &state = states_[i];
         if (all[i].side != Side::inside) {
-            states_[i] = {};
+            triangles_.remove(state.triangles);
+            state = {};
             continue;
         }
-        CellState &state = states_[i];
         if (state.corners[0] < 0) {
             state.corners = cells_.table().corners(all[i]);
         }
         const int32_t count = cells_.table().border_count(state.corners);
-        const size_t first = triangles.size();
         if (state.places == count) {
-            triangles.insert(triangles.end(), triangles_.begin() + static_cast<int64_t>(state.first),
-                             triangles_.begin() + static_cast<int64_t>(state.first + state.count));
-            proven.insert(proven.end(), proven_.begin() + static_cast<int64_t>(state.first),
-                          proven_.begin() + static_cast<int64_t>(state.first + state.count));
-        } else {
-            cells_.table().border(state.corners, border);
-            made.clear();
-            maker.make(cells_.table(), all[i], border, made);
-            for (const auto &places : made) {
-                triangles.push_back(
-                    {{sites_.of_place(places[0]), sites_.of_place(places[1]), sites_.of_place(places[2])},
-                     static_cast<int32_t>(i)});
-            }
+            continue;
         }
-        state = {state.corners, count, first, triangles.size() - first};
-        proven.resize(triangles.size(), {{}, -1}); // those that are new are not proven yet
+        triangles_.remove(state.triangles);
+        cells_.table().border(state.corners, border);
+        made.clear();
+        maker.make(cells_.table(), all[i], border, made);
+        state.places = count;
+        state.triangles = {triangles_.size(), made.size()};
+        for (const auto &places : made) {
+            const SiteTriangle triangle{
+                {sites_.of_place(places[0]), sites_.of_place(places[1]), sites_.of_place(places[2])},
+                static_cast<int32_t>(i)};
+            triangles_.add(triangle, mesh_triangle(triangle));
+        }
     }
-    triangles_ = std::move(triangles);
-    proven_ = std::move(proven);
 }
 
 void DomainMesher::make_strip() {
+    triangles_.begin_strip();
     if (!domain_.inside) {
         return;
     }
@@ -187,7 +183,8 @@ void DomainMesher::make_strip() {
     united_ = strip.united();
     touched_ = strip.touched();
     for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
-        triangles_.push_back({piece.sites, -1, piece.border, piece.fixed});
+        const SiteTriangle triangle{piece.sites, -1, piece.border, piece.fixed};
+        triangles_.add(triangle, mesh_triangle(triangle));
     }
 }
 
@@ -243,28 +240,14 @@ double DomainMesher::within_reach(double length, double share) const noexcept {
 }
 
 void DomainMesher::prove() {
-    proven_.resize(triangles_.size(), {{}, -1});
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        if (proven_[i].over < 0) {
-            proven_[i] = proof_.of(triangles_[i]);
-            count_work(work_of_triangle);
-        }
-    }
-    std::vector<MeshTriangle> all;
-    std::vector<TriangleBound> bounds;
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        all.push_back(mesh_triangle(triangles_[i]));
-        bounds.push_back(proven_[i].bound);
-    }
-    const MeshBound mesh(static_cast<size_t>(sites_.point_count()), all, bounds);
-    const double slack = rounding();
-    distances_.clear();
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        const Distances d = mesh.distances(i);
-        const double more = proven_[i].over + slack;
-        distances_.push_back({grid_.unscaled(d.from_shape + more) * (1 + 4 * eps),
-                              grid_.unscaled(d.from_mesh + more) * (1 + 4 * eps)});
-    }
+    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()));
+    slack_ = rounding();
+}
+
+Distances DomainMesher::distances(size_t triangle) const noexcept {
+    const Distances d = triangles_.distances(triangle);
+    return {grid_.unscaled(d.from_shape + slack_) * (1 + 4 * eps),
+            grid_.unscaled(d.from_mesh + slack_) * (1 + 4 * eps)};
 }
 
 double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
@@ -321,6 +304,7 @@ void DomainMesher::cut(const std::vector<int32_t> &cells) {
     }
     for (const int32_t cell : cells) {
         if (static_cast<size_t>(cell) < states_.size()) {
+            triangles_.remove(states_[static_cast<size_t>(cell)].triangles);
             states_[static_cast<size_t>(cell)] = {};
         }
     }
@@ -346,12 +330,12 @@ bool DomainMesher::improve() {
     std::vector<std::array<double, 2>> more;
     weak_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        const SiteTriangle &triangle = triangles_[i];
         if (!is_over(i)) {
             continue;
         }
+        const SiteTriangle &triangle = triangles_[i];
         if (triangle.cell >= 0) { // without any bound they are as small as is sensible
-            if (distances_[i].from_shape < infinity && (over.empty() || over.back() != triangle.cell)) {
+            if (distances(i).from_shape < infinity) {
                 over.push_back(triangle.cell);
             }
             continue;
@@ -359,11 +343,13 @@ bool DomainMesher::improve() {
         const Split split = split_of(triangle);
         if (split.border >= 0) {
             int &parts = weak_.try_emplace(split.border, 2).first->second;
-            parts = std::max(parts, parts_for(distances_[i].most()));
+            parts = std::max(parts, parts_for(distances(i).most()));
         } else if (split.size > chord_ / 4) {
             add_place(split.place, more);
         }
     }
+    std::ranges::sort(over);
+    over.erase(std::unique(over.begin(), over.end()), over.end());
     std::ranges::sort(more);
     more.erase(std::unique(more.begin(), more.end()), more.end());
     extra_.insert(extra_.end(), more.begin(), more.end());
@@ -384,16 +370,18 @@ bool DomainMesher::is_whole() const {
         return true;
     }
     std::vector<std::array<int32_t, 2>> sides, directed;
-    for (const SiteTriangle &triangle : triangles_) {
-        const auto p = points_of(triangle);
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (!triangles_.has(i)) {
+            continue;
+        }
+        const auto &p = triangles_.meshed(i).points;
         const bool at_pole = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
         for (size_t k = 0; k < 3; ++k) {
             const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
-            const Site &from = sites_[triangle.sites[(k + 1) % 3]], &to = sites_[triangle.sites[(k + 2) % 3]];
             if (!at_pole) {
                 directed.push_back({a, b});
             }
-            if (a != b && triangle.border[k] < 0 && !(is_border(from) && is_border(to))) {
+            if (a != b && !triangles_.meshed(i).border[k]) {
                 sides.push_back({std::min(a, b), std::max(a, b)});
             }
         }
@@ -432,9 +420,13 @@ DomainMesh DomainMesher::output() {
     };
     std::vector<std::array<int32_t, 3>> all;
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        result.from_shape = std::max(result.from_shape, distances_[i].from_shape);
-        result.from_mesh = std::max(result.from_mesh, distances_[i].from_mesh);
-        const auto p = all.emplace_back(points_of(triangles_[i]));
+        if (!triangles_.has(i)) {
+            continue;
+        }
+        const Distances d = distances(i);
+        result.from_shape = std::max(result.from_shape, d.from_shape);
+        result.from_mesh = std::max(result.from_mesh, d.from_mesh);
+        const auto &p = all.emplace_back(triangles_.meshed(i).points);
         if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) {
             const auto &s = triangles_[i].sites;
             result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});

@@ -20,19 +20,29 @@ bool is_zero(const Vector3 &v) noexcept {
 } // namespace
 
 MeshBound::MeshBound(size_t points, std::span<const MeshTriangle> triangles,
-                     std::span<const TriangleBound> bounds)
+                     std::span<const TriangleBound> bounds, std::span<const char> wanted)
     : triangles_(triangles), bounds_(bounds), points_(points) {
-    set_fans();
+    set_fans(wanted);
     for (Point &point : points_) {
-        set_point(point);
+        if (point.count > 0) {
+            set_point(point);
+        }
     }
 }
 
-void MeshBound::set_fans() {
+void MeshBound::set_fans(std::span<const char> wanted) {
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        for (size_t k = 0; k < 3 && wanted[i] != 0; ++k) {
+            points_[static_cast<size_t>(triangles_[i].points[k])].count = 0;
+        }
+    }
     const auto for_each_corner = [&](auto &&visit) {
         for (size_t i = 0; i < triangles_.size(); ++i) {
-            for (size_t k = 0; k < 3; ++k) {
-                visit(static_cast<int32_t>(i), points_[static_cast<size_t>(triangles_[i].points[k])]);
+            for (size_t k = 0; k < 3 && !triangles_[i].is_empty(); ++k) {
+                Point &point = points_[static_cast<size_t>(triangles_[i].points[k])];
+                if (point.count >= 0) {
+                    visit(static_cast<int32_t>(i), point);
+                }
             }
         }
     };
@@ -40,8 +50,8 @@ void MeshBound::set_fans() {
     int32_t next = 0;
     for (Point &point : points_) {
         point.first = next;
-        next += point.count;
-        point.count = 0;
+        next += std::max(point.count, 0);
+        point.count = std::min(point.count, 0);
     }
     fans_.resize(static_cast<size_t>(next));
     for_each_corner([&](int32_t triangle, Point &point) {

@@ -33,16 +33,19 @@ struct Distances {
     [[nodiscard]] double most() const noexcept { return std::max(from_shape, from_mesh); }
 };
 
-// By its points. border[k]: side k, opposite of corner k, is at the border of the mesh.
+// By its points; without any it is no triangle. border[k]: side k, opposite of corner k, is at the border of the mesh.
 struct MeshTriangle {
-    std::array<int32_t, 3> points{};
+    std::array<int32_t, 3> points{-1, -1, -1};
     std::array<bool, 3> border{};
+
+    [[nodiscard]] bool is_empty() const noexcept { return points[0] < 0; }
 };
 
 class MeshBound {
 public:
-    // Each triangle has its bound.
-    MeshBound(size_t points, std::span<const MeshTriangle> triangles, std::span<const TriangleBound> bounds);
+    // Each triangle has its bound; wanted: those of which the distances are going to be asked for.
+    MeshBound(size_t points, std::span<const MeshTriangle> triangles, std::span<const TriangleBound> bounds,
+              std::span<const char> wanted);
 
     [[nodiscard]] Distances distances(size_t triangle) const noexcept;
 
@@ -52,11 +55,11 @@ private:
         Vector3 normal{};  // the sum, and then the mean
         double turned = 0; // from the mean, as a chord of the unit sphere
         double altitude = infinity, height = 0, out = 0, beside = 0;
-        double turns = 0;             // in terms of the sines of angles across sides
-        double border = 0;            // how far the border is from its sides
-        int32_t first = 0, count = 0; // of the triangles around
+        double turns = 0;              // in terms of the sines of angles across sides
+        double border = 0;             // how far the border is from its sides
+        int32_t first = 0, count = -1; // of the triangles around; -1: not wanted
     };
-    void set_fans();
+    void set_fans(std::span<const char> wanted);
     void set_point(Point &point) noexcept;
     void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;
     void set_turns(Point &point) noexcept;
