@@ -60,7 +60,7 @@ void MeshBound::set_fans(std::span<const char> wanted) {
     });
 }
 
-void MeshBound::set_point(Point &point) noexcept {
+void MeshBound::set_point(Point &point) {
     const auto number = static_cast<int32_t>(&point - points_.data());
     point.normal = is_zero(point.normal) ? point.normal : unit(point.normal);
     around_.clear();

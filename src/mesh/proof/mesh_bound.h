@@ -60,7 +60,7 @@ private:
         int32_t first = 0, count = -1; // of the triangles around; -1: not wanted
     };
     void set_fans(std::span<const char> wanted);
-    void set_point(Point &point) noexcept;
+    void set_point(Point &point);
     void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;
     void set_turns(Point &point) noexcept;
     struct Around {
