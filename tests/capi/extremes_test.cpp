@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <string_view>
 
 namespace {
 
@@ -135,9 +136,19 @@ std::vector<std::vector<double>> all_numbers(const calls::Inputs &in) {
     return all;
 }
 
+// Meshes within given lengths, of shapes that may be any number of times as large, take all the work that calls may do,
+// seconds: one seed of six has them.
+bool is_left_out(const calls::Call &call, uint64_t seed) {
+    const std::string_view name = call.name;
+    return seed % 6 != 5 && (name.starts_with("mesh_curve") || name.find("by length") != name.npos);
+}
+
 int good = 0, refused = 0;
 
 void run(const calls::Call &call, const calls::Inputs &in, uint64_t seed) {
+    if (is_left_out(call, seed)) {
+        return;
+    }
     calls::Output o;
     const nurbs_status status = call.run(in, o);
     ++(status == NURBS_OK ? good : refused);

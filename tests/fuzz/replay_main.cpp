@@ -136,9 +136,9 @@ size_t mutation_count(size_t size) {
     return std::clamp<size_t>((size_t{8} << 20) / (size + 1), 200, 2000);
 }
 
-void run_with_mutations(const Bytes &bytes, Random &random) {
+void run_with_mutations(const Bytes &bytes, int64_t part, Random &random) {
     run(bytes);
-    const int64_t count = support::scaled(static_cast<int64_t>(mutation_count(bytes.size())));
+    const int64_t count = support::scaled(static_cast<int64_t>(mutation_count(bytes.size())) / part);
     for (int64_t i = 0; i < count; ++i) {
         run(mutated(bytes, random));
     }
@@ -172,8 +172,9 @@ Bytes contents(const std::filesystem::path &path) {
 } // namespace
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: %s CORPUS_FOLDER_OR_FILE\n", argv[0]);
+    const int64_t part = argc == 3 ? std::strtoll(argv[2], nullptr, 10) : 1;
+    if (argc < 2 || argc > 3 || part < 1) {
+        std::fprintf(stderr, "usage: %s CORPUS_FOLDER_OR_FILE [PART]: 1 / PART of the mutations\n", argv[0]);
         return 2;
     }
     watch_for_failures();
@@ -190,7 +191,7 @@ int main(int argc, char **argv) {
     for (const auto &file : files) {
         std::printf("%s\n", file.c_str());
         std::fflush(stdout);
-        run_with_mutations(contents(file), random);
+        run_with_mutations(contents(file), part, random);
     }
     run_noise(random);
     std::printf("%zu files replayed\n", files.size());

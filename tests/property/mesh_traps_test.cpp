@@ -40,6 +40,33 @@ Face whole(const Ground &ground) {
     return faces::face_of(ground.surface.get(), {});
 }
 
+// A spindle: circles around the z axis, made of cubics, about three cones that end in points.
+Handle spindle() {
+    const int32_t degrees[] = {1, 3};
+    const int64_t counts[] = {4, 7};
+    const double knots[] = {0, 0, 1, 2, 3, 3, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    const double radii[] = {0, 1, 2, 0}, heights[] = {0, 1, 2, 9}, turns[] = {1, 0, -1, 0};
+    Vec points;
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t j = 0; j < 7; ++j) {
+            points.insert(points.end(), {radii[i] * turns[j % 4], radii[i] * turns[(j + 3) % 4], heights[i]});
+        }
+    }
+    return made([&](nurbs **out) {
+        return nurbs_create(2, degrees, counts, knots, 17, 3, points.data(), 0, 0, nullptr, 0,
+                            NURBS_ON_AXIS(1, NURBS_PERIODIC), out);
+    });
+}
+
+Mesh mesh_within(const nurbs *g, double chord, int64_t work) {
+    return mesh_of(g, chord, [&](const nurbs *shape, const nurbs_mesh_options *options, nurbs_mesh **out) {
+        nurbs_call_options call;
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = work;
+        return nurbs_mesh_surface_with(shape, options, &call, out);
+    });
+}
+
 } // namespace
 
 // Oblikovati#101: faces flattened to a plane and cut into ears. Half a ball that its equator bounds has points inside.
@@ -150,6 +177,24 @@ TEST(MeshTraps, seams_are_welded) {
     const Mesh mesh = expect_meshed(whole(ground).get(), 0.01, 0);
     EXPECT_EQ(free_sides(sides_of(mesh)), 0);
     EXPECT_GT(mesh.at.size(), mesh.points.size()); // vertices on both sides of it
+}
+
+// Where work ends early, a strip around an axis may have a single cell, and no triangle with three points. What is missing is told.
+TEST(MeshTraps, strips_without_triangles_are_told) {
+    Random random(6);
+    const Handle g = spindle();
+    size_t proven = 0;
+    for (double work = 1000; work < 1e6; work *= 1.1) {
+        const Mesh mesh = mesh_within(g.get(), 3, static_cast<int64_t>(work));
+        const Vec places = places_of(g.get(), nullptr, random, 40);
+        for (size_t i = 0; i < places.size(); i += 2) {
+            Point x{};
+            require_ok(nurbs_eval(g.get(), 1, &places[i], 0, 0, x.data(), 0, 0, 0));
+            ASSERT_LE(distance(mesh, x), mesh.from_shape * (1 + 1e-12)) << work;
+        }
+        proven += std::isfinite(mesh.from_shape) ? 1 : 0;
+    }
+    EXPECT_GT(proven, 10U);
 }
 
 // CDT!133: refinement that does not end, and Oblikovati#1409: a limit of it that is taken for success. Between sides that meet at a
