@@ -105,6 +105,7 @@ private:
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
     [[nodiscard]] bool improve();
+    [[nodiscard]] bool loses_cells() const;
     [[nodiscard]] bool is_whole() const;
     [[nodiscard]] DomainMesh output();
 
@@ -437,6 +438,15 @@ bool DomainMesher::improve() {
     return !over.empty() || !more.empty();
 }
 
+// Whether of a cell no triangle has three points, as of one all around a closed surface where the work ended.
+bool DomainMesher::loses_cells() const {
+    return std::ranges::any_of(states_, [&](const CellState &state) {
+        const auto first = triangles_.begin() + static_cast<int64_t>(state.first);
+        return state.count > 0 && std::all_of(first, first + static_cast<int64_t>(state.count),
+                                              [&](const auto &own) { return is_at_point(own); });
+    });
+}
+
 // Whether each side of a triangle is one of two triangles, or at the border, and of two in opposite directions.
 bool DomainMesher::is_whole() const {
     if (!domain_.inside) {
@@ -510,7 +520,7 @@ DomainMesh DomainMesher::output() {
     for (size_t i = 0; i < triangles_.size() && !over; ++i) {
         over = is_over(i);
     }
-    const bool whole = crossed_.empty() && !result.triangles.empty() && is_whole();
+    const bool whole = crossed_.empty() && !result.triangles.empty() && !loses_cells() && is_whole();
     const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
     result.reached = whole && !over && as_asked;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
