@@ -24,7 +24,7 @@ constexpr int most_rounds = 16;
 // Multiply-adds of a triangle in a round, estimated.
 constexpr int64_t work_of_triangle = 3000;
 // Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
-constexpr double least_for_angles = 1e-6;
+constexpr double least_for_angles = 1e-5;
 // Rounds in which the strip is divided for an angle.
 constexpr int most_angle_rounds = 10;
 
@@ -94,8 +94,10 @@ private:
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] double turn_over(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const noexcept {
-        return angle_ > 0 && !is_at_point(triangle) && normals_apart(triangle) > most_apart_;
+        return angle_ > 0 && !is_at_point(triangle) &&
+               (normals_apart(triangle) > most_apart_ || turn_over(triangle) > angle_);
     }
     [[nodiscard]] bool is_to_divide(size_t triangle) const noexcept;
     [[nodiscard]] double least_split(size_t triangle) const noexcept;
@@ -329,6 +331,13 @@ double DomainMesher::normals_apart(const SiteTriangle &triangle) const noexcept 
         most = apart > most ? apart : most;
     }
     return most;
+}
+
+// By the bound of its cell.
+double DomainMesher::turn_over(const SiteTriangle &triangle) const noexcept {
+    return triangle.cell < 0
+               ? 0
+               : turn_of(cells_.tree().cells()[static_cast<size_t>(triangle.cell)].box, least_).both;
 }
 
 // Where the bound of a cell sees no turn, parts of it would not do better.
