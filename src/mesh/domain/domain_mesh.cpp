@@ -34,7 +34,8 @@ public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule)
         : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
           chord_(within_reach(rule.chord, 1e-3)), longest_(within_reach(rule.longest, 1e-2)),
-          angle_(rule.angle < std::numbers::pi ? angle_within_reach(rule.angle) : 0),
+          angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
+                                                                             : 0),
           most_apart_(angle_ > 0 ? 2 * std::sin(angle_ / 2) - 8 * eps : infinity),
           least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
           proof_(domain, cells_, sites_, grid_.scaled(chord_)) {}
