@@ -8274,11 +8274,11 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  *
  * **The angle** between the normals of the surface at any two corners of a triangle (those of nurbs_mesh_vertices(),
  * from the side of the triangle) is at most `angle`, and so it is at the ends of each side for the triangles on both
- * sides of it, where the surface has no crease. Corners without a normal do not count. On its way there the domain is
+ * sides of it, where the surface has no crease. Corners without a normal do not count. Besides, the domain is
  * halved until a bound of the second derivatives all over a cell says that the normal turns by no more in it: an
- * estimate, not a proof, that finds waves between the corners. No angle below 1e-7 is reached, and none at places
- * that are singular, where the normal jumps inside of a polynomial piece: triangles there become as short as 1e-6 of the
- * size of the surface.
+ * estimate, not a proof, that finds waves between the corners, and without which nothing counts as reached. No angle
+ * below 1e-7 is reached, and none at places that are singular, where the normal jumps inside of a polynomial piece:
+ * triangles there become as short as 1e-5 of the size of the surface. In the plane there is no angle to keep.
  *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is

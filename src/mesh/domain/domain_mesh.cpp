@@ -22,7 +22,7 @@ namespace {
 constexpr double share_of_estimate = 0.97;
 constexpr int most_rounds = 16;
 // Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
-constexpr double least_for_angles = 1e-6;
+constexpr double least_for_angles = 1e-5;
 // Rounds in which the strip is divided for an angle.
 constexpr int most_angle_rounds = 10;
 
@@ -32,7 +32,8 @@ public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule)
         : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
           chord_(within_reach(rule.chord, 1e-3)), longest_(within_reach(rule.longest, 1e-2)),
-          angle_(rule.angle < std::numbers::pi ? angle_within_reach(rule.angle) : 0),
+          angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
+                                                                             : 0),
           most_apart_(angle_ > 0 ? 2 * std::sin(angle_ / 2) - 8 * eps : infinity),
           least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
           proof_(domain, cells_, sites_, grid_.scaled(chord_)) {}
@@ -94,8 +95,10 @@ private:
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] double turn_over(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const noexcept {
-        return angle_ > 0 && !is_at_point(triangle) && normals_apart(triangle) > most_apart_;
+        return angle_ > 0 && !is_at_point(triangle) &&
+               (normals_apart(triangle) > most_apart_ || turn_over(triangle) > angle_);
     }
     [[nodiscard]] bool is_to_divide(size_t triangle) const noexcept;
     [[nodiscard]] double least_split(size_t triangle) const noexcept;
@@ -309,6 +312,13 @@ double DomainMesher::normals_apart(const SiteTriangle &triangle) const noexcept 
         most = apart > most ? apart : most;
     }
     return most;
+}
+
+// By the bound of its cell.
+double DomainMesher::turn_over(const SiteTriangle &triangle) const noexcept {
+    return triangle.cell < 0
+               ? 0
+               : turn_of(cells_.tree().cells()[static_cast<size_t>(triangle.cell)].box, least_).both;
 }
 
 // Where the bound of a cell sees no turn, parts of it would not do better.
