@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/domain_mesher.h"
+
+#include "base/watch.h"
+#include "mesh/cells/cell_triangles.h"
+#include "mesh/extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nrb::mesh {
+
+namespace {
+
+// What is left for the differences of an estimate and a proof.
+constexpr double share_of_estimate = 0.97;
+constexpr int most_rounds = 16;
+// Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
+constexpr double least_for_angles = 1e-5;
+
+} // namespace
+
+DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
+    : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
+      chord_(within_reach(rule.chord, 1e-3)), longest_(within_reach(rule.longest, 1e-2)),
+      angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
+                                                                         : 0),
+      most_apart_(angle_ > 0 ? 2 * std::sin(angle_ / 2) - 8 * eps : infinity),
+      least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
+      proof_(domain, cells_, sites_, grid_.scaled(chord_)) {}
+
+DomainMesh DomainMesher::run() {
+    for (;; ++round_) {
+        triangles_.drop_strip();
+        make_cells();
+        make_strip();
+        sites_.evaluate();
+        prove();
+        if (round_ == most_rounds || work_ended() || !improve() ||
+            (domain_.border_grows && (is_weak() || !united_.empty() || !touched_.empty()))) {
+            return output();
+        }
+    }
+}
+
+CellRule DomainMesher::cell_rule() const {
+    CellRule rule;
+    rule.chord = grid_.scaled(chord_) * share_of_estimate;
+    rule.longest = grid_.scaled(longest_);
+    rule.angle = angle_;
+    rule.least = least_;
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
+        const double parts = domain_.closed[k]                                    ? 3
+                             : domain_.collapsed[k][0] || domain_.collapsed[k][1] ? 2
+                                                                                  : 1;
+        rule.most_sides[k] = (axis.upper - axis.lower) / parts * (1 + 1e-9);
+    }
+    if (domain_.inside) {
+        rule.side = [this](const Rectangle &part) { return side_of(part); };
+    }
+    return rule;
+}
+
+Side DomainMesher::side_of(const Rectangle &part) const {
+    Rectangle around = part;
+    for (size_t k = 0; k < 2; ++k) {
+        around.lower[k] -= near_border * part.side(k);
+        around.upper[k] += near_border * part.side(k);
+    }
+    if (index_.any_in(around) || domain_.cut(part)) {
+        return Side::border;
+    }
+    return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2})
+               ? Side::inside
+               : Side::outside;
+}
+
+// Cells with as many places on their border as before have the triangles that they had.
+void DomainMesher::make_cells() {
+    CellTriangles maker(cells_.tree());
+    std::vector<int32_t> border;
+    std::vector<std::array<int32_t, 3>> made;
+    const auto &all = cells_.tree().cells();
+    states_.resize(all.size());
+    for (size_t i = 0; i < all.size(); ++i) {
+        CellState &state = states_[i];
+        if (all[i].side != Side::inside) {
+            triangles_.remove(state.triangles);
+            state = {};
+            continue;
+        }
+        if (state.corners[0] < 0) {
+            state.corners = cells_.table().corners(all[i]);
+        }
+        const int32_t count = cells_.table().border_count(state.corners);
+        if (state.places == count) {
+            continue;
+        }
+        triangles_.remove(state.triangles);
+        cells_.table().border(state.corners, border);
+        made.clear();
+        maker.make(cells_.table(), all[i], border, made);
+        state.places = count;
+        state.triangles = {triangles_.size(), made.size()};
+        for (const auto &places : made) {
+            const SiteTriangle triangle{
+                {sites_.of_place(places[0]), sites_.of_place(places[1]), sites_.of_place(places[2])},
+                static_cast<int32_t>(i)};
+            triangles_.add(triangle, mesh_triangle(triangle));
+        }
+    }
+}
+
+void DomainMesher::make_strip() {
+    triangles_.begin_strip();
+    if (!domain_.inside) {
+        return;
+    }
+    const BorderStrip strip(domain_, index_, cells_, extra_);
+    crossed_ = strip.crossed();
+    united_ = strip.united();
+    touched_ = strip.touched();
+    for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
+        const SiteTriangle triangle{piece.sites, -1, piece.border, piece.fixed};
+        triangles_.add(triangle, mesh_triangle(triangle));
+    }
+}
+
+// Whether a site is where the surface ends: at an end of the domain, or where it jumps.
+bool DomainMesher::is_border(const Site &site) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        const auto axis = static_cast<int>(k);
+        if (site.param[k] == ends.front() || site.param[k] == ends.back()) {
+            const bool upper = site.param[k] == ends.back();
+            if (!domain_.closed[k] && !domain_.collapsed[k][upper ? 1 : 0]) {
+                return true;
+            }
+        } else if (std::ranges::binary_search(ends, site.param[k]) &&
+                   grid_.jumps(axis, grid_.find(axis, site.param[k]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+MeshTriangle DomainMesher::mesh_triangle(const SiteTriangle &triangle) const noexcept {
+    MeshTriangle result{points_of(triangle)};
+    for (size_t k = 0; k < 3; ++k) {
+        result.border[k] = triangle.border[k] >= 0 || (is_border(sites_[triangle.sites[(k + 1) % 3]]) &&
+                                                       is_border(sites_[triangle.sites[(k + 2) % 3]]));
+    }
+    return result;
+}
+
+// What moves the pieces, and points that are evaluated. Where weights have either sign, that is relative to the least of the
+// surface.
+double DomainMesher::rounding(double least_weight) const noexcept {
+    constexpr int divisions = 64; // no cell is the result of more
+    return grid_.moved() + grid_.moved_by_weights(grid_.radius(), least_weight, divisions) +
+           8 * grid_.value_error() * grid_.radius() * (grid_.positive() ? 1 : 1 / least_weight) +
+           4 * eps * grid_.size();
+}
+
+double DomainMesher::rounding() const noexcept {
+    double least = 1;
+    for (const Cell &cell : cells_.tree().cells()) {
+        least = cell.box.certain() ? std::min(least, cell.box.least_weight()) : least;
+    }
+    return rounding(least);
+}
+
+// No triangles are nearer, or smaller, than rounding allows, however many there are. Then a mesh for the eye is made: for a
+// share of the size.
+double DomainMesher::within_reach(double length, double share) const noexcept {
+    const bool wanted = length > 0 && length < infinity;
+    return wanted && !(grid_.scaled(length) > rounding(1)) ? grid_.unscaled(share * grid_.size()) : length;
+}
+
+void DomainMesher::prove() {
+    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()));
+    slack_ = rounding();
+}
+
+Distances DomainMesher::distances(size_t triangle) const noexcept {
+    const Distances d = triangles_.distances(triangle);
+    return {grid_.unscaled(d.from_shape + slack_) * (1 + 4 * eps),
+            grid_.unscaled(d.from_mesh + slack_) * (1 + 4 * eps)};
+}
+
+DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule) {
+    return DomainMesher(domain, rule).run();
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// What makes the mesh of a domain: making and proving in domain_mesher.cpp, judging and dividing in domain_rounds.cpp, the result in
+// domain_output.cpp.
+#pragma once
+
+#include "mesh/domain/domain_mesh.h"
+#include "mesh/domain/triangle_pool.h"
+
+#include <map>
+
+namespace nrb::mesh {
+
+// Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
+class DomainMesher {
+public:
+    DomainMesher(const MeshDomain &domain, const MeshRule &rule);
+
+    [[nodiscard]] DomainMesh run();
+
+private:
+    // Of the triangles of a cell, side by side.
+    struct CellState {
+        std::array<int32_t, 4> corners{-1, -1, -1, -1}; // places; -1: not known
+        int32_t places = 0;                             // on its border
+        TrianglePool::Range triangles;
+    };
+
+    [[nodiscard]] CellRule cell_rule() const;
+    [[nodiscard]] Side side_of(const Rectangle &part) const;
+    void make_cells();
+    void make_strip();
+    [[nodiscard]] double rounding(double least_weight) const noexcept;
+    [[nodiscard]] double rounding() const noexcept;
+    [[nodiscard]] double within_reach(double length, double share) const noexcept;
+    void prove();
+    [[nodiscard]] Distances distances(size_t triangle) const noexcept;
+    [[nodiscard]] MeshTriangle mesh_triangle(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] bool is_border(const Site &site) const noexcept;
+    [[nodiscard]] std::array<int32_t, 3> points_of(const SiteTriangle &triangle) const noexcept {
+        return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
+                sites_[triangle.sites[2]].point};
+    }
+    // Whether two corners are at one point.
+    [[nodiscard]] bool is_at_point(const SiteTriangle &triangle) const noexcept {
+        const auto p = points_of(triangle);
+        return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+    }
+    struct Split {
+        double size = 0;
+        std::array<double, 2> place{};
+        int32_t border = -1; // segment of the border
+    };
+    [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
+    [[nodiscard]] bool is_large(size_t triangle) const noexcept {
+        const bool far = !(distances(triangle).most() <= chord_);
+        return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
+    }
+    [[nodiscard]] bool is_over(size_t triangle) const noexcept {
+        return triangles_.has(triangle) && (is_large(triangle) || is_turned(triangles_[triangle]));
+    }
+    [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] double turn_over(const SiteTriangle &triangle) const noexcept;
+    [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const noexcept {
+        return angle_ > 0 && !is_at_point(triangle) &&
+               (normals_apart(triangle) > most_apart_ || turn_over(triangle) > angle_);
+    }
+    [[nodiscard]] bool is_to_divide(size_t triangle) const noexcept;
+    [[nodiscard]] double least_split(size_t triangle) const noexcept;
+    [[nodiscard]] int parts_for(size_t triangle) const noexcept;
+    [[nodiscard]] bool is_pair(size_t triangle) const noexcept;
+    [[nodiscard]] bool is_weak() const;
+    void cut(const std::vector<int32_t> &cells);
+    void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
+    [[nodiscard]] bool improve();
+    [[nodiscard]] bool is_whole() const;
+    [[nodiscard]] DomainMesh output();
+
+    const MeshDomain &domain_;
+    const MeshRule &rule_;
+    const pieces::PieceGrid &grid_;
+    SegmentIndex index_;
+    double chord_, longest_, angle_; // that triangles are made for
+    double most_apart_;              // of unit normals
+    double least_;                   // in the units of the grid
+    CellGrid cells_;
+    Sites sites_;
+    TriangleProof proof_;
+    std::vector<std::array<double, 2>> extra_; // places of the strip besides
+    int round_ = 0;
+    std::vector<CellState> states_;
+    TrianglePool triangles_;
+    double slack_ = 0;                                // what rounding adds to distances
+    std::vector<int32_t> crossed_;                    // segments of the border
+    std::vector<std::array<int32_t, 2>> united_;      // points of the border
+    std::vector<std::pair<int32_t, double>> touched_; // segments
+    std::map<int32_t, int> weak_;                     // these, and into how many parts they are to be divided
+};
+
+} // namespace nrb::mesh

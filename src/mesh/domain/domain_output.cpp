@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/domain_mesher.h"
+#include "mesh/domain/dropped_triangles.h"
+
+#include <algorithm>
+
+namespace nrb::mesh {
+
+// Whether each side of a triangle is one of two triangles, or at the border, and of two in opposite directions.
+bool DomainMesher::is_whole() const {
+    if (!domain_.inside) {
+        return true;
+    }
+    std::vector<std::array<int32_t, 2>> sides, directed;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (!triangles_.has(i)) {
+            continue;
+        }
+        const auto &p = triangles_.meshed(i).points;
+        const bool at_pole = is_at_point(triangles_[i]);
+        for (size_t k = 0; k < 3; ++k) {
+            const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
+            if (!at_pole) {
+                directed.push_back({a, b});
+            }
+            if (a != b && !triangles_.meshed(i).border[k]) {
+                sides.push_back({std::min(a, b), std::max(a, b)});
+            }
+        }
+    }
+    std::ranges::sort(sides);
+    for (size_t i = 0; i < sides.size(); i += 2) {
+        if (i + 1 == sides.size() || sides[i] != sides[i + 1]) {
+            return false;
+        }
+    }
+    std::ranges::sort(directed);
+    return std::ranges::adjacent_find(directed) == directed.end();
+}
+
+// Whether it and the next one are all of a cell, without other places on its border.
+bool DomainMesher::is_pair(size_t triangle) const noexcept {
+    const int32_t cell = triangles_[triangle].cell;
+    const CellState none, &state = cell < 0 ? none : states_[static_cast<size_t>(cell)];
+    return state.places == 4 && state.triangles.count == 2 && state.triangles.first == triangle &&
+           !is_at_point(triangles_[triangle]) && !is_at_point(triangles_[triangle + 1]);
+}
+
+// Without sites and points that no triangle has.
+DomainMesh DomainMesher::output() {
+    DomainMesh result;
+    std::vector<int32_t> sites(sites_.all().size(), -1),
+        points(static_cast<size_t>(sites_.point_count()), -1);
+    const auto vertex = [&](int32_t site) {
+        int32_t &own = sites[static_cast<size_t>(site)];
+        if (own < 0) {
+            own = static_cast<int32_t>(result.vertices.size());
+            int32_t point = sites_[site].point;
+            if (point >= sites_.first_point()) {
+                int32_t &number = points[static_cast<size_t>(point)];
+                if (number < 0) {
+                    number = static_cast<int32_t>(result.points.size());
+                    result.points.push_back(sites_.point(point));
+                }
+                point = -1 - number;
+            }
+            result.vertices.push_back({point, sites_[site].param, sites_.normal(site)});
+        }
+        return own;
+    };
+    std::vector<std::array<int32_t, 3>> all;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (!triangles_.has(i)) {
+            continue;
+        }
+        const Distances d = distances(i);
+        result.from_shape = std::max(result.from_shape, d.from_shape);
+        result.from_mesh = std::max(result.from_mesh, d.from_mesh);
+        all.push_back(triangles_.meshed(i).points);
+        if (!is_at_point(triangles_[i])) {
+            const auto &s = triangles_[i].sites;
+            result.paired.push_back(is_pair(i));
+            result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
+        }
+    }
+    bool over = false;
+    for (size_t i = 0; i < triangles_.size() && !over; ++i) {
+        over = is_over(i);
+    }
+    const bool whole = crossed_.empty() && !result.triangles.empty() && have_all_dropped(all) && is_whole();
+    const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
+    result.reached = whole && !over && as_asked;
+    result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
+    result.united = united_;
+    result.touched = touched_;
+    for (const int32_t segment : crossed_) {
+        weak_.try_emplace(segment, 2);
+    }
+    result.weak.assign(weak_.begin(), weak_.end());
+    return result;
+}
+
+} // namespace nrb::mesh
