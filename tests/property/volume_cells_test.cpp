@@ -640,7 +640,7 @@ TEST(Hexahedra, OfASolidCylinder) {
         EXPECT_EQ(all.folds[i], NURBS_FOLD_NONE);
         EXPECT_EQ(all.signs[i], all.signs[0]);
         std::vector<double> points;
-        for (const size_t corner : {0, 4, 3, 7, 1, 5, 2, 6}) {
+        for (const size_t corner : {0U, 4U, 3U, 7U, 1U, 5U, 2U, 6U}) {
             const auto &x = all.points[static_cast<size_t>(all.corners[i][corner])];
             points.insert(points.end(), x.begin(), x.end());
         }

@@ -36,7 +36,7 @@ public:
         : grid_(grid), rule_(rule), tree_(tree), nets_(grid), one_(nets_.values()) {}
 
     void build();
-    void cut(int32_t cell);
+    void cut(int32_t number);
     void sort_lines();
 
 private:

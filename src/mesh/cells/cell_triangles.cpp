@@ -47,9 +47,9 @@ private:
 template <typename Stops>
 void rotate_to_start(Stops &stops, unsigned side) {
     const auto off = std::ranges::find_if(stops, [&](const auto &stop) { return (stop.sides & side) == 0; });
-    std::ranges::rotate(stops, off);
+    std::rotate(stops.begin(), off, stops.end());
     const auto on = std::ranges::find_if(stops, [&](const auto &stop) { return (stop.sides & side) != 0; });
-    std::ranges::rotate(stops, on);
+    std::rotate(stops.begin(), on, stops.end());
 }
 
 // Of those on other sides, the one that lies least far along this side from the middle one.
@@ -71,7 +71,7 @@ size_t opposite_of(const Stops &stops, unsigned side, size_t middle) {
 } // namespace
 
 void CellTriangles::make_two(const Cell &cell, const std::vector<int32_t> &border,
-                             std::vector<std::array<int32_t, 3>> &out) const {
+                             std::vector<std::array<int32_t, 3>> &out) {
     const Hessian height = cell.box.of(2);
     if (std::abs(height.along(1, 1)) <= std::abs(height.along(1, -1))) {
         out.push_back({border[0], border[1], border[2]});

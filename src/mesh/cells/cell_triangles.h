@@ -26,12 +26,12 @@ private:
         double u, v;    // in the cell
     };
     using Stops = std::vector<Stop>;
-    void make_two(const Cell &cell, const std::vector<int32_t> &border,
-                  std::vector<std::array<int32_t, 3>> &out) const;
+    static void make_two(const Cell &cell, const std::vector<int32_t> &border,
+                         std::vector<std::array<int32_t, 3>> &out);
     [[nodiscard]] Stops stops_of(const PlaceTable &table, const Cell &cell,
                                  const std::vector<int32_t> &border) const;
-    void make_in_parts(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
-    void cut_ears(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
+    static void make_in_parts(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
+    static void cut_ears(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
     [[nodiscard]] static size_t best_ear(const Stops &stops, const Cell &cell);
 
     const CellTree &tree_;

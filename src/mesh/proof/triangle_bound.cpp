@@ -53,7 +53,7 @@ private:
     [[nodiscard]] bool runs_along(size_t k) const noexcept;
     [[nodiscard]] double sharpness() const noexcept;
     [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
-    [[nodiscard]] double off(const Vector3 &d) const noexcept;
+    [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
     void set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
                    TriangleBound &result) const noexcept;
