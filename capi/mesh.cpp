@@ -23,7 +23,8 @@ constexpr int64_t usual_hexahedra = int64_t{1} << 20;
 constexpr int64_t usual_work_for_meshes = 4000000000, work_for_a_point = 20000;
 
 void check_limits(const mesh::MeshRule &rule) {
-    const bool limited = rule.relative > 0 || rule.longest > 0 || rule.angle > 0;
+    const bool limited =
+        rule.relative > 0 || rule.longest > 0 || (rule.angle > 0 && rule.angle < std::numbers::pi);
     if (!(rule.chord > 0) || (std::isinf(rule.chord) && !limited)) {
         fail(Status::tolerance, "options: chord = %s, expected > 0, and finite without another limit",
              Number(rule.chord).text);

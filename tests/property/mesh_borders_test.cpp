@@ -124,6 +124,23 @@ TEST(MeshBorders, loops_given_backwards_are_turned) {
     EXPECT_NEAR(areas[0], areas[1], 1e-3 * areas[0]);
 }
 
+// The middle of a triangle between a coarse polygon and its circle is inside of the circle and outside of the polygon.
+TEST(MeshBorders, coarse_polygons_bound_what_their_curves_bound) {
+    const Vec knots{0, 0, 0.5, 1, 1};
+    SplineData data{{1, 1}, {3, 3}, {knots, knots}, 3, {}, {}, 0};
+    for (int i = 0; i < 9; ++i) {
+        data.points.insert(data.points.end(), {i / 3 / 2.0, i % 3 / 2.0, 0});
+    }
+    const Handle plate = create(data);
+    const Handle disc = circle({0.5, 0.5}, 0.46), hole = circle({0.5, 0.5}, 0.083);
+    for (const double chord : {0.02, 0.05, 0.1, 0.15, 0.19, 0.24, 0.33, 0.5}) {
+        const Face whole = faces::face_of(plate.get(), {{disc.get()}});
+        EXPECT_GT(area_of(expect_face(plate.get(), whole.get(), chord, 1)), 0.3);
+        const Face washer = faces::face_of(plate.get(), {{disc.get()}, {hole.get()}});
+        EXPECT_GT(area_of(expect_face(plate.get(), washer.get(), chord, 0)), 0.25);
+    }
+}
+
 TEST(MeshBorders, loops_around_a_cylinder_bound_a_band) {
     const Ground ground = faces::cylinder(2, 3);
     for (const double from : {0.0, 0.3}) {

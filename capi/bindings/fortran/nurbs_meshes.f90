@@ -282,7 +282,10 @@ contains
         if (allocated(own_triangles)) deallocate (own_triangles)
         allocate (corners_c(4, n), own_triangles(n))
         if (code == NURBS_OK) code = nurbs_mesh_quads(this%handle, given(flags, 0), n, corners_c, own_triangles)
-        if (code == NURBS_OK) corners = transpose(corners_c) + 1
+        if (code == NURBS_OK) then
+            corners = transpose(corners_c) + 1
+            own_triangles = own_triangles + 1
+        end if
         call settle(code, status)
     end subroutine quads
 

@@ -70,6 +70,7 @@ public:
             if (i > 0 && all[i].loop != all[i - 1].loop) {
                 close();
             }
+            backwards_ = border_.is_turned(all[i]);
             add(all[i]);
         }
         close();
@@ -96,6 +97,7 @@ private:
     SnapLines lines_;
     FaceBorder result_;
     int32_t first_ = -1, last_ = -1; // points of the loop
+    bool backwards_ = false;
     int64_t line_ = -1, last_line_ = -1;
     double last_edge_param_ = 0; // of an edge
     std::array<double, 2> span_{nan_value, nan_value};
@@ -268,6 +270,7 @@ void BorderWalk::add_segment(int32_t from, int32_t to) {
     const Point2 &a = result_.points[static_cast<size_t>(from)].param,
                  &b = result_.points[static_cast<size_t>(to)].param;
     BorderSegment segment{from, to};
+    segment.backwards = backwards_;
     if (!std::isnan(span_[0])) {
         segment.line = line_;
         segment.params = span_;

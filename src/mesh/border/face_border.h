@@ -19,6 +19,7 @@ struct BorderSegment {
     // The polyline that it is of, -1: none, and the parameters of its ends on the edge.
     int64_t line = -1;
     std::array<double, 2> params{};
+    bool backwards = false; // the inside is to its right, else to its left
 };
 
 struct FaceBorder {

@@ -258,11 +258,51 @@ std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
     return result;
 }
 
+// On a seam there may be segments both ways.
+bool BorderStrip::on_seam(const BorderSegment &segment) const noexcept {
+    const auto &a = domain_.border.points[static_cast<size_t>(segment.from)].param,
+               &b = domain_.border.points[static_cast<size_t>(segment.to)].param;
+    bool result = false;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        result =
+            result || (domain_.closed[k] && a[k] == b[k] && (a[k] == ends.front() || a[k] == ends.back()));
+    }
+    return result;
+}
+
+// The inside is to the left of the border.
+double BorderStrip::left_of(const StripTriangle &triangle) const noexcept {
+    double left = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        if (triangle.border[k] < 0) {
+            continue;
+        }
+        const BorderSegment &segment = domain_.border.segments[static_cast<size_t>(triangle.border[k])];
+        if (on_seam(segment)) {
+            continue;
+        }
+        const auto &a = domain_.border.points[static_cast<size_t>(segment.from)].param,
+                   &b = domain_.border.points[static_cast<size_t>(segment.to)].param,
+                   &from = points_[static_cast<size_t>(triangle.corners[(k + 1) % 3])],
+                   &to = points_[static_cast<size_t>(triangle.corners[(k + 2) % 3])];
+        double along = 0;
+        for (size_t c = 0; c < 2; ++c) {
+            const auto &ends = cells_.tree().block_ends(c);
+            const double unit = ends.back() - ends.front();
+            along += (b[c] - a[c]) / unit * ((to[c] - from[c]) / unit);
+        }
+        left += std::copysign(std::sqrt(std::abs(along)), segment.backwards ? -along : along);
+    }
+    return left;
+}
+
 // Triangles along the border may be as thin as what is between curves and segments, and so may a whole component be.
 BorderStrip::Vote BorderStrip::vote_of(const Strip::Component &component) const {
     Vote vote;
     std::array<double, 2> middle{};
     for (const StripTriangle &triangle : component.triangles) {
+        vote.left += left_of(triangle);
         const auto &a = points_[static_cast<size_t>(triangle.corners[0])],
                    &b = points_[static_cast<size_t>(triangle.corners[1])],
                    &c = points_[static_cast<size_t>(triangle.corners[2])];
@@ -290,17 +330,33 @@ int32_t BorderStrip::site_of(int32_t point, int32_t block, Sites &sites) const {
     return sites.of_param(points_[at], block, of_border ? domain_.border.points[at].point : -1);
 }
 
+// Segments know it, wherever polylines are in relation to their curves; middles of triangles where there is none but on seams.
+std::vector<bool> BorderStrip::are_inside(const std::vector<Vote> &votes) const {
+    const auto &components = strip_->components();
+    std::vector<Vote> sums(components.size()); // of groups
+    for (size_t i = 0; i < components.size(); ++i) {
+        Vote &sum = sums[static_cast<size_t>(components[i].group)];
+        sum.left += components[i].side * votes[i].left;
+        sum.inside += components[i].side * votes[i].inside;
+    }
+    std::vector<bool> result;
+    for (const Strip::Component &component : components) {
+        const Vote &sum = sums[static_cast<size_t>(component.group)];
+        result.push_back(component.side * (sum.left != 0 ? sum.left : sum.inside) > 0);
+    }
+    return result;
+}
+
 std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
     std::vector<Piece> result;
     const auto &components = strip_->components();
     std::vector<Vote> votes;
-    std::vector<double> sums(components.size(), 0.0); // of groups
     for (const Strip::Component &component : components) {
         votes.push_back(vote_of(component));
-        sums[static_cast<size_t>(component.group)] += component.side * votes.back().inside;
     }
+    const std::vector<bool> inside = are_inside(votes);
     for (size_t i = 0; i < components.size(); ++i) {
-        if (votes[i].in_cell || !(components[i].side * sums[static_cast<size_t>(components[i].group)] > 0)) {
+        if (votes[i].in_cell || !inside[i]) {
             continue;
         }
         for (const StripTriangle &triangle : components[i].triangles) {

@@ -47,11 +47,17 @@ private:
     [[nodiscard]] int32_t point_at(int32_t place) const;
     [[nodiscard]] bool is_shared(int32_t place) const;
     void make_strip();
+    // Whether a component is inside; the negative if it is not.
     struct Vote {
         bool in_cell = false;
-        double inside = 0; // the area of the fattest triangle, if its middle is inside, else the negative
+        double left = 0;   // the length of segments of the border that it is to the left of
+        double inside = 0; // the area of the fattest triangle, by its middle
     };
     [[nodiscard]] Vote vote_of(const Strip::Component &component) const;
+    [[nodiscard]] double left_of(const StripTriangle &triangle) const noexcept;
+    [[nodiscard]] bool on_seam(const BorderSegment &segment) const noexcept;
+    // Of components: by groups.
+    [[nodiscard]] std::vector<bool> are_inside(const std::vector<Vote> &votes) const;
     // Of a place, -1: it is none of the border.
     [[nodiscard]] int32_t point_of_border(int32_t point) const noexcept;
     [[nodiscard]] int32_t site_of(int32_t point, int32_t block, Sites &sites) const;

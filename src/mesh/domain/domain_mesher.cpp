@@ -23,7 +23,8 @@ constexpr double least_for_angles = 1e-5;
 
 DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
     : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
-      chord_(within_reach(rule.chord, 1e-3)), longest_(within_reach(rule.longest, 1e-2)),
+      chord_(within_reach(rule.chord, 1e-3)),
+      longest_(rule.longest > 0 ? within_reach(rule.longest, 1e-2) : 0),
       angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
                                                                          : 0),
       most_apart_(angle_ > 0 ? 2 * std::sin(angle_ / 2) - 8 * eps : infinity),
@@ -173,10 +174,10 @@ double DomainMesher::rounding() const noexcept {
 }
 
 // No triangles are nearer, or smaller, than rounding allows, however many there are. Then a mesh for the eye is made: for a
-// share of the size.
+// share of the size. Of what is a point that is nothing.
 double DomainMesher::within_reach(double length, double share) const noexcept {
-    const bool wanted = length > 0 && length < infinity;
-    return wanted && !(grid_.scaled(length) > rounding(1)) ? grid_.unscaled(share * grid_.size()) : length;
+    const double reached = grid_.scaled(length), least = rounding(1);
+    return reached > least ? length : grid_.unscaled(std::max(share * grid_.size(), 2 * least));
 }
 
 void DomainMesher::prove() {

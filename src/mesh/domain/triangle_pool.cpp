@@ -64,13 +64,37 @@ std::vector<char> TrianglePool::beside_touched(size_t points) const {
     return result;
 }
 
+// Of the triangles around each point: distances are bounds for a mesh on the surface, of which the one that there is, and what it stands
+// for, are so far off, those beside a triangle as well as itself.
+std::vector<double> TrianglePool::overs_around(size_t points) const {
+    std::vector<double> result(points);
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        for (size_t k = 0; k < 3 && has(i); ++k) {
+            double &over = result[static_cast<size_t>(meshed_[i].points[k])];
+            over = std::max(over, overs_[i]);
+        }
+    }
+    return result;
+}
+
 void TrianglePool::prove(TriangleProof &proof, size_t points) {
     prove_new(proof);
     const std::vector<char> wanted = beside_touched(points);
+    const std::vector<double> overs = overs_around(points);
     const MeshBound mesh(points, meshed_, bounds_, wanted);
     distances_.resize(triangles_.size());
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        distances_[i] = wanted[i] != 0 ? mesh.distances(i) : distances_[i];
+        if (wanted[i] == 0) {
+            continue;
+        }
+        const Distances alone{bounds_[i].from_shape() + overs_[i], bounds_[i].from_mesh() + overs_[i]},
+            all = mesh.distances(i);
+        double over = 0;
+        for (const int32_t point : meshed_[i].points) {
+            over = std::max(over, overs[static_cast<size_t>(point)]);
+        }
+        distances_[i] = {std::min(alone.from_shape, all.from_shape + over),
+                         std::min(alone.from_mesh, all.from_mesh + over)};
     }
     touched_.clear();
 }

@@ -33,14 +33,13 @@ public:
     [[nodiscard]] const SiteTriangle &operator[](size_t i) const noexcept { return triangles_[i]; }
     [[nodiscard]] const MeshTriangle &meshed(size_t i) const noexcept { return meshed_[i]; }
     // In units of the grid, with what moves corners.
-    [[nodiscard]] Distances distances(size_t i) const noexcept {
-        return {distances_[i].from_shape + overs_[i], distances_[i].from_mesh + overs_[i]};
-    }
+    [[nodiscard]] const Distances &distances(size_t i) const noexcept { return distances_[i]; }
 
 private:
     void touch(size_t i);
     void prove_new(TriangleProof &proof);
     [[nodiscard]] std::vector<char> beside_touched(size_t points) const;
+    [[nodiscard]] std::vector<double> overs_around(size_t points) const;
 
     std::vector<SiteTriangle> triangles_;
     std::vector<MeshTriangle> meshed_;

@@ -2,6 +2,7 @@
 #include "mesh/proof/mesh_bound.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace nrb::mesh {
 
@@ -74,6 +75,9 @@ void MeshBound::set_point(Point &point) {
             }
         }
     }
+    if (point.angle > (point.on_border ? 2 : 3) * std::numbers::pi) {
+        point.turned = 2;
+    }
     set_turns(point);
 }
 
@@ -108,12 +112,14 @@ void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const n
     const TriangleBound &bound = bounds_[triangle];
     const double turned = is_zero(bound.normal) ? 2 : length(bound.normal - point.normal) + 8 * eps;
     point.turned = std::max(point.turned, turned);
+    point.angle += bound.angles[corner];
     point.altitude = std::min(point.altitude, bound.altitude);
     point.height = std::max(point.height, bound.height);
     point.out = std::max(point.out, bound.out);
     point.beside = std::max(point.beside, bound.beside);
     for (size_t k = 0; k < 3; ++k) {
         if (k != corner && triangles_[triangle].border[k]) {
+            point.on_border = true;
             point.border = std::max(point.border, bound.sides[k]);
         }
     }

@@ -4,6 +4,8 @@
 // A triangle T with normal n may have others all around it, those that share a corner with it: its star. Everything is seen along n.
 // Let no triangle of the star be turned against n by more than a < 60 degrees, so that the star lies over the plane, and let m
 // be the least altitude of its triangles.
+// It must not cover the plane more than once: around a corner angles add up to less than 3 pi, and at the border of the mesh to no more
+// than 2 pi.
 // - The function that is 1 in the corners of T, 0 in all others and linear on each triangle has a gradient of at most 1 / m, so that
 //   every way out of the star from T is at least m cos a long.
 // - At a corner the surface over a triangle T' comes out over a side of it within an angle (turns of triangle_bound.h). If that is less than the
@@ -52,7 +54,9 @@ public:
 private:
     // The most of the triangles around.
     struct Point {
-        Vector3 normal{};  // the sum, and then the mean
+        Vector3 normal{}; // the sum, and then the mean
+        double angle = 0; // the sum of those around it
+        bool on_border = false;
         double turned = 0; // from the mean, as a chord of the unit sphere
         double altitude = infinity, height = 0, out = 0, beside = 0;
         double turns = 0;              // in terms of the sines of angles across sides

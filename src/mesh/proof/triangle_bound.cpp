@@ -197,8 +197,9 @@ double Triangle::sine(size_t k, double area) const noexcept {
 }
 
 // About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
-// l_P l_E q / 2 - l_K (w a - r / 2), with the altitude a of K, the most q of |N''| along the side and r of that along the others. So l_K <= p l_E where N > 0,
-// for p = q / 2 / (w a - r / 2), and there N <= l_E q / 2. Along the side the distance from P is at least
+// l_P l_E q / 2 - l_K (w a - r / 2), with the altitude a of K, the most q of |N''| along the side and r of that along the others. Seen along
+// a direction off the normal, heights h, of which half may count, come on top, at most (1 + p) l_E h / 2. So l_K <= p l_E where that is out,
+// for p = (q / 2 + h / 2) / (w a - r / 2 - h / 2), and there N <= l_E q / 2. Along the side the distance from P is at least
 // l_E (w |PE| - |V''| / 2) less what l_K moves, and heights h, of which half may count, are at most (1 + p) l_E h / 2.
 void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
                          TriangleBound &result) const noexcept {
@@ -214,12 +215,12 @@ void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights,
             const double out = across[side].largest(side) / 2;
             const double in = least_weight_ * area / lengths_[side] -
                               std::max(across[side].largest(k), across[side].largest(opposite)) / 2;
-            const double share = out / in, high = (1 + share) * h;
+            const double share = (out + h) / (in - h), high = (1 + share) * h;
             const double along =
                 least_weight_ * lengths_[side] - bends[side] / 2 -
                 share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends[k], bends[opposite]) / 2);
             const double turn = (out + high) / (along - high) * rounding;
-            result.turns[k][m] = in > 0 && along > high ? turn : infinity;
+            result.turns[k][m] = in > h && along > high ? turn : infinity;
         }
     }
 }
@@ -248,6 +249,7 @@ TriangleBound Triangle::bound() const noexcept {
     for (size_t k = 0; k < 3; ++k) {
         const Bend &bend_out = across[k];
         result.sines[k] = sine(k, area);
+        result.angles[k] = std::atan2(area, -dot(sides_[(k + 1) % 3], sides_[(k + 2) % 3]));
         const double below = least_weight_ * area / lengths_[k];
         result.outs[k] = bend_out.above(k, below / rounding) / least_weight_ + slack;
         result.out = std::max(result.out, result.outs[k]);

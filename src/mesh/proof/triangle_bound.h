@@ -55,8 +55,9 @@ struct TriangleBound {
     std::array<double, 3>
         sines{};             // of the angles, and 1 of those that are obtuse as seen along such a direction
     double whole = infinity; // no point of the surface is farther from the triangle
-    double altitude = 0;     // the least one of the triangle
-    Vector3 normal{};        // 0: the triangle has none
+    std::array<double, 3> angles{4, 4, 4}; // at the corners
+    double altitude = 0;                   // the least one of the triangle
+    Vector3 normal{};                      // 0: the triangle has none
 
     // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
     [[nodiscard]] double from_shape() const noexcept {

@@ -2034,7 +2034,7 @@ contains
             call mesh%quads(corners=corners_found, own_triangles=own_triangles_found, flags=0)
             call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
                 order=[2, 1])) - 1)
-            call show('own_triangles', own_triangles_found)
+            call show('own_triangles', own_triangles_found - 1)
         end block
         call begin('mesh_quads welded')
         block
@@ -2043,7 +2043,7 @@ contains
             call mesh%quads(corners=corners_found, own_triangles=own_triangles_found, flags=16777216)
             call show('corners', flat(reshape(corners_found, [size(corners_found, 2), size(corners_found, 1)], &
                 order=[2, 1])) - 1)
-            call show('own_triangles', own_triangles_found)
+            call show('own_triangles', own_triangles_found - 1)
         end block
         call begin('mesh_faces')
         block
