@@ -8232,7 +8232,7 @@ typedef struct nurbs_mesh_options {
     double chord;          /**< the largest distance of shape and mesh, both ways, > 0; INFINITY */
     double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; 1e-3 */
     double longest;        /**< length of sides of triangles, >= 0; 0: no limit; 0 */
-    double angle;          /**< of normals at corners of triangles, in radians, 0 to pi; 0: no limit; 0 */
+    double angle;          /**< of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0 */
 } nurbs_mesh_options;
 
 /** \brief Fills an options struct with the defaults.

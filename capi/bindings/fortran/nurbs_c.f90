@@ -203,7 +203,7 @@ module nurbs_c
         real(c_double) :: chord  ! the largest distance of shape and mesh, both ways, > 0; INFINITY
         real(c_double) :: relative_chord  ! the same as a share of the extent, >= 0; 0: no limit; 1e-3
         real(c_double) :: longest  ! length of sides of triangles, >= 0; 0: no limit; 0
-        real(c_double) :: angle  ! of normals at corners of triangles, in radians, 0 to pi; 0: no limit; 0
+        real(c_double) :: angle  ! of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0
     end type nurbs_mesh_options
 
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields

@@ -351,6 +351,7 @@ std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
     std::vector<Piece> result;
     const auto &components = strip_->components();
     std::vector<Vote> votes;
+    votes.reserve(components.size());
     for (const Strip::Component &component : components) {
         votes.push_back(vote_of(component));
     }

@@ -383,7 +383,7 @@ pub struct nurbs_mesh_options {
     pub relative_chord: f64,
     /// length of sides of triangles, \>= 0; 0: no limit; 0
     pub longest: f64,
-    /// of normals at corners of triangles, in radians, 0 to pi; 0: no limit; 0
+    /// of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0
     pub angle: f64,
 }
 
