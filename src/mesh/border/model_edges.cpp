@@ -192,32 +192,33 @@ void ModelEdges::fix(const face::BorderPlace &place, const face::Point2 &x) {
     use.fixed.push_back({place.param, use.pairing->on_edge(place.param), x});
 }
 
+// Whether no other place of the same curve is near; they rise.
+bool ModelEdges::is_alone(const std::vector<FixedUse> &all, size_t i, double room) {
+    const auto is_other = [&](size_t k) { return all[k].second != all[i].second; };
+    const auto is_near = [&](size_t k) { return std::abs(all[i].first->edge - all[k].first->edge) <= room; };
+    bool alone = true;
+    for (size_t k = i; k > 0 && is_near(k - 1); --k) {
+        alone = alone && is_other(k - 1);
+    }
+    for (size_t k = i + 1; k < all.size() && is_near(k); ++k) {
+        alone = alone && is_other(k);
+    }
+    return alone;
+}
+
 // What faces have at one place of an edge, but for rounding, is at one parameter, and so is what is at its ends. So is what is at a
 // break: of what would be between them, nobody knows the direction.
 void ModelEdges::align_fixed(size_t line) {
     const KnotVector &axis = curves_[line]->axis(0);
     const Interval domain = axis.domain();
     const double room = 0x1p-36 * (domain.upper - domain.lower);
-    std::vector<std::pair<Fixed *, size_t>> all;
+    std::vector<FixedUse> all;
     for (const size_t at : users_[line]) {
         for (Fixed &fixed : uses_[at].fixed) {
             all.emplace_back(&fixed, at);
         }
     }
-    std::ranges::sort(all, {}, [](const auto &own) { return own.first->edge; });
-    const auto is_near = [&](size_t i, size_t k) {
-        return std::abs(all[i].first->edge - all[k].first->edge) <= 2 * room;
-    };
-    const auto is_alone = [&](size_t i) { // the only one of its curve that is near
-        bool alone = true;
-        for (size_t k = i; k > 0 && is_near(i, k - 1); --k) {
-            alone = alone && all[k - 1].second != all[i].second;
-        }
-        for (size_t k = i + 1; k < all.size() && is_near(i, k); ++k) {
-            alone = alone && all[k].second != all[i].second;
-        }
-        return alone;
-    };
+    std::ranges::sort(all, {}, [](const FixedUse &own) { return own.first->edge; });
     double before = domain.lower;
     size_t by = uses_.size(); // any other face may be there, too
     for (size_t i = 0; i < all.size(); ++i) {
@@ -227,7 +228,7 @@ void ModelEdges::align_fixed(size_t line) {
         } else if (domain.upper - fixed->edge <= room) {
             fixed->edge = domain.upper;
         } else {
-            fixed->edge = is_alone(i) ? at_break(axis, fixed->edge, room) : fixed->edge;
+            fixed->edge = is_alone(all, i, 2 * room) ? at_break(axis, fixed->edge, room) : fixed->edge;
             before = fixed->edge;
             by = use;
         }

@@ -84,6 +84,8 @@ private:
     void add_fixed(int64_t face);
     void fix_behind(const face::BorderPlace &place, bool turned, const LinePassage &passage);
     void fix(const face::BorderPlace &place, const face::Point2 &x);
+    using FixedUse = std::pair<Fixed *, size_t>; // and of which use
+    [[nodiscard]] static bool is_alone(const std::vector<FixedUse> &all, size_t i, double room);
     void align_fixed(size_t line);
     void make_line(size_t line, const PolylineRule &rule);
     [[nodiscard]] std::vector<double> fixed_params(size_t line) const;

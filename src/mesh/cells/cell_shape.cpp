@@ -136,31 +136,31 @@ std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
             return {2, 2};
         }
     }
-    while (parts[0] > 2 && bend.in_parts(parts[0] - 1, parts[1]) <= chord) {
-        parts[0] -= 1;
-    }
-    while (parts[1] > 2 && bend.in_parts(parts[0], parts[1] - 1) <= chord) {
-        parts[1] -= 1;
+    for (double &own : parts) {
+        do {
+            own -= 1;
+        } while (own > 1 && bend.in_parts(parts[0], parts[1]) <= chord);
+        own += 1;
     }
     return parts;
 }
 
-} // namespace
-
-namespace {
-
-// Half of the parts that it takes, where these are going to be alike.
-Cut cut_in_parts(const Hessian &heights, size_t axis, double parts) noexcept {
+// Whether parts along an axis are going to be alike.
+bool are_alike(const Hessian &heights, size_t axis) noexcept {
     const Range &range = axis == 0 ? heights.uu : heights.vv;
-    const bool alike = !(range.width() > most_varied * std::abs(range.middle));
-    return {axis, alike && parts > 2 && parts <= most_parts ? std::floor(parts / 2) / parts : 0.5};
+    return !(range.width() > most_varied * std::abs(range.middle));
+}
+
+// In two halves, of so many parts.
+Cut halves(size_t axis, double parts) noexcept {
+    return {axis, parts > 2 && parts <= most_parts ? std::floor(parts / 2) / parts : 0.5};
 }
 
 } // namespace
 
 Cut best_cut(const CellBend &bend, double chord) noexcept {
     const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
-    return cut_in_parts(bend.heights, axis, parts_for(bend, chord)[axis]);
+    return halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
 }
 
 // The slopes of the surface over the plane of the cell change by its second derivatives.
@@ -184,7 +184,7 @@ Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noe
     const size_t axis = turn.along[0] >= turn.along[1] ? 0 : 1;
     const double other = turn.along[1 - axis];
     const double room = std::sqrt(std::max(angle * angle - other * other, angle * angle / 2));
-    return cut_in_parts(box.of(2), axis, std::ceil(turn.along[axis] / room));
+    return halves(axis, are_alike(box.of(2), axis) ? std::ceil(turn.along[axis] / room) : 2);
 }
 
 } // namespace nrb::mesh

@@ -56,7 +56,7 @@ private:
         return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
     }
     [[nodiscard]] bool is_over(size_t triangle) const noexcept {
-        return triangles_.has(triangle) && (is_large(triangle) || is_turned(triangles_[triangle]));
+        return is_large(triangle) || is_turned(triangles_[triangle]);
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;

@@ -69,6 +69,7 @@ DomainMesh DomainMesher::output() {
         return own;
     };
     std::vector<std::array<int32_t, 3>> all;
+    bool over = false;
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (!triangles_.has(i)) {
             continue;
@@ -76,16 +77,13 @@ DomainMesh DomainMesher::output() {
         const Distances d = distances(i);
         result.from_shape = std::max(result.from_shape, d.from_shape);
         result.from_mesh = std::max(result.from_mesh, d.from_mesh);
+        over = over || is_over(i);
         all.push_back(triangles_.meshed(i).points);
         if (!is_at_point(triangles_[i])) {
             const auto &s = triangles_[i].sites;
             result.paired.push_back(is_pair(i));
             result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
         }
-    }
-    bool over = false;
-    for (size_t i = 0; i < triangles_.size() && !over; ++i) {
-        over = is_over(i);
     }
     const bool whole = crossed_.empty() && !result.triangles.empty() && have_all_dropped(all) && is_whole();
     const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
