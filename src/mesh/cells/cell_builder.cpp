@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/cells/cell_builder.h"
+
+#include "base/watch.h"
+#include "bernstein/de_casteljau.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Cells of at most so many pieces have their nets; larger ones look at the pieces one after the other.
+constexpr int64_t most_nets = 32;
+// Multiply-adds of looking at a net, estimated, for each of its numbers.
+constexpr int64_t work_for_a_number = 24;
+
+// Of the estimates by which a cell is cut or not, and of all else that is made for it.
+constexpr int64_t work_of_a_cell = 2500;
+
+// Steps of places in a block: all that halves and thirds of halves and thirds lead to, 24 and 8 times.
+constexpr double raster = 0x1p24 * 6561;
+// Where weights may pass through 0 surfaces may have no end.
+constexpr int most_divisions = 16;
+
+} // namespace
+
+// Blocks end where the homogeneous coordinates may have a kink.
+void CellTree::Builder::set_blocks() {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<int>(k);
+        for (int64_t i = 0; i <= grid_.count(axis); ++i) {
+            if (i == 0 || i == grid_.count(axis) || grid_.kinks(axis, i)) {
+                tree_.blocks_[k].push_back(i);
+                tree_.block_ends_[k].push_back(grid_.break_at(axis, i));
+            }
+        }
+    }
+}
+
+int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
+    auto &lines = tree_.lines_[k];
+    lines.push_back({t, from_left});
+    return static_cast<int32_t>(lines.size() - 1);
+}
+
+// With half of the work, where that is limited: triangles take as much as cells.
+void CellTree::Builder::build() {
+    const HalfOfWork half;
+    set_blocks();
+    const int64_t across = std::ssize(tree_.blocks_[1]) - 1,
+                  count = (std::ssize(tree_.blocks_[0]) - 1) * across;
+    Steps steps(count);
+    for (int64_t i = 0; i < count; ++i, steps.next()) {
+        block_ = static_cast<int32_t>(i);
+        add_block({i / across, i % across});
+    }
+    sort_lines();
+}
+
+void CellTree::Builder::add_block(const std::array<int64_t, 2> &block) {
+    Item item;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto at = static_cast<size_t>(block[k]);
+        item.pieces.lower[k] = tree_.blocks_[k][at];
+        item.pieces.upper[k] = tree_.blocks_[k][at + 1];
+        item.part.lower[k] = tree_.block_ends_[k][at];
+        item.part.upper[k] = tree_.block_ends_[k][at + 1];
+        item.lower[k] = add_line(k, item.part.lower[k], false);
+        item.upper[k] = add_line(k, item.part.upper[k], true);
+    }
+    tree_.roots_.push_back(static_cast<int32_t>(tree_.nodes_.size()));
+    for (open_.assign(1, item); !open_.empty();) {
+        const Item next = open_.back();
+        open_.pop_back();
+        look_at(next);
+    }
+}
+
+void CellTree::Builder::look_at(Item item) {
+    if (item.parent >= 0) {
+        tree_.nodes_[static_cast<size_t>(item.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
+    }
+    count_work(work_of_a_cell);
+    const Side side = rule_.side ? rule_.side(item.part) : Side::inside;
+    make_nets(item);
+    const Found found = box_of(item, side == Side::outside);
+    CellBend bend = bend_of(found.box);
+    bend.alone = at_border(item);
+    const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
+    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small &&
+                      !is_turned(found.box);
+    const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
+    const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
+    const bool enough = flat || side == Side::outside || hopeless || work_ended();
+    if ((enough && !wide) || !divide(item, cut_of(item.part, found.box, bend))) {
+        add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
+    }
+}
+
+// Elsewhere what comes out of a triangle is over others.
+bool CellTree::Builder::at_border(const Item &item) const noexcept {
+    bool result = false;
+    for (size_t k = 0; k < 2; ++k) {
+        result = result || item.part.lower[k] == tree_.block_ends_[k].front() ||
+                 item.part.upper[k] == tree_.block_ends_[k].back();
+    }
+    return result;
+}
+
+// An axis along which a part is longer than cells may be.
+std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        if (part.side(k) > rule_.most_sides[k]) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
+// Where the surface is flat enough, across the longer side.
+Cut CellTree::Builder::cut_of(const Rectangle &part, const HessianBox &box,
+                              const CellBend &bend) const noexcept {
+    if (const std::optional<size_t> wide = wide_axis(part)) {
+        return {*wide, 0.5};
+    }
+    if (bend.in_parts(1, 1) <= rule_.chord) {
+        if (is_turned(box)) {
+            return cut_for_angle(box, turn_of(box, rule_.least), rule_.angle);
+        }
+        return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
+    }
+    return best_cut(bend, rule_.chord);
+}
+
+void CellTree::Builder::make_nets(Item &item) {
+    if (item.nets >= 0 || item.pieces.count() > most_nets) {
+        return;
+    }
+    item.nets = std::ssize(pool_);
+    pool_.resize(pool_.size() + static_cast<size_t>(item.pieces.count()) * nets_.values());
+    double *out = pool_.data() + item.nets;
+    for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, out += nets_.values()) {
+            nets_.extract(i, j, item.part, out);
+        }
+    }
+}
+
+const double *CellTree::Builder::net_of(const Item &item, int64_t u, int64_t v) {
+    if (item.nets < 0) {
+        nets_.extract(u, v, item.part, one_.data());
+        return one_.data();
+    }
+    const int64_t at = (u - item.pieces.lower[0]) * item.pieces.count(1) + v - item.pieces.lower[1];
+    return pool_.data() + item.nets + at * static_cast<int64_t>(nets_.values());
+}
+
+std::array<double, 2> CellTree::Builder::factors(const Item &item, int64_t u, int64_t v) const noexcept {
+    const Interval a = nets_.part_of(item.part, 0, u), b = nets_.part_of(item.part, 1, v);
+    return {item.part.side(0) / (a.upper - a.lower), item.part.side(1) / (b.upper - b.lower)};
+}
+
+// Of many pieces no more than it takes to see that they are not flat, unless all are wanted.
+CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
+    std::array<std::array<double, HessianBox::coordinates>, 4> points;
+    CellCorners corners;
+    for (size_t c = 0; c < 4; ++c) {
+        const bool right = c == 1 || c == 2, top = c >= 2;
+        const double *net = net_of(item, right ? item.pieces.upper[0] - 1 : item.pieces.lower[0],
+                                   top ? item.pieces.upper[1] - 1 : item.pieces.lower[1]);
+        std::copy_n(corners_of(nets_, net)[c], points[c].size(), points[c].begin());
+        corners[c] = points[c].data();
+    }
+    Found found{box_about(corners)};
+    const double noise = nets_.noise(item.divisions);
+    for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j) {
+            found.box.add(nets_.degree(0), nets_.degree(1), net_of(item, i, j), factors(item, i, j), noise);
+            count_work(work_for_a_number * static_cast<int64_t>(nets_.values()));
+        }
+        if (!all && item.nets < 0 && !(bend_of(found.box).in_parts(1, 1) <= 4 * rule_.chord)) {
+            found.whole = i + 1 == item.pieces.upper[0];
+            break;
+        }
+    }
+    return found;
+}
+
+void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side side) {
+    const auto node = static_cast<int32_t>(tree_.nodes_.size());
+    const Cell cell{item.lower, item.upper, block_, node, side, box};
+    const bool instead = item.cell >= 0;
+    tree_.nodes_.push_back({-1, instead ? item.cell : static_cast<int32_t>(tree_.cells_.size()), 0});
+    if (instead) {
+        tree_.cells_[static_cast<size_t>(item.cell)] = cell;
+    } else {
+        tree_.cells_.push_back(cell);
+    }
+    if (item.nets >= 0) {
+        pool_.resize(static_cast<size_t>(item.nets));
+    }
+}
+
+// Cuts of neighbours at one place are at one number, however they were computed.
+double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const noexcept {
+    const Rectangle block = tree_.block(block_);
+    const double place = std::round((t - block.lower[k]) / block.side(k) * raster) / raster;
+    const double result = block.lower[k] + place * block.side(k);
+    return result > item.part.lower[k] && result < item.part.upper[k] ? result : t;
+}
+
+// Between two pieces if there are several.
+double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const noexcept {
+    const double wanted = on_raster(item, k, item.part.lower[k] + share * item.part.side(k));
+    if (item.pieces.count(k) == 1) {
+        return wanted;
+    }
+    double best = wanted, distance = infinity;
+    for (int64_t i = item.pieces.lower[k] + 1; i < item.pieces.upper[k]; ++i) {
+        const double t = grid_.break_at(static_cast<int>(k), i);
+        if (std::abs(t - wanted) < distance) {
+            distance = std::abs(t - wanted);
+            best = t;
+        }
+    }
+    return best;
+}
+
+bool CellTree::Builder::divide(Item &item, Cut cut) {
+    size_t k = cut.axis;
+    if (item.nets < 0 && item.pieces.count(k) == 1) {
+        k = 1 - k;
+    }
+    const double at = place_to_cut(item, k, cut.share);
+    if (!(at > item.part.lower[k] && at < item.part.upper[k])) {
+        return false;
+    }
+    Item low = item, high = item;
+    low.part.upper[k] = high.part.lower[k] = at;
+    low.upper[k] = high.lower[k] = add_line(k, at, false);
+    low.divisions = high.divisions = item.divisions + 1;
+    const int64_t piece = grid_.find(static_cast<int>(k), at); // the one to the right
+    high.pieces.lower[k] = piece;
+    low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;
+    divide_nets(item, k, at, low, high);
+    high.parent = static_cast<int32_t>(tree_.nodes_.size());
+    low.parent = -1;
+    high.cell = -1;
+    tree_.nodes_.push_back({static_cast<int32_t>(k), 0, at});
+    open_.push_back(high);
+    open_.push_back(low);
+    return true;
+}
+
+// The nets of the upper part stay below those of the lower one, which is looked at first.
+void CellTree::Builder::divide_nets(const Item &item, size_t k, double at, Item &low, Item &high) {
+    if (item.nets < 0) {
+        return;
+    }
+    const auto values = static_cast<int64_t>(nets_.values());
+    const std::vector<double> all(pool_.begin() + item.nets, pool_.end());
+    pool_.resize(static_cast<size_t>(item.nets + (low.pieces.count() + high.pieces.count()) * values));
+    high.nets = item.nets;
+    low.nets = item.nets + high.pieces.count() * values;
+    const AxisLayers layers = k == 0 ? AxisLayers{1, nets_.degree(0), (nets_.degree(1) + 1) * 4}
+                                     : AxisLayers{nets_.degree(0) + 1, nets_.degree(1), 4};
+    const double *net = all.data();
+    const auto place = [&](const Item &part, int64_t i, int64_t j) {
+        return pool_.data() + part.nets +
+               ((i - part.pieces.lower[0]) * part.pieces.count(1) + j - part.pieces.lower[1]) * values;
+    };
+    for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
+        for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j, net += values) {
+            const int64_t along = k == 0 ? i : j;
+            const bool in_low = along < low.pieces.upper[k], in_high = along >= high.pieces.lower[k];
+            if (in_low && in_high) {
+                const Interval part = nets_.part_of(item.part, k, along);
+                std::copy_n(net, values, place(high, i, j));
+                subdivide(layers, (at - part.lower) / (part.upper - part.lower), place(high, i, j),
+                          place(low, i, j));
+            } else {
+                std::copy_n(net, values, place(in_low ? low : high, i, j));
+            }
+        }
+    }
+}
+
+// Lines are numbered as they rise, and equal ones have one number.
+void CellTree::Builder::sort_lines() {
+    for (size_t k = 0; k < 2; ++k) {
+        auto &lines = tree_.lines_[k];
+        const auto key = [&](int32_t i) {
+            const CellLine &line = lines[static_cast<size_t>(i)];
+            return std::pair(line.t, !line.from_left);
+        };
+        std::vector<int32_t> order(lines.size()), number(lines.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::sort(order, {}, key);
+        std::vector<CellLine> sorted;
+        for (const int32_t i : order) {
+            const CellLine &line = lines[static_cast<size_t>(i)];
+            if (sorted.empty() || sorted.back().t != line.t || sorted.back().from_left != line.from_left) {
+                sorted.push_back(line);
+            }
+            number[static_cast<size_t>(i)] = static_cast<int32_t>(sorted.size() - 1);
+        }
+        lines = std::move(sorted);
+        for (Cell &cell : tree_.cells_) {
+            cell.lower[k] = number[static_cast<size_t>(cell.lower[k])];
+            cell.upper[k] = number[static_cast<size_t>(cell.upper[k])];
+        }
+    }
+}
+
+// A cell as it was when it was looked at.
+CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
+    Item item;
+    item.lower = cell.lower;
+    item.upper = cell.upper;
+    item.part = tree_.rectangle(cell);
+    item.divisions = 4;
+    item.pieces = nets_.pieces_in(item.part);
+    make_nets(item);
+    return item;
+}
+
+void CellTree::Builder::cut(int32_t number) {
+    const Cell cell = tree_.cells_[static_cast<size_t>(number)];
+    block_ = cell.block;
+    Item item = item_of(cell);
+    CellBend bend = bend_of(cell.box);
+    bend.alone = true; // no help of others was enough, but in the end triangles do without
+    const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
+    const CellTurn turn =
+        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(cell.box, rule_.least) : CellTurn{};
+    const bool first = turn.both > rule_.angle / 2 ? turn.along[0] >= turn.along[1] : u <= v;
+    const auto node = static_cast<int32_t>(tree_.nodes_.size());
+    item.cell = number;
+    open_.clear();
+    if (!divide(item, {first ? size_t{0} : size_t{1}, 0.5})) {
+        pool_.clear();
+        return;
+    }
+    // The old leaf leads on to the new node.
+    tree_.nodes_[static_cast<size_t>(cell.node)] = {2, node, 0};
+    while (!open_.empty()) {
+        const Item next = open_.back();
+        open_.pop_back();
+        if (next.parent >= 0) {
+            tree_.nodes_[static_cast<size_t>(next.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
+        }
+        const Side side = rule_.side ? rule_.side(next.part) : Side::inside;
+        add_cell(next, box_of(next, true).box, side);
+    }
+}
+
+} // namespace nrb::mesh
