@@ -255,14 +255,13 @@ Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
 
 // S' = (A' - S w') / w about the origin, with a middle of the one and the rest for what is left.
 double HessianBox::move(double u, double v) const noexcept {
-    const double w = least_weight_, ratio = largest_weight_ / least_weight_;
+    const double w = least_weight_;
     const Row middle{(u * first_[0].middle[0] + v * first_[1].middle[0]) / w,
                      (u * first_[0].middle[1] + v * first_[1].middle[1]) / w,
                      (u * first_[0].middle[2] + v * first_[1].middle[2]) / w, 0};
     const double size = std::sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]);
     const double rest = std::abs(u) * (first_[0].radius + reach_ * first_[0].weight / w) +
                         std::abs(v) * (first_[1].radius + reach_ * first_[1].weight / w);
-    (void)ratio;
     return (size + rest / w) * (1 + 64 * eps);
 }
 
