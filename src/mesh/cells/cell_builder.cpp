@@ -189,11 +189,38 @@ CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     return found;
 }
 
+namespace {
+
+CellBends bends_of(const HessianBox &box) noexcept {
+    CellBends result;
+    for (size_t c = 0; c < 3; ++c) {
+        const Hessian own = box.of(c);
+        result.uu[c] = static_cast<float>(own.uu.middle);
+        result.uv[c] = static_cast<float>(own.uv.middle);
+        result.vv[c] = static_cast<float>(own.vv.middle);
+    }
+    return result;
+}
+
+} // namespace
+
+void CellTree::Builder::keep_box(int32_t cell, const Rectangle &part, const HessianBox &box) {
+    tree_.boxes_->keep(cell, box);
+    for (size_t k = 0; k < 2; ++k) {
+        const double speed = box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / part.side(k);
+        tree_.speeds_[k] = std::isfinite(speed) ? std::max(tree_.speeds_[k], speed) : tree_.speeds_[k];
+    }
+    tree_.least_weight_ =
+        box.certain() ? std::min(tree_.least_weight_, box.least_weight()) : tree_.least_weight_;
+}
+
 void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side side) {
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
-    const Cell cell{item.lower, item.upper, block_, node, side, box};
+    const Cell cell{item.lower, item.upper, block_, node, side, bends_of(box)};
     const bool instead = item.cell >= 0;
-    tree_.nodes_.push_back({-1, instead ? item.cell : static_cast<int32_t>(tree_.cells_.size()), 0});
+    const int32_t number = instead ? item.cell : static_cast<int32_t>(tree_.cells_.size());
+    tree_.nodes_.push_back({-1, number, 0});
+    keep_box(number, item.part, box);
     if (instead) {
         tree_.cells_[static_cast<size_t>(item.cell)] = cell;
     } else {
@@ -331,11 +358,12 @@ void CellTree::Builder::cut(int32_t number) {
     const Cell cell = tree_.cells_[static_cast<size_t>(number)];
     block_ = cell.block;
     Item item = item_of(cell);
-    CellBend bend = bend_of(cell.box);
+    const HessianBox box = tree_.box(number);
+    CellBend bend = bend_of(box);
     bend.alone = true; // no help of others was enough, but in the end triangles do without
     const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
     const CellTurn turn =
-        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(cell.box, rule_.least) : CellTurn{};
+        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(box, rule_.least) : CellTurn{};
     const bool first = turn.both > rule_.angle / 2 ? turn.along[0] >= turn.along[1] : u <= v;
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;

@@ -49,6 +49,7 @@ private:
     [[nodiscard]] Found box_of(const Item &item, bool all);
     [[nodiscard]] const double *net_of(const Item &item, int64_t u, int64_t v);
     [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
+    void keep_box(int32_t cell, const Rectangle &part, const HessianBox &box);
     void add_cell(const Item &item, const HessianBox &box, Side side);
     bool divide(Item &item, Cut cut);
     [[nodiscard]] double on_raster(const Item &item, size_t k, double t) const noexcept;

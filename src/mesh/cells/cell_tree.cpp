@@ -7,7 +7,7 @@
 
 namespace nrb::mesh {
 
-CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule) : grid_(grid), rule_(rule) {
+CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule) : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid)) {
     Builder(grid, rule_, *this).build();
 }
 

@@ -2,9 +2,10 @@
 // A surface in cells that are so flat that two triangles each are within a distance of it.
 #pragma once
 
-#include "mesh/cells/cell_nets.h"
+#include "mesh/cells/box_table.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace nrb::mesh {
@@ -30,12 +31,23 @@ struct CellLine {
     bool from_left;
 };
 
+// Second derivatives in the middle of a cell, of its coordinates in the axes of its box: these choose where to divide it.
+struct CellBends {
+    std::array<float, 3> uu{}, uv{}, vv{};
+
+    // That of coordinate c along (u, v).
+    [[nodiscard]] double along(size_t c, double u, double v) const noexcept {
+        return static_cast<double>(uu[c]) * u * u + 2.0 * static_cast<double>(uv[c]) * u * v +
+               static_cast<double>(vv[c]) * v * v;
+    }
+};
+
 struct Cell {
     std::array<int32_t, 2> lower, upper; // numbers of lines of each axis
     int32_t block;
     int32_t node;
     Side side;
-    HessianBox box;
+    CellBends bends;
 };
 
 // Cells lie in blocks between the lines along which the surface may have a kink, so that homogeneous coordinates have continuous
@@ -50,12 +62,19 @@ public:
     // Rising.
     [[nodiscard]] const std::vector<CellLine> &lines(size_t k) const noexcept { return lines_[k]; }
     [[nodiscard]] Rectangle rectangle(const Cell &cell) const noexcept;
+    // What second derivatives can be over a cell; until the next call.
+    [[nodiscard]] const HessianBox &box(int32_t cell) const {
+        return boxes_->box(cell, rectangle(cells_[static_cast<size_t>(cell)]));
+    }
+    // The most that the surface moves by on a step along an axis, and the least weight, of all cells that there ever were.
+    [[nodiscard]] double speed(size_t k) const noexcept { return speeds_[k]; }
+    [[nodiscard]] double least_weight() const noexcept { return least_weight_; }
     // The block that holds a place; its part of the domain.
     [[nodiscard]] int32_t block_at(const std::array<double, 2> &x) const noexcept;
     [[nodiscard]] Rectangle block(int32_t number) const noexcept;
     // Where blocks end along an axis.
     [[nodiscard]] const std::vector<double> &block_ends(size_t k) const noexcept { return block_ends_[k]; }
-    // Calls visit(cell) for the cells that meet a rectangle.
+    // Calls visit(number of a cell) for the cells that meet a rectangle.
     template <class Visit>
     void for_each_in(const Rectangle &part, Visit &&visit) const;
 
@@ -76,6 +95,9 @@ private:
     std::array<std::vector<int64_t>, 2> blocks_; // breaks at which they begin, and the last break
     std::vector<int32_t> roots_;                 // nodes of the blocks
     std::array<std::vector<double>, 2> block_ends_;
+    std::unique_ptr<BoxTable> boxes_;
+    std::array<double, 2> speeds_{};
+    double least_weight_ = 1;
 };
 
 template <class Visit>
@@ -99,7 +121,7 @@ void CellTree::for_each_in(const Rectangle &part, Visit &&visit) const {
         open.pop_back();
         const Node &node = nodes_[static_cast<size_t>(at)];
         if (node.axis < 0) {
-            visit(cells_[static_cast<size_t>(node.next)]);
+            visit(node.next);
             continue;
         }
         if (node.axis == 2) {

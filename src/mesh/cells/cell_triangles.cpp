@@ -72,8 +72,7 @@ size_t opposite_of(const Stops &stops, unsigned side, size_t middle) {
 
 void CellTriangles::make_two(const Cell &cell, const std::vector<int32_t> &border,
                              std::vector<std::array<int32_t, 3>> &out) {
-    const Hessian height = cell.box.of(2);
-    if (std::abs(height.along(1, 1)) <= std::abs(height.along(1, -1))) {
+    if (std::abs(cell.bends.along(2, 1, 1)) <= std::abs(cell.bends.along(2, 1, -1))) {
         out.push_back({border[0], border[1], border[2]});
         out.push_back({border[0], border[2], border[3]});
     } else {
@@ -99,7 +98,6 @@ CellTriangles::Stops CellTriangles::stops_of(const PlaceTable &table, const Cell
 
 // The stop whose cut costs least in bends of the surface.
 size_t CellTriangles::best_ear(const Stops &stops, const Cell &cell) {
-    const Hessian height = cell.box.of(2), along = cell.box.of(0), across = cell.box.of(1);
     const size_t n = stops.size();
     const SideCounts counts(stops);
     size_t best = 0;
@@ -110,8 +108,9 @@ size_t CellTriangles::best_ear(const Stops &stops, const Cell &cell) {
             continue;
         }
         const double u = b.u - a.u, v = b.v - a.v;
-        const double bend = std::abs(height.along(u, v)) + height.beside(u, v) +
-                            (std::abs(along.along(u, v)) + std::abs(across.along(u, v))) / 16;
+        const double bend =
+            std::abs(cell.bends.along(2, u, v)) +
+            (std::abs(cell.bends.along(0, u, v)) + std::abs(cell.bends.along(1, u, v))) / 16;
         if (bend < least || least == infinity) {
             least = bend;
             best = i;

@@ -194,18 +194,15 @@ void BorderStrip::add_line_walls(size_t k, double t, bool passable, const std::s
 void BorderStrip::make_strip() {
     const CellTree &tree = cells_.tree();
     Rectangle part = tree.rectangle(tree.cells().front());
-    std::array<double, 2> speeds{};
     for (const Cell &cell : tree.cells()) {
         const Rectangle own = tree.rectangle(cell);
         for (size_t k = 0; k < 2; ++k) {
             part.lower[k] = std::min(part.lower[k], own.lower[k]);
             part.upper[k] = std::max(part.upper[k], own.upper[k]);
-            const double speed = cell.box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / own.side(k);
-            speeds[k] = std::isfinite(speed) ? std::max(speeds[k], speed) : speeds[k];
         }
     }
     strip_ = std::make_unique<const Strip>(
-        part, std::array<double, 2>{speeds[0] * part.side(0), speeds[1] * part.side(1)}, points_, walls_);
+        part, std::array<double, 2>{tree.speed(0) * part.side(0), tree.speed(1) * part.side(1)}, points_, walls_);
 }
 
 // Lines may cross the border outside of the face.
@@ -312,7 +309,8 @@ BorderStrip::Vote BorderStrip::vote_of(const Strip::Component &component) const 
             middle = {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
         }
     }
-    cells_.tree().for_each_in({middle, middle}, [&](const Cell &cell) {
+    cells_.tree().for_each_in({middle, middle}, [&](int32_t number) {
+        const Cell &cell = cells_.tree().cells()[static_cast<size_t>(number)];
         vote.in_cell = vote.in_cell || cell.side == Side::inside;
     });
     if (!vote.in_cell && !domain_.inside({middle[0], middle[1]})) {

@@ -165,14 +165,6 @@ double DomainMesher::rounding(double least_weight) const noexcept {
            4 * eps * grid_.size();
 }
 
-double DomainMesher::rounding() const noexcept {
-    double least = 1;
-    for (const Cell &cell : cells_.tree().cells()) {
-        least = cell.box.certain() ? std::min(least, cell.box.least_weight()) : least;
-    }
-    return rounding(least);
-}
-
 // No triangles are nearer, or smaller, than rounding allows, however many there are. Then a mesh for the eye is made: for a
 // share of the size. Of what is a point that is nothing.
 double DomainMesher::within_reach(double length, double share) const noexcept {
@@ -182,7 +174,7 @@ double DomainMesher::within_reach(double length, double share) const noexcept {
 
 void DomainMesher::prove() {
     triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()));
-    slack_ = rounding();
+    slack_ = rounding(cells_.tree().least_weight());
 }
 
 Distances DomainMesher::distances(size_t triangle) const noexcept {

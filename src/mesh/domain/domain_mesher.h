@@ -30,7 +30,6 @@ private:
     void make_cells();
     void make_strip();
     [[nodiscard]] double rounding(double least_weight) const noexcept;
-    [[nodiscard]] double rounding() const noexcept;
     [[nodiscard]] double within_reach(double length, double share) const noexcept;
     void prove();
     [[nodiscard]] Distances distances(size_t triangle) const noexcept;
@@ -55,17 +54,17 @@ private:
         const bool far = !(distances(triangle).most() <= chord_);
         return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
     }
-    [[nodiscard]] bool is_over(size_t triangle) const noexcept {
+    [[nodiscard]] bool is_over(size_t triangle) const {
         return is_large(triangle) || is_turned(triangles_[triangle]);
     }
     [[nodiscard]] double longest_side(const SiteTriangle &triangle) const noexcept;
     [[nodiscard]] double normals_apart(const SiteTriangle &triangle) const noexcept;
-    [[nodiscard]] double turn_over(const SiteTriangle &triangle) const noexcept;
-    [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const noexcept {
+    [[nodiscard]] double turn_over(const SiteTriangle &triangle) const;
+    [[nodiscard]] bool is_turned(const SiteTriangle &triangle) const {
         return angle_ > 0 && !is_at_point(triangle) &&
                (normals_apart(triangle) > most_apart_ || turn_over(triangle) > angle_);
     }
-    [[nodiscard]] bool is_to_divide(size_t triangle) const noexcept;
+    [[nodiscard]] bool is_to_divide(size_t triangle) const;
     [[nodiscard]] double least_split(size_t triangle) const noexcept;
     [[nodiscard]] int parts_for(size_t triangle) const noexcept;
     [[nodiscard]] bool is_pair(size_t triangle) const noexcept;

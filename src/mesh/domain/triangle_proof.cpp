@@ -110,7 +110,7 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
 ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     const Placed place = placed(triangle);
     const Cell &cell = cells_.tree().cells()[static_cast<size_t>(triangle.cell)];
-    const CellPart here{&cell.box, cells_.tree().rectangle(cell)};
+    const CellPart here{&cells_.tree().box(triangle.cell), cells_.tree().rectangle(cell)};
     TriangleBound bound = triangle_bound(place.corners, {&here, 1});
     if (!(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
         const PieceRange pieces = nets_.pieces_in(place.part);
@@ -175,15 +175,21 @@ double TriangleProof::moves_over(const SiteTriangle &triangle, const HessianBox 
 
 TriangleBound TriangleProof::over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
                                         double &over) const {
+    std::vector<HessianBox> boxes;
     std::vector<CellPart> cells;
     double moves = 0;
-    cells_.tree().for_each_in(placed.part, [&](const Cell &cell) {
+    cells_.tree().for_each_in(placed.part, [&](int32_t number) {
+        const Cell &cell = cells_.tree().cells()[static_cast<size_t>(number)];
         if (cell.block == block) {
             const Rectangle own = cells_.tree().rectangle(cell);
-            cells.push_back({&cell.box, own});
-            moves = std::max(moves, moves_over(triangle, cell.box, own));
+            boxes.push_back(cells_.tree().box(number));
+            cells.push_back({nullptr, own});
+            moves = std::max(moves, moves_over(triangle, boxes.back(), own));
         }
     });
+    for (size_t i = 0; i < cells.size(); ++i) {
+        cells[i].box = &boxes[i];
+    }
     over += moves;
     return triangle_bound(placed.corners, cells);
 }
