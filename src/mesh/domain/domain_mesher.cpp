@@ -85,6 +85,7 @@ void DomainMesher::make_cells() {
     std::vector<std::array<int32_t, 3>> made;
     const auto &all = cells_.tree().cells();
     states_.resize(all.size());
+    triangles_.reserve(2 * all.size() + all.size() / 4);
     for (size_t i = 0; i < all.size(); ++i) {
         CellState &state = states_[i];
         if (all[i].side != Side::inside) {
@@ -173,8 +174,10 @@ double DomainMesher::within_reach(double length, double share) const noexcept {
 }
 
 void DomainMesher::prove() {
-    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()));
     slack_ = rounding(cells_.tree().least_weight());
+    const bool by_distance = chord_ < infinity && longest_ == 0 && angle_ == 0; // else these leave it smaller
+    proof_.set_enough(by_distance ? grid_.scaled(chord_) * (1 - 1e-6) - slack_ : 0);
+    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()));
 }
 
 Distances DomainMesher::distances(size_t triangle) const noexcept {

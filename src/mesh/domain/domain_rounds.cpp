@@ -63,7 +63,7 @@ bool DomainMesher::is_to_divide(size_t triangle) const {
     if (is_large(triangle)) {
         return true;
     }
-    const SiteTriangle &own = triangles_[triangle];
+    const SiteTriangle own = triangles_[triangle];
     return is_turned(own) &&
            (own.cell < 0 ? round_ < most_angle_rounds
                          : turn_of(cells_.tree().box(own.cell), least_).both >
@@ -136,7 +136,7 @@ bool DomainMesher::improve() {
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
-        const SiteTriangle &triangle = triangles_[i];
+        const SiteTriangle triangle = triangles_[i];
         if (triangle.cell >= 0) { // without any bound they are as small as is sensible
             if (distances(i).from_shape < infinity) {
                 over.push_back(triangle.cell);

@@ -10,43 +10,57 @@
 
 namespace nrb::mesh {
 
-// Those that stay keep their places and their bounds, and their distances where none around them changed.
+// Those that stay keep their places, and their distances where none around them changed. Bounds of single triangles take much more room
+// than these: they are made part by part, for some thousand triangles at once, and again for those beside a part.
 class TrianglePool {
 public:
     struct Range {
         size_t first = 0, count = 0;
     };
 
+    void reserve(size_t count);
     // Those of cells, which can be removed later.
     void add(const SiteTriangle &triangle, const MeshTriangle &meshed);
     void remove(const Range &range);
     // The strip is behind all others: what is added from here on is of it, until it is dropped.
-    void begin_strip() noexcept { strip_ = triangles_.size(); }
+    void begin_strip() noexcept { strip_ = sites_.size(); }
     void drop_strip();
 
     // Of all that are new, and of those beside them. points: how many there are.
     void prove(TriangleProof &proof, size_t points);
 
     // The numbers of those that are there.
-    [[nodiscard]] size_t size() const noexcept { return triangles_.size(); }
-    [[nodiscard]] bool has(size_t i) const noexcept { return triangles_[i].sites[0] >= 0; }
-    [[nodiscard]] const SiteTriangle &operator[](size_t i) const noexcept { return triangles_[i]; }
+    [[nodiscard]] size_t size() const noexcept { return sites_.size(); }
+    [[nodiscard]] bool has(size_t i) const noexcept { return sites_[i].sites[0] >= 0; }
+    [[nodiscard]] SiteTriangle operator[](size_t i) const noexcept;
     [[nodiscard]] const MeshTriangle &meshed(size_t i) const noexcept { return meshed_[i]; }
     // In units of the grid, with what moves corners.
-    [[nodiscard]] const Distances &distances(size_t i) const noexcept { return distances_[i]; }
+    [[nodiscard]] Distances distances(size_t i) const noexcept {
+        return {static_cast<double>(distances_[i].from_shape), static_cast<double>(distances_[i].from_mesh)};
+    }
 
 private:
+    struct CellSites {
+        std::array<int32_t, 3> sites;
+        int32_t cell;
+    };
+    // Of triangles of the strip.
+    struct Borders {
+        std::array<int32_t, 3> border;
+        std::array<bool, 3> fixed;
+    };
+    // Rounded upwards.
+    struct Rounded {
+        float from_shape = 0, from_mesh = 0;
+    };
     void touch(size_t i);
-    void prove_new(TriangleProof &proof);
-    [[nodiscard]] std::vector<char> beside_touched(size_t points) const;
-    [[nodiscard]] std::vector<double> overs_around(size_t points) const;
+    [[nodiscard]] std::vector<int32_t> beside_touched(size_t points);
 
-    std::vector<SiteTriangle> triangles_;
+    std::vector<CellSites> sites_;
+    std::vector<Borders> borders_;
     std::vector<MeshTriangle> meshed_;
-    std::vector<TriangleBound> bounds_;
-    std::vector<double> overs_; // -1: not proven yet
-    std::vector<Distances> distances_;
-    std::vector<int32_t> touched_; // points
+    std::vector<Rounded> distances_;
+    std::vector<char> touched_; // points
     size_t strip_ = 0;
 };
 

@@ -28,8 +28,11 @@ public:
     // `chord`: what is within it needs no better proof.
     TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites, double chord);
 
+    // Distances that are enough; 0: the best that there are.
+    void set_enough(double enough) noexcept { enough_ = enough; }
+    [[nodiscard]] double enough() const noexcept { return enough_; }
     // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
-    [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle);
+    [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle, Effort effort);
 
 private:
     using Key = std::array<int32_t, 6>;
@@ -43,7 +46,7 @@ private:
         double moved = 0; // the most of its corners
     };
     [[nodiscard]] Placed placed(const SiteTriangle &triangle) const;
-    [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle);
+    [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle, Effort effort);
     [[nodiscard]] ProvenTriangle in_strip(const SiteTriangle &triangle);
     [[nodiscard]] TriangleBound over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
                                            double &over) const;
@@ -55,7 +58,7 @@ private:
     const CellGrid &cells_;
     const Sites &sites_;
     const pieces::PieceGrid &grid_;
-    double chord_;
+    double chord_, enough_ = 0;
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;

@@ -21,76 +21,62 @@ bool is_zero(const Vector3 &v) noexcept {
 } // namespace
 
 MeshBound::MeshBound(size_t points, std::span<const MeshTriangle> triangles,
-                     std::span<const TriangleBound> bounds, std::span<const char> wanted)
-    : triangles_(triangles), bounds_(bounds), points_(points) {
-    set_fans(wanted);
-    for (Point &point : points_) {
-        if (point.count > 0) {
-            set_point(point);
+                     std::span<const TriangleBound> bounds, std::span<const int32_t> wanted)
+    : triangles_(triangles), bounds_(bounds), points_(points), fans_(points, triangles, wanted) {
+    for (int32_t i = 0; i < static_cast<int32_t>(points); ++i) {
+        if (!fans_.of(i).empty()) {
+            set_point(i);
         }
     }
 }
 
-void MeshBound::set_fans(std::span<const char> wanted) {
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        for (size_t k = 0; k < 3 && wanted[i] != 0; ++k) {
-            points_[static_cast<size_t>(triangles_[i].points[k])].count = 0;
-        }
-    }
-    const auto for_each_corner = [&](auto &&visit) {
-        for (size_t i = 0; i < triangles_.size(); ++i) {
-            for (size_t k = 0; k < 3 && !triangles_[i].is_empty(); ++k) {
-                Point &point = points_[static_cast<size_t>(triangles_[i].points[k])];
-                if (point.count >= 0) {
-                    visit(static_cast<int32_t>(i), point);
-                }
-            }
-        }
-    };
-    for_each_corner([](int32_t, Point &point) { ++point.count; });
-    int32_t next = 0;
-    for (Point &point : points_) {
-        point.first = next;
-        next += std::max(point.count, 0);
-        point.count = std::min(point.count, 0);
-    }
-    fans_.resize(static_cast<size_t>(next));
-    for_each_corner([&](int32_t triangle, Point &point) {
-        fans_[static_cast<size_t>(point.first + point.count++)] = triangle;
+void MeshBound::set_point(int32_t number) {
+    Point &point = points_[static_cast<size_t>(number)];
+    const std::span<const int32_t> fan = fans_.of(number);
+    for (const int32_t triangle : fan) {
         point.normal = point.normal + bounds_[static_cast<size_t>(triangle)].normal;
-    });
-}
-
-void MeshBound::set_point(Point &point) {
-    const auto number = static_cast<int32_t>(&point - points_.data());
+    }
     point.normal = is_zero(point.normal) ? point.normal : unit(point.normal);
-    around_.clear();
-    for (int32_t i = point.first; i < point.first + point.count; ++i) {
-        const int32_t triangle = fans_[static_cast<size_t>(i)];
-        const auto &corners = triangles_[static_cast<size_t>(triangle)].points;
-        for (size_t k = 0; k < 3; ++k) {
-            if (corners[k] == number) {
-                around_.push_back({triangle, corners[(k + 1) % 3], corners[(k + 2) % 3], k});
-                add_corner(static_cast<size_t>(triangle), k, point);
+    for (size_t i = 0; i < fan.size(); ++i) {
+        const auto triangle = static_cast<size_t>(fan[i]);
+        for (size_t k = 0; k < 3 && (i == 0 || fan[i - 1] != fan[i]); ++k) {
+            if (triangles_[triangle].points[k] == number) {
+                add_corner(triangle, k, point);
             }
         }
     }
     if (point.angle > (point.on_border ? 2 : 3) * std::numbers::pi) {
         point.turned = 2;
     }
-    set_turns(point);
+}
+
+double MeshBound::turns_at(int32_t number) {
+    double &turns = points_[static_cast<size_t>(number)].turns;
+    if (turns < 0) {
+        turns = find_turns(number);
+    }
+    return turns;
 }
 
 // Sides at the border may turn inwards instead.
-void MeshBound::set_turns(Point &point) noexcept {
-    if (point.count > most_around) {
-        point.turns = infinity;
-        return;
+double MeshBound::find_turns(int32_t number) {
+    const std::span<const int32_t> fan = fans_.of(number);
+    if (std::ssize(fan) > most_around) {
+        return infinity;
     }
+    around_.clear();
+    for (const int32_t triangle : fan) {
+        const auto &corners = triangles_[static_cast<size_t>(triangle)].points;
+        for (size_t k = 0; k < 3; ++k) {
+            if (corners[k] == number) {
+                around_.push_back({triangle, corners[(k + 1) % 3], corners[(k + 2) % 3], k});
+            }
+        }
+    }
+    double turns = 0;
     const auto add = [&](const Corner &from, size_t side, const Corner &over) {
-        point.turns =
-            std::max(point.turns, bounds_[static_cast<size_t>(from.triangle)].turns[from.corner][side] /
-                                      bounds_[static_cast<size_t>(over.triangle)].sines[over.corner]);
+        turns = std::max(turns, bounds_[static_cast<size_t>(from.triangle)].turns[from.corner][side] /
+                                    bounds_[static_cast<size_t>(over.triangle)].sines[over.corner]);
     };
     for (const Corner &a : around_) {
         const auto &border = triangles_[static_cast<size_t>(a.triangle)].border;
@@ -106,6 +92,7 @@ void MeshBound::set_turns(Point &point) noexcept {
             }
         }
     }
+    return turns;
 }
 
 void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const noexcept {
@@ -136,7 +123,6 @@ MeshBound::Around MeshBound::around(size_t triangle) const noexcept {
         all.height = std::max(all.height, point.height);
         all.out = std::max(all.out, point.out);
         all.beside = std::max(all.beside, point.beside);
-        all.turns = std::max(all.turns, point.turns);
         all.border = std::max(all.border, point.border);
     }
     return all;
@@ -146,10 +132,8 @@ MeshBound::Around MeshBound::around(size_t triangle) const noexcept {
 MeshBound::Neighbour MeshBound::across(size_t triangle, size_t side) const noexcept {
     const int32_t from = triangles_[triangle].points[(side + 1) % 3],
                   to = triangles_[triangle].points[(side + 2) % 3];
-    const Point &a = points_[static_cast<size_t>(from)], &b = points_[static_cast<size_t>(to)];
-    const Point &less = a.count <= b.count ? a : b;
-    for (int32_t i = less.first; i < less.first + less.count; ++i) {
-        const int32_t other = fans_[static_cast<size_t>(i)];
+    const std::span<const int32_t> a = fans_.of(from), b = fans_.of(to);
+    for (const int32_t other : a.size() <= b.size() ? a : b) {
         const auto &p = triangles_[static_cast<size_t>(other)].points;
         for (size_t k = 0; k < 3; ++k) {
             if (p[(k + 1) % 3] == to && p[(k + 2) % 3] == from) {
@@ -195,7 +179,8 @@ Distances MeshBound::by_sides(size_t triangle) const noexcept {
     return result;
 }
 
-Distances MeshBound::distances(size_t triangle) const noexcept {
+// By the star first, which takes the least time.
+Distances MeshBound::distances(size_t triangle, double enough) {
     const TriangleBound &own = bounds_[triangle];
     Distances best{own.from_shape(), own.from_mesh()};
     const auto take = [&](const Distances &other) {
@@ -211,7 +196,12 @@ Distances MeshBound::distances(size_t triangle) const noexcept {
     if (all.border == 0) {
         take(by_star(triangle, all));
     }
-    if (all.turned < most_turned_by_sides && all.turns < 0.99 * cosine * cosine) {
+    if (best.most() <= enough || !(all.turned < most_turned_by_sides)) {
+        return best;
+    }
+    const auto &p = triangles_[triangle].points;
+    const double turns = std::max({turns_at(p[0]), turns_at(p[1]), turns_at(p[2])});
+    if (turns < 0.99 * cosine * cosine) {
         take(by_sides(triangle));
     }
     return best;

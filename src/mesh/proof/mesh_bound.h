@@ -20,6 +20,7 @@
 //   beside the side.
 #pragma once
 
+#include "mesh/proof/point_fans.h"
 #include "mesh/proof/triangle_bound.h"
 
 #include <cstdint>
@@ -35,21 +36,14 @@ struct Distances {
     [[nodiscard]] double most() const noexcept { return std::max(from_shape, from_mesh); }
 };
 
-// By its points; without any it is no triangle. border[k]: side k, opposite of corner k, is at the border of the mesh.
-struct MeshTriangle {
-    std::array<int32_t, 3> points{-1, -1, -1};
-    std::array<bool, 3> border{};
-
-    [[nodiscard]] bool is_empty() const noexcept { return points[0] < 0; }
-};
-
 class MeshBound {
 public:
     // Each triangle has its bound; wanted: those of which the distances are going to be asked for.
     MeshBound(size_t points, std::span<const MeshTriangle> triangles, std::span<const TriangleBound> bounds,
-              std::span<const char> wanted);
+              std::span<const int32_t> wanted);
 
-    [[nodiscard]] Distances distances(size_t triangle) const noexcept;
+    // Of a wanted one. What is not more than `enough` is not looked at more closely.
+    [[nodiscard]] Distances distances(size_t triangle, double enough);
 
 private:
     // The most of the triangles around.
@@ -59,16 +53,15 @@ private:
         bool on_border = false;
         double turned = 0; // from the mean, as a chord of the unit sphere
         double altitude = infinity, height = 0, out = 0, beside = 0;
-        double turns = 0;              // in terms of the sines of angles across sides
+        double turns = -1;             // in terms of the sines of angles across sides; -1: not known yet
         double border = 0;             // how far the border is from its sides
-        int32_t first = 0, count = -1; // of the triangles around; -1: not wanted
     };
-    void set_fans(std::span<const char> wanted);
-    void set_point(Point &point);
+    void set_point(int32_t number);
     void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;
-    void set_turns(Point &point) noexcept;
+    [[nodiscard]] double turns_at(int32_t number);
+    [[nodiscard]] double find_turns(int32_t number);
     struct Around {
-        double turned = 0, altitude = infinity, height = 0, out = 0, beside = 0, turns = 0, border = 0;
+        double turned = 0, altitude = infinity, height = 0, out = 0, beside = 0, border = 0;
     };
     [[nodiscard]] Around around(size_t triangle) const noexcept;
     [[nodiscard]] Distances by_star(size_t triangle, const Around &around) const noexcept;
@@ -86,7 +79,7 @@ private:
     std::span<const MeshTriangle> triangles_;
     std::span<const TriangleBound> bounds_;
     std::vector<Point> points_;
-    std::vector<int32_t> fans_;
+    PointFans fans_;
     struct Corner {
         int32_t triangle, next, previous;
         size_t corner;

@@ -15,8 +15,9 @@ constexpr double rounding = 1 + 64 * eps;
 
 class Triangle {
 public:
-    Triangle(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells) noexcept
-        : corners_(corners), cells_(cells), unit_(cells.front().part.sides()) {
+    Triangle(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
+             Effort effort) noexcept
+        : corners_(corners), cells_(cells), effort_(effort), unit_(cells.front().part.sides()) {
         for (size_t k = 0; k < 3; ++k) {
             const TriangleCorner &from = corner(k + 1), &to = corner(k + 2);
             sides_[k] = to.point - from.point;
@@ -46,7 +47,7 @@ private:
     template <class Of>
     [[nodiscard]] Hessian over_cells(Of &&of) const noexcept;
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
-    [[nodiscard]] double second_derivative(size_t k) const noexcept;
+    [[nodiscard]] Bend bend_across(size_t k, const Vector3 &normal) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
     [[nodiscard]] double from_a_side(const TriangleBound &bound) const noexcept;
@@ -55,11 +56,13 @@ private:
     [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
+    [[nodiscard]] Values bends_about(size_t k) const noexcept;
     void set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
                    TriangleBound &result) const noexcept;
 
     const std::array<TriangleCorner, 3> &corners_;
     std::span<const CellPart> cells_;
+    Effort effort_;
     std::array<double, 2> unit_;
     std::array<Vector3, 3> sides_;
     std::array<std::array<double, 2>, 3> steps_, places_; // in the first cell
@@ -96,6 +99,14 @@ Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
         rest[k] = h.beside(steps_[k][0], steps_[k][1]);
     }
     return {q, rest, h.beside(reach_[0], reach_[1])};
+}
+
+// Across side k.
+Bend Triangle::bend_across(size_t k, const Vector3 &normal) const noexcept {
+    if (effort_ == Effort::coarse) {
+        return {{}, bends_, sizes_.beside(reach_[0], reach_[1]) * rounding};
+    }
+    return bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
 }
 
 // The whole distance from the point of the triangle at equal parameters, whatever the direction. With N = A - w P and values N_i in the
@@ -196,6 +207,16 @@ double Triangle::sine(size_t k, double area) const noexcept {
     return cosine < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
 }
 
+// The most of |A - w P|'' along the sides, about corner P.
+Values Triangle::bends_about(size_t k) const noexcept {
+    if (effort_ == Effort::coarse) {
+        return bends_;
+    }
+    const Hessian v = over_cells([&](const HessianBox &box) { return box.size(corners_[k].point, 0); });
+    return {v.beside(steps_[0][0], steps_[0][1]), v.beside(steps_[1][0], steps_[1][1]),
+            v.beside(steps_[2][0], steps_[2][1])};
+}
+
 // About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
 // l_P l_E q / 2 - l_K (w a - r / 2), with the altitude a of K, the most q of |N''| along the side and r of that along the others. Seen along
 // a direction off the normal, heights h, of which half may count, come on top, at most (1 + p) l_E h / 2. So l_K <= p l_E where that is out,
@@ -205,10 +226,7 @@ void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights,
                          TriangleBound &result) const noexcept {
     const double h = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
     for (size_t k = 0; k < 3; ++k) {
-        const Hessian v = over_cells([&](const HessianBox &box) { return box.size(corners_[k].point, 0); });
-        const std::array<double, 3> bends{v.beside(steps_[0][0], steps_[0][1]),
-                                          v.beside(steps_[1][0], steps_[1][1]),
-                                          v.beside(steps_[2][0], steps_[2][1])};
+        const Values bends = bends_about(k);
         for (size_t m = 0; m < 2; ++m) {
             const size_t side = (k + 1 + m) % 3, opposite = (k + 2 - m) % 3;
             const double cosine = -dot(sides_[side], sides_[opposite]) / lengths_[side];
@@ -242,10 +260,7 @@ TriangleBound Triangle::bound() const noexcept {
     result.normal = normal;
     result.altitude = area / longest_ * (1 - 16 * eps);
     result.height = (heights.both() / least_weight_ + flat) * rounding;
-    const auto bend_across = [&](size_t k) {
-        return bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
-    };
-    const std::array<Bend, 3> across{bend_across(0), bend_across(1), bend_across(2)};
+    const std::array<Bend, 3> across{bend_across(0, normal), bend_across(1, normal), bend_across(2, normal)};
     for (size_t k = 0; k < 3; ++k) {
         const Bend &bend_out = across[k];
         result.sines[k] = sine(k, area);
@@ -260,10 +275,10 @@ TriangleBound Triangle::bound() const noexcept {
         result.beside = std::max(result.beside, result.sides[k]);
     }
     result.out *= sharpness();
-    if (result.out > result.height) {
+    if (result.out > result.height && effort_ == Effort::full) {
         result.out = std::min(result.out, equal_parameters());
     }
-    result.whole = from_a_side(result);
+    result.whole = effort_ == Effort::full ? from_a_side(result) : infinity;
     result.height = std::min(result.height, result.whole); // sides are in the plane
     result.out = std::min(result.out, result.whole);
     for (double &over : result.outs) {
@@ -275,9 +290,9 @@ TriangleBound Triangle::bound() const noexcept {
 
 } // namespace
 
-TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
-                             std::span<const CellPart> cells) noexcept {
-    const Triangle triangle(corners, cells);
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
+                             Effort effort) noexcept {
+    const Triangle triangle(corners, cells, effort);
     if (triangle.certain()) {
         return triangle.bound();
     }

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/part_proof.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nrb::mesh {
+
+PartProof::PartProof(TriangleProof &proof, size_t points, std::span<const MeshTriangle> triangles,
+                     std::span<const int32_t> wanted, TriangleOf triangle_of)
+    : proof_(proof), all_(triangles), fans_(points, triangles, wanted), triangle_of_(std::move(triangle_of)),
+      own_points_(points, -1), own_triangles_(triangles.size(), -1) {}
+
+int32_t PartProof::local_point(int32_t point) {
+    int32_t &own = own_points_[static_cast<size_t>(point)];
+    if (own < 0) {
+        own = static_cast<int32_t>(points_.size());
+        points_.push_back(point);
+    }
+    return own;
+}
+
+void PartProof::add_triangle(int32_t triangle) {
+    int32_t &own = own_triangles_[static_cast<size_t>(triangle)];
+    if (own >= 0) {
+        return;
+    }
+    own = static_cast<int32_t>(triangles_.size());
+    triangles_.push_back(triangle);
+    MeshTriangle meshed = all_[static_cast<size_t>(triangle)];
+    for (int32_t &point : meshed.points) {
+        point = local_point(point);
+    }
+    meshed_.push_back(meshed);
+}
+
+// The wanted ones first, in their order.
+void PartProof::gather(std::span<const int32_t> wanted) {
+    for (const int32_t point : points_) {
+        own_points_[static_cast<size_t>(point)] = -1;
+    }
+    for (const int32_t triangle : triangles_) {
+        own_triangles_[static_cast<size_t>(triangle)] = -1;
+    }
+    points_.clear();
+    triangles_.clear();
+    meshed_.clear();
+    std::ranges::for_each(wanted, [&](int32_t triangle) { add_triangle(triangle); });
+    for (size_t i = 0, count = points_.size(); i < count; ++i) {
+        std::ranges::for_each(fans_.of(points_[i]), [&](int32_t triangle) { add_triangle(triangle); });
+    }
+}
+
+// Of those marked.
+void PartProof::bound(Effort effort, std::span<const char> which) {
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (which[i] != 0) {
+            const ProvenTriangle proven =
+                proof_.of(triangle_of_(static_cast<size_t>(triangles_[i])), effort);
+            bounds_[i] = proven.bound;
+            overs_[i] = proven.over;
+        }
+    }
+}
+
+// Of the triangles around each point: distances are bounds for a mesh on the surface, of which the one that there is, and what it stands
+// for, are so far off, those beside a triangle as well as itself.
+void PartProof::set_overs() {
+    point_overs_.assign(points_.size(), 0);
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        for (const int32_t point : meshed_[i].points) {
+            double &over = point_overs_[static_cast<size_t>(point)];
+            over = std::max(over, overs_[i]);
+        }
+    }
+}
+
+// Some of those here; where it is less than there was.
+void PartProof::settle(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
+    MeshBound mesh(points_.size(), meshed_, bounds_, wanted);
+    for (const int32_t triangle : wanted) {
+        const auto i = static_cast<size_t>(triangle);
+        double over = 0;
+        for (const int32_t point : meshed_[i].points) {
+            over = std::max(over, point_overs_[static_cast<size_t>(point)]);
+        }
+        const Distances all = mesh.distances(i, enough - over);
+        Distances &best = out[i];
+        best.from_shape = std::min({best.from_shape, bounds_[i].from_shape() + overs_[i], all.from_shape + over});
+        best.from_mesh = std::min({best.from_mesh, bounds_[i].from_mesh() + overs_[i], all.from_mesh + over});
+    }
+}
+
+std::vector<char> PartProof::stars_of(std::span<const int32_t> some) const {
+    std::vector<char> at(points_.size()), result(triangles_.size());
+    for (const int32_t triangle : some) {
+        for (const int32_t point : meshed_[static_cast<size_t>(triangle)].points) {
+            at[static_cast<size_t>(point)] = 1;
+        }
+    }
+    for (size_t i = 0; i < result.size(); ++i) {
+        const auto is_at = [&](int32_t point) { return at[static_cast<size_t>(point)] != 0; };
+        result[i] = std::ranges::any_of(meshed_[i].points, is_at) ? 1 : 0;
+    }
+    return result;
+}
+
+void PartProof::prove(std::span<const int32_t> wanted, std::vector<Distances> &out) {
+    gather(wanted);
+    bounds_.resize(triangles_.size());
+    overs_.resize(triangles_.size());
+    out.assign(wanted.size(), {infinity, infinity});
+    std::vector<int32_t> open(wanted.size());
+    std::iota(open.begin(), open.end(), 0);
+    const double enough = proof_.enough();
+    if (enough > 0) {
+        bound(Effort::coarse, std::vector<char>(triangles_.size(), 1));
+        set_overs();
+        settle(open, enough, out);
+        std::erase_if(open, [&](int32_t i) { return out[static_cast<size_t>(i)].most() <= enough; });
+    }
+    if (!open.empty()) {
+        bound(Effort::full, stars_of(open));
+        set_overs();
+        settle(open, enough, out);
+    }
+}
+
+} // namespace nrb::mesh
