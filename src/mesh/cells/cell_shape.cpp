@@ -42,7 +42,7 @@ HessianBox box_about(const CellCorners &corners) noexcept {
     const Vector3 product = cross(c - a, d - b);
     const Vector3 across = product - dot(product, along) * along;
     const Vector3 normal = direction(across, any_across(along));
-    return HessianBox(a, {along, cross(normal, along), normal});
+    return HessianBox(a, {along, cross(normal, along), normal}, corners);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "base/scratch.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace nrb::mesh {
 
@@ -13,105 +14,117 @@ constexpr size_t width = HessianBox::coordinates;
 using Row = std::array<double, width>;
 using Ranges = std::array<Range, width>;
 
-// Bernstein coefficients [u][v] of a derivative.
-class Net {
-public:
-    explicit Net(double *rows) noexcept : rows_(rows) {}
-    void resize(int u_count, int v_count) noexcept {
-        u_ = u_count;
-        v_ = v_count;
-    }
-    [[nodiscard]] bool empty() const noexcept { return u_ <= 0 || v_ <= 0; }
-    void set(int i, int j, const Row &row) noexcept { std::ranges::copy(row, rows_ + (i * v_ + j) * 4); }
-    [[nodiscard]] Row at(int i, int j) const noexcept {
-        const double *row = rows_ + (i * v_ + j) * 4;
-        return {row[0], row[1], row[2], row[3]};
-    }
+// The four coordinates in two registers of every processor.
+using Pair = double __attribute__((vector_size(16)));
+struct Four {
+    Pair low, high;
 
-    // Times a factor. The plane is that through the means of the corners; a plane has the coefficients of its values at the places
-    // of control points, so that what coefficients differ from it bounds what the function does.
-    [[nodiscard]] Ranges ranges(double factor, double noise, bool planes) const noexcept;
-    // The least and the largest of each component.
-    struct Extremes {
-        Row low, high;
-    };
-    [[nodiscard]] Extremes extremes() const noexcept;
-
-private:
-    int u_ = 0, v_ = 0;
-    double *rows_; // [u][v]
+    explicit Four(double x = 0) noexcept : low{x, x}, high{x, x} {}
+    Four(const Pair &a, const Pair &b) noexcept : low(a), high(b) {}
+    Four(double a, double b, double c, double d) noexcept : low{a, b}, high{c, d} {}
+    explicit Four(const double *x) noexcept {
+        std::memcpy(&low, x, sizeof low);
+        std::memcpy(&high, x + 2, sizeof high);
+    }
+    void store(double *x) const noexcept {
+        std::memcpy(x, &low, sizeof low);
+        std::memcpy(x + 2, &high, sizeof high);
+    }
+    [[nodiscard]] double operator[](size_t k) const noexcept { return k < 2 ? low[k] : high[k - 2]; }
+    [[nodiscard]] Four operator+(const Four &other) const noexcept {
+        return {low + other.low, high + other.high};
+    }
+    [[nodiscard]] Four operator-(const Four &other) const noexcept {
+        return {low - other.low, high - other.high};
+    }
+    [[nodiscard]] Four operator*(double x) const noexcept { return {low * x, high * x}; }
 };
 
-Net::Extremes Net::extremes() const noexcept {
-    Extremes result{at(0, 0), at(0, 0)};
-    for (int i = 0; i < u_ * v_; ++i) {
-        for (size_t c = 0; c < width; ++c) {
-            const double x = rows_[static_cast<size_t>(i) * width + c];
-            result.low[c] = std::min(result.low[c], x);
-            result.high[c] = std::max(result.high[c], x);
-        }
-    }
-    return result;
+Four least(const Four &a, const Four &b) noexcept {
+    return {a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high};
 }
 
-Ranges Net::ranges(double factor, double noise, bool planes) const noexcept {
+Four greatest(const Four &a, const Four &b) noexcept {
+    return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+}
+
+// Bernstein coefficients [u][v], of a function or of a derivative.
+struct Net {
+    int u, v;
+    double *rows;
+
+    [[nodiscard]] double *row(int i, int j) const noexcept {
+        return rows + static_cast<size_t>(i * v + j) * width;
+    }
+    [[nodiscard]] Four at(int i, int j) const noexcept { return Four(row(i, j)); }
+    void set(int i, int j, const Four &x) const noexcept { x.store(row(i, j)); }
+};
+
+// Times a factor, with an error of each coefficient before. The plane is that through the means of the corners; a plane has the
+// coefficients of its values at the places of control points, so that what coefficients differ from it bounds what the function does.
+Ranges ranges_of(const Net &net, double factor, double error, bool planes) noexcept {
     Ranges result{};
-    if (empty() || factor == 0) {
+    if (net.u <= 0 || net.v <= 0 || factor == 0) {
         return result;
     }
-    const Row a = at(0, 0), b = at(u_ - 1, 0), c = at(u_ - 1, v_ - 1), d = at(0, v_ - 1);
-    Row low, high, u{}, v{};
-    low.fill(infinity);
-    high.fill(-infinity);
-    for (size_t k = 0; planes && k < width; ++k) {
-        u[k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
-        v[k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
+    Four u, v, low(infinity), high(-infinity);
+    if (planes) {
+        const Four a = net.at(0, 0), b = net.at(net.u - 1, 0), c = net.at(net.u - 1, net.v - 1),
+                   d = net.at(0, net.v - 1);
+        u = ((b - a) + (c - d)) * 0.5;
+        v = ((d - a) + (c - b)) * 0.5;
     }
-    for (int i = 0; i < u_; ++i) {
-        const double x = u_ > 1 ? i / (u_ - 1.0) - 0.5 : 0;
-        for (int j = 0; j < v_; ++j) {
-            const double y = v_ > 1 ? j / (v_ - 1.0) - 0.5 : 0;
-            const Row row = at(i, j);
-            for (size_t k = 0; k < width; ++k) {
-                const double rest = row[k] - (u[k] * x + v[k] * y);
-                low[k] = std::min(low[k], rest);
-                high[k] = std::max(high[k], rest);
-            }
+    const double u_step = net.u > 1 ? 1.0 / (net.u - 1) : 0, v_step = net.v > 1 ? 1.0 / (net.v - 1) : 0;
+    for (int i = 0; i < net.u; ++i) {
+        const Four along = u * (net.u > 1 ? i * u_step - 0.5 : 0);
+        for (int j = 0; j < net.v; ++j) {
+            const Four rest = net.at(i, j) - (along + v * (net.v > 1 ? j * v_step - 0.5 : 0));
+            low = least(low, rest);
+            high = greatest(high, rest);
         }
     }
     for (size_t k = 0; k < width; ++k) {
         const double size = std::max(std::abs(low[k]), std::abs(high[k])) + std::abs(u[k]) + std::abs(v[k]);
         result[k] = {factor * (low[k] + high[k]) / 2, factor * u[k], factor * v[k],
-                     std::abs(factor) * ((high[k] - low[k]) / 2 + noise + 8 * eps * size)};
+                     std::abs(factor) * ((high[k] - low[k]) / 2 + error + 8 * eps * size)};
     }
     return result;
 }
 
 // The products of a coefficient row with the axes, about the origin.
-Row in_axes(const double *row, const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept {
+Four in_axes(const double *row, const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept {
     const double w = row[3];
     const Vector3 a{row[0] - w * origin.x, row[1] - w * origin.y, row[2] - w * origin.z};
     return {dot(axes[0], a), dot(axes[1], a), dot(axes[2], a), w};
 }
 
-Row difference(const Row &a, const Row &b) noexcept {
-    return {b[0] - a[0], b[1] - a[1], b[2] - a[2], b[3] - a[3]};
-}
-
-void differentiate_u(const Net &net, int u_count, int v_count, Net &out) noexcept {
-    out.resize(u_count - 1, v_count);
-    for (int i = 0; i + 1 < u_count; ++i) {
-        for (int j = 0; j < v_count; ++j) {
-            out.set(i, j, difference(net.at(i, j), net.at(i + 1, j)));
+// Differences of second order, along u, along v or along both.
+void differences_uu(const Net &net, Net &out) noexcept {
+    out.u = net.u - 2;
+    out.v = net.v;
+    for (int i = 0; i < out.u; ++i) {
+        for (int j = 0; j < out.v; ++j) {
+            out.set(i, j, (net.at(i + 2, j) - net.at(i + 1, j)) - (net.at(i + 1, j) - net.at(i, j)));
         }
     }
 }
 
-void differentiate_v(const Net &net, int u_count, int v_count, Net &out) noexcept {
-    out.resize(u_count, v_count - 1);
-    for (int i = 0; i < u_count; ++i) {
-        for (int j = 0; j + 1 < v_count; ++j) {
-            out.set(i, j, difference(net.at(i, j), net.at(i, j + 1)));
+void differences_uv(const Net &net, Net &out) noexcept {
+    out.u = net.u - 1;
+    out.v = net.v - 1;
+    for (int i = 0; i < out.u; ++i) {
+        for (int j = 0; j < out.v; ++j) {
+            out.set(i, j, (net.at(i + 1, j + 1) - net.at(i, j + 1)) - (net.at(i + 1, j) - net.at(i, j)));
+        }
+    }
+}
+
+void differences_vv(const Net &net, Net &out) noexcept {
+    out.u = net.u;
+    out.v = net.v - 2;
+    for (int i = 0; i < out.u; ++i) {
+        for (int j = 0; j < out.v; ++j) {
+            out.set(i, j, (net.at(i, j + 2) - net.at(i, j + 1)) - (net.at(i, j + 1) - net.at(i, j)));
         }
     }
 }
@@ -146,40 +159,42 @@ Hessian Hessian::in_units(double u, double v) const noexcept {
     return {times(uu, u * u), times(uv, u * v), times(vv, v * v)};
 }
 
+HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes,
+                       const std::array<const double *, 4> &corners) noexcept
+    : origin_(origin), axes_(axes) {
+    const Four a = in_axes(corners[0], origin, axes), b = in_axes(corners[1], origin, axes),
+              c = in_axes(corners[2], origin, axes), d = in_axes(corners[3], origin, axes);
+    for (size_t k = 0; k < width; ++k) {
+        first_[0][k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
+        first_[1][k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
+    }
+    for (const Four &x : {a, b, c, d}) {
+        reach_ = std::max(reach_, std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
+    }
+}
+
+// Of second derivatives: an error of a coefficient counts four times.
 void HessianBox::add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
                      double noise) {
     const bool whole = factors[0] == 1 && factors[1] == 1, fresh = largest_weight_ < least_weight_;
     const int m = u_degree + 1, n = v_degree + 1;
     const auto size = static_cast<size_t>(m * n) * width;
-    Scratch scratch(3 * size);
-    Net rows(scratch.take(size)), first(scratch.take(size)), second(scratch.take(size));
-    rows.resize(m, n);
-    for (int i = 0; i < m; ++i) {
-        for (int j = 0; j < n; ++j, net += width) {
-            rows.set(i, j, in_axes(net, origin_, axes_));
-            least_weight_ = std::min(least_weight_, net[3]);
-            largest_weight_ = std::max(largest_weight_, net[3]);
-        }
+    Scratch scratch(2 * size);
+    Net rows{m, n, scratch.take(size)}, second{0, 0, scratch.take(size)};
+    for (size_t i = 0; i < size; i += width, net += width) {
+        in_axes(net, origin_, axes_).store(rows.rows + i);
+        least_weight_ = std::min(least_weight_, net[3]);
+        largest_weight_ = std::max(largest_weight_, net[3]);
     }
-    const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1],
-                 error = noise * largest_weight_;
-    const Net::Extremes all = rows.extremes();
-    double reach = 0;
-    for (size_t c = 0; c < 3; ++c) {
-        const double most = std::max(std::abs(all.low[c]), std::abs(all.high[c])) + error;
-        reach += most * most;
-    }
-    reach_ = std::max(reach_, std::sqrt(reach));
-    differentiate_u(rows, m, n, first);
-    add_first(0, {first.extremes().low, first.extremes().high}, p * fu, error, fresh);
-    differentiate_u(first, m - 1, n, second);
-    const Ranges uu = second.ranges(p * (p - 1) * fu * fu, error, whole);
-    differentiate_v(first, m - 1, n, second);
-    const Ranges uv = second.ranges(p * q * fu * fv, error, whole);
-    differentiate_v(rows, m, n, first);
-    add_first(1, {first.extremes().low, first.extremes().high}, q * fv, error, fresh);
-    differentiate_v(first, m, n - 1, second);
-    const Ranges vv = second.ranges(q * (q - 1) * fv * fv, error, whole);
+    const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1];
+    noise_ = std::max(noise_, noise * largest_weight_);
+    const double error = 4 * noise_;
+    differences_uu(rows, second);
+    const Ranges uu = ranges_of(second, p * (p - 1) * fu * fu, error, whole);
+    differences_uv(rows, second);
+    const Ranges uv = ranges_of(second, p * q * fu * fv, error, whole);
+    differences_vv(rows, second);
+    const Ranges vv = ranges_of(second, q * (q - 1) * fv * fv, error, whole);
     for (size_t c = 0; c < coordinates; ++c) {
         if (fresh) {
             uu_[c] = uu[c];
@@ -191,27 +206,6 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
             add_constant(vv[c], vv_[c]);
         }
     }
-}
-
-void HessianBox::add_first(size_t k, const FirstNet &net, double factor, double noise, bool fresh) noexcept {
-    First own;
-    double squares = 0;
-    for (size_t c = 0; c < 3; ++c) {
-        own.middle[c] = factor * (net.low[c] + net.high[c]) / 2;
-        const double radius = factor * ((net.high[c] - net.low[c]) / 2 + 2 * noise);
-        squares += radius * radius;
-    }
-    own.radius = std::sqrt(squares);
-    own.weight = factor * (std::max(std::abs(net.low[3]), std::abs(net.high[3])) + 2 * noise);
-    First &all = first_[k];
-    if (fresh) {
-        all = own;
-        return;
-    }
-    const double apart = std::hypot(own.middle[0] - all.middle[0], own.middle[1] - all.middle[1],
-                                    own.middle[2] - all.middle[2]);
-    all.radius = std::max(all.radius, own.radius + apart);
-    all.weight = std::max(all.weight, own.weight);
 }
 
 // d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps.
@@ -253,15 +247,41 @@ Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
     return {radius(uu_), radius(uv_), radius(vv_)};
 }
 
+// A first derivative differs from its mean by no more than second ones allow on the way through the cell. That of a function from the
+// bilinear one of its corners is an eighth of the second ones along both axes.
+HessianBox::First HessianBox::first(size_t k) const noexcept {
+    const Ranges &along = k == 0 ? uu_ : vv_;
+    const auto differs = [&](size_t c) { return along[c].most() + uv_[c].most() + 8 * noise_; };
+    First result{};
+    for (size_t c = 0; c < 3; ++c) {
+        result.middle[c] = first_[k][c];
+        result.radius += differs(c) * differs(c);
+    }
+    result.radius = std::sqrt(result.radius);
+    result.weight = std::abs(first_[k][3]) + differs(3);
+    return result;
+}
+
+double HessianBox::reach() const noexcept {
+    double squares = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        const double over = (uu_[c].most() + vv_[c].most()) / 8 + 4 * noise_;
+        squares += over * over;
+    }
+    return reach_ + std::sqrt(squares);
+}
+
 // S' = (A' - S w') / w about the origin, with a middle of the one and the rest for what is left.
 double HessianBox::move(double u, double v) const noexcept {
-    const double w = least_weight_;
-    const Row middle{(u * first_[0].middle[0] + v * first_[1].middle[0]) / w,
-                     (u * first_[0].middle[1] + v * first_[1].middle[1]) / w,
-                     (u * first_[0].middle[2] + v * first_[1].middle[2]) / w, 0};
+    const double w = least_weight_, far = reach();
+    const std::array<First, 2> both{first(0), first(1)};
+    std::array<double, 3> middle{};
+    for (size_t c = 0; c < 3; ++c) {
+        middle[c] = (u * both[0].middle[c] + v * both[1].middle[c]) / w;
+    }
     const double size = std::sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]);
-    const double rest = std::abs(u) * (first_[0].radius + reach_ * first_[0].weight / w) +
-                        std::abs(v) * (first_[1].radius + reach_ * first_[1].weight / w);
+    const double rest = std::abs(u) * (both[0].radius + far * both[0].weight / w) +
+                        std::abs(v) * (both[1].radius + far * both[1].weight / w);
     return (size + rest / w) * (1 + 64 * eps);
 }
 

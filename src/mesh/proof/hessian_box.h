@@ -51,9 +51,9 @@ public:
     static constexpr size_t coordinates = 4;
 
     HessianBox() = default;
-    // The axes are orthonormal to rounding.
-    HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept
-        : origin_(origin), axes_(axes) {}
+    // The axes are orthonormal to rounding. corners: (x, y, z, w) at (0, 0), (1, 0), (1, 1) and (0, 1).
+    HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes,
+               const std::array<const double *, 4> &corners) noexcept;
 
     [[nodiscard]] const Vector3 &origin() const noexcept { return origin_; }
     [[nodiscard]] const std::array<Vector3, 3> &axes() const noexcept { return axes_; }
@@ -67,7 +67,7 @@ public:
 
     // About how long a side of the cell is.
     [[nodiscard]] double speed(size_t k) const noexcept {
-        const auto &x = first_[k].middle;
+        const auto &x = first_[k];
         return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / least_weight_;
     }
 
@@ -90,17 +90,17 @@ private:
         std::array<double, 3> middle{};
         double radius = 0, weight = 0;
     };
-    struct FirstNet {
-        std::array<double, coordinates> low, high;
-    };
-    void add_first(size_t k, const FirstNet &net, double factor, double noise, bool fresh) noexcept;
+    [[nodiscard]] First first(size_t k) const noexcept;
+    // The most of |A - w O|.
+    [[nodiscard]] double reach() const noexcept;
 
     Vector3 origin_;
     std::array<Vector3, 3> axes_{};
     Ranges uu_{}, uv_{}, vv_{};
     double least_weight_ = infinity, largest_weight_ = -infinity;
-    std::array<First, 2> first_{};
-    double reach_ = 0; // the most of |A - w O|
+    std::array<std::array<double, coordinates>, 2> first_{}; // means of first derivatives, by the corners
+    double reach_ = 0;                                       // the most of |A - w O| in the corners
+    double noise_ = 0;                                       // of a coefficient
 };
 
 } // namespace nrb::mesh
