@@ -27,6 +27,14 @@ constexpr int most_divisions = 16;
 
 } // namespace
 
+namespace {
+
+Parts halves_along(size_t axis) noexcept {
+    return axis == 0 ? Parts{2, 1} : Parts{1, 2};
+}
+
+} // namespace
+
 // Blocks end where the homogeneous coordinates may have a kink.
 void CellTree::Builder::set_blocks() {
     for (size_t k = 0; k < 2; ++k) {
@@ -84,20 +92,31 @@ void CellTree::Builder::look_at(Item item) {
         tree_.nodes_[static_cast<size_t>(item.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
     }
     count_work(work_of_a_cell);
-    const Side side = rule_.side ? rule_.side(item.part) : Side::inside;
+    if (item.parts[0] * item.parts[1] > 1 && divide(item)) {
+        return;
+    }
+    const Side side = item.side = side_of(item);
     make_nets(item);
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.alone = at_border(item);
+    const bool bent = !(bend.in_parts(1, 1) <= rule_.chord);
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
-    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small &&
-                      !is_turned(found.box);
+    const bool flat = found.whole && found.box.certain() && !bent && small && !is_turned(found.box);
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
     const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
     const bool enough = flat || side == Side::outside || hopeless || work_ended();
-    if ((enough && !wide) || !divide(item, cut_of(item.part, found.box, bend))) {
+    if (!enough || wide) {
+        item.parts = bent && !wide ? parts_for(bend, rule_.chord) : parts_of_flat(item.part, found.box);
+    }
+    if ((enough && !wide) || !divide(item)) {
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
+}
+
+// Parts of what is inside are.
+Side CellTree::Builder::side_of(const Item &item) const {
+    return !rule_.side || item.side == Side::inside ? Side::inside : rule_.side(item.part);
 }
 
 // Elsewhere what comes out of a triangle is over others.
@@ -121,18 +140,14 @@ std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const 
 }
 
 // Where the surface is flat enough, across the longer side.
-Cut CellTree::Builder::cut_of(const Rectangle &part, const HessianBox &box,
-                              const CellBend &bend) const noexcept {
+Parts CellTree::Builder::parts_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
     if (const std::optional<size_t> wide = wide_axis(part)) {
-        return {*wide, 0.5};
+        return halves_along(*wide);
     }
-    if (bend.in_parts(1, 1) <= rule_.chord) {
-        if (is_turned(box)) {
-            return cut_for_angle(box, turn_of(box, rule_.least), rule_.angle);
-        }
-        return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
+    if (is_turned(box)) {
+        return parts_for_angle(box, turn_of(box, rule_.least), rule_.angle);
     }
-    return best_cut(bend, rule_.chord);
+    return halves_along(box.move(1, 0) >= box.move(0, 1) ? 0 : 1);
 }
 
 void CellTree::Builder::make_nets(Item &item) {
@@ -206,7 +221,7 @@ CellBends bends_of(const HessianBox &box) noexcept {
 
 void CellTree::Builder::keep_box(int32_t cell, const Rectangle &part, const HessianBox &box) {
     tree_.boxes_->keep(cell, box);
-    for (size_t k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2 && rule_.side; ++k) {
         const double speed = box.move(k == 0 ? 1 : 0, k == 0 ? 0 : 1) / part.side(k);
         tree_.speeds_[k] = std::isfinite(speed) ? std::max(tree_.speeds_[k], speed) : tree_.speeds_[k];
     }
@@ -256,7 +271,9 @@ double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share)
     return best;
 }
 
-bool CellTree::Builder::divide(Item &item, Cut cut) {
+// Plans are for cells in one piece: others end where pieces do. Along the border of a face each part is looked at.
+bool CellTree::Builder::divide(Item &item) {
+    const Cut cut = cut_into(item.parts);
     size_t k = cut.axis;
     if (item.nets < 0 && item.pieces.count(k) == 1) {
         k = 1 - k;
@@ -269,6 +286,11 @@ bool CellTree::Builder::divide(Item &item, Cut cut) {
     low.part.upper[k] = high.part.lower[k] = at;
     low.upper[k] = high.lower[k] = add_line(k, at, false);
     low.divisions = high.divisions = item.divisions + 1;
+    low.parts[k] = std::floor(item.parts[k] / 2);
+    high.parts[k] = item.parts[k] - low.parts[k];
+    if (item.pieces.count() > 1 || side_of(item) != Side::inside) {
+        low.parts = high.parts = {1, 1};
+    }
     const int64_t piece = grid_.find(static_cast<int>(k), at); // the one to the right
     high.pieces.lower[k] = piece;
     low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;
@@ -368,7 +390,8 @@ void CellTree::Builder::cut(int32_t number) {
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;
     open_.clear();
-    if (!divide(item, {first ? size_t{0} : size_t{1}, 0.5})) {
+    item.parts = halves_along(first ? 0 : 1);
+    if (!divide(item)) {
         pool_.clear();
         return;
     }

@@ -28,6 +28,8 @@ private:
         int32_t parent = -1; // whose upper child it is
         int32_t cell = -1;   // which it takes the place of
         int divisions = 0;
+        Parts parts{1, 1};         // into how many it is going to be cut without being looked at
+        Side side = Side::outside; // known of parts of what is inside
     };
 
     void set_blocks();
@@ -39,8 +41,8 @@ private:
     [[nodiscard]] bool is_turned(const HessianBox &box) const noexcept {
         return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
     }
-    [[nodiscard]] Cut cut_of(const Rectangle &part, const HessianBox &box,
-                             const CellBend &bend) const noexcept;
+    [[nodiscard]] Parts parts_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
+    [[nodiscard]] Side side_of(const Item &item) const;
     void make_nets(Item &item);
     struct Found {
         HessianBox box;
@@ -51,7 +53,7 @@ private:
     [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
     void keep_box(int32_t cell, const Rectangle &part, const HessianBox &box);
     void add_cell(const Item &item, const HessianBox &box, Side side);
-    bool divide(Item &item, Cut cut);
+    bool divide(Item &item);
     [[nodiscard]] double on_raster(const Item &item, size_t k, double t) const noexcept;
     [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const noexcept;
     void divide_nets(const Item &item, size_t k, double at, Item &low, Item &high);

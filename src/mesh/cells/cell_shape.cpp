@@ -15,6 +15,8 @@ constexpr double most_parts = 8;
 constexpr double most_out = 0.25;
 // By what second derivatives differ in parts that are alike, relative to them.
 constexpr double most_varied = 0.1;
+// Where they differ by more, halves are looked at one by one.
+constexpr double most_uneven = 6;
 // What slopes count about, in bounds of meshes.
 constexpr double slope_times = 0.15;
 
@@ -76,21 +78,23 @@ CellBend bend_of(const HessianBox &box) noexcept {
 
 namespace {
 
-// Over the triangle of three corners of a part, about its middle.
-double over_triangle(const Hessian &h, const std::array<std::array<double, 2>, 3> &places) noexcept {
-    std::array<Values, 3> q;
-    Values rest;
-    double u = 0, v = 0;
-    for (size_t k = 0; k < 3; ++k) {
-        const auto &from = places[(k + 1) % 3], &to = places[(k + 2) % 3];
-        for (size_t m = 0; m < 3; ++m) {
-            q[k][m] = h.along(to[0] - from[0], to[1] - from[1], places[m][0], places[m][1]);
-        }
-        rest[k] = h.beside(to[0] - from[0], to[1] - from[1]);
-        u = std::max(u, std::abs(to[0] - from[0]));
-        v = std::max(v, std::abs(to[1] - from[1]));
+using Place = std::array<double, 2>;
+
+// Over the triangle of three corners of a part, about its middle, of which the second one is beside the first one along u, and beside the
+// third one along v.
+double over_triangle(const Hessian &h, const Place &a, const Place &b, const Place &c) noexcept {
+    const double u = b[0] - a[0], v = c[1] - b[1];
+    const std::array<const Place *, 3> corners{&a, &b, &c};
+    std::array<Values, 3> q; // sides are opposite of corners
+    for (size_t m = 0; m < 3; ++m) {
+        const auto [x, y] = *corners[m];
+        const double uu = h.uu.at(x, y) * u * u, vv = h.vv.at(x, y) * v * v;
+        q[0][m] = vv;
+        q[1][m] = uu + 2 * h.uv.at(x, y) * u * v + vv;
+        q[2][m] = uu;
     }
-    return Bend(q, rest, h.beside(u, v)).both();
+    const double all = h.beside(u, v);
+    return Bend(q, {h.vv.radius * v * v, all, h.uu.radius * u * u}, all).both();
 }
 
 } // namespace
@@ -113,54 +117,78 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                      range.radius};
     };
     const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
-    const double one = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {a, b}}}),
-                                over_triangle(h, {{{-a, -b}, {a, b}, {-a, b}}}));
-    const double other = std::max(over_triangle(h, {{{-a, -b}, {a, -b}, {-a, b}}}),
-                                  over_triangle(h, {{{a, -b}, {a, b}, {-a, b}}}));
+    const double one = std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}),
+                                over_triangle(h, {a, b}, {-a, b}, {-a, -b}));
+    const double other = std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}),
+                                  over_triangle(h, {-a, b}, {a, b}, {a, -b}));
     const double height = std::min(one, other), out = std::max(beside[0] * u * u, beside[1] * v * v);
     const double width = std::min(speeds[0] * u, speeds[1] * v);
     return alone || out > most_out * width ? diagonal(height, out)
                                            : height + (out + height) * slope_times * slope(u, v);
 }
 
+// As in_parts(), but with second derivatives as constants in a part: for planning.
+double CellBend::about_in_parts(const Parts &parts) const noexcept {
+    const double u = 1 / parts[0], v = 1 / parts[1];
+    const auto most = [](const Range &range) { return std::abs(range.middle) + range.width(); };
+    const double uu = most(heights.uu) * u * u, vv = most(heights.vv) * v * v, uv = most(heights.uv) * u * v;
+    const bool opposite = heights.uu.middle * heights.vv.middle < 0;
+    const double diagonal_most = opposite ? std::abs(uu - vv) : std::max(uu + vv - 2 * uv, 0.0);
+    const double height = most_of_pairs({uu, vv, diagonal_most}) / 2,
+                 out = std::max(beside[0] * u * u, beside[1] * v * v);
+    return height + (out + height) * slope_times * slope(u, v);
+}
+
 namespace {
 
-// As few parts as it takes along both axes, if no axis needs many.
-std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
-    std::array<double, 2> parts{1, 1};
-    while (!(bend.in_parts(parts[0], parts[1]) <= chord)) {
-        const bool first = bend.in_parts(2 * parts[0], parts[1]) <= bend.in_parts(parts[0], 2 * parts[1]);
-        double &more = parts[first ? 0 : 1];
-        more *= 2;
-        if (more > most_parts) {
-            return {2, 2};
-        }
-    }
-    for (double &own : parts) {
-        do {
-            own -= 1;
-        } while (own > 1 && bend.in_parts(parts[0], parts[1]) <= chord);
-        own += 1;
+// How many times second derivatives are larger in some parts of a cell than in others.
+double unevenness(const Hessian &heights) noexcept {
+    const double most = std::abs(heights.uu.middle) + 2 * std::abs(heights.uv.middle) +
+                        std::abs(heights.vv.middle);
+    const double rest = heights.uu.width() + 2 * heights.uv.width() + heights.vv.width();
+    return rest < most ? (most + rest) / (most - rest) : infinity;
+}
+
+// Halves of halves, as many as it takes along both axes.
+Parts halvings_for(const CellBend &bend, double chord) noexcept {
+    constexpr double most_of_all = 64;
+    Parts parts{1, 1};
+    while (!(bend.about_in_parts(parts) <= chord) && parts[0] * parts[1] < most_of_all) {
+        const double first = bend.about_in_parts({2 * parts[0], parts[1]}),
+                     second = bend.about_in_parts({parts[0], 2 * parts[1]});
+        parts[first <= second ? 0 : 1] *= 2;
     }
     return parts;
 }
 
-// Whether parts along an axis are going to be alike.
-bool are_alike(const Hessian &heights, size_t axis) noexcept {
-    const Range &range = axis == 0 ? heights.uu : heights.vv;
-    return !(range.width() > most_varied * std::abs(range.middle));
-}
-
-// In two halves, of so many parts.
-Cut halves(size_t axis, double parts) noexcept {
-    return {axis, parts > 2 && parts <= most_parts ? std::floor(parts / 2) / parts : 0.5};
+// No more than it takes.
+void reduce(const CellBend &bend, double chord, Parts &parts) noexcept {
+    for (double &own : parts) {
+        do {
+            own -= 1;
+        } while (own > 0 && bend.about_in_parts(parts) <= chord);
+        own += 1;
+    }
 }
 
 } // namespace
 
-Cut best_cut(const CellBend &bend, double chord) noexcept {
-    const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
-    return halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
+// Where parts are going to be alike, as few as it takes; else those that all parts take.
+Parts parts_for(const CellBend &bend, double chord) noexcept {
+    const double uneven = unevenness(bend.heights);
+    Parts parts{1, 1};
+    if (uneven < 1 + 2 * most_varied) {
+        parts = halvings_for(bend, chord);
+        if (std::max(parts[0], parts[1]) <= most_parts) {
+            reduce(bend, chord, parts);
+        }
+    } else if (uneven < most_uneven) {
+        parts = halvings_for(bend, uneven * chord);
+    }
+    if (parts[0] * parts[1] < 2) {
+        parts[bend.about_in_parts({2, 1}) <= bend.about_in_parts({1, 2}) ? 0 : 1] = 2;
+    }
+    return parts;
 }
 
 // The slopes of the surface over the plane of the cell change by its second derivatives.
@@ -179,12 +207,30 @@ CellTurn turn_of(const HessianBox &box, double least) noexcept {
             diagonal(slopes[0][0] + slopes[0][1], slopes[1][0] + slopes[1][1])};
 }
 
+namespace {
+
+// Whether parts along an axis are going to be alike.
+bool are_alike(const Hessian &heights, size_t axis) noexcept {
+    const Range &range = axis == 0 ? heights.uu : heights.vv;
+    return !(range.width() > most_varied * std::abs(range.middle));
+}
+
+} // namespace
+
 // What the other axis leaves is for this one, but no less than its half.
-Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept {
+Parts parts_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept {
     const size_t axis = turn.along[0] >= turn.along[1] ? 0 : 1;
     const double other = turn.along[1 - axis];
     const double room = std::sqrt(std::max(angle * angle - other * other, angle * angle / 2));
-    return halves(axis, are_alike(box.of(2), axis) ? std::ceil(turn.along[axis] / room) : 2);
+    const double wanted = are_alike(box.of(2), axis) ? std::ceil(turn.along[axis] / room) : 2;
+    Parts parts{1, 1};
+    parts[axis] = wanted >= 2 && wanted <= most_parts ? wanted : 2;
+    return parts;
+}
+
+Cut cut_into(const Parts &parts) noexcept {
+    const size_t axis = parts[0] >= parts[1] ? 0 : 1;
+    return {axis, std::floor(parts[axis] / 2) / parts[axis]};
 }
 
 } // namespace nrb::mesh

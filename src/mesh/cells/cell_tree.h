@@ -66,7 +66,8 @@ public:
     [[nodiscard]] const HessianBox &box(int32_t cell) const {
         return boxes_->box(cell, rectangle(cells_[static_cast<size_t>(cell)]));
     }
-    // The most that the surface moves by on a step along an axis, and the least weight, of all cells that there ever were.
+    // Of all cells that there ever were the most that the surface moves by on a step along an axis, where there is a rule for sides, and
+    // the least weight.
     [[nodiscard]] double speed(size_t k) const noexcept { return speeds_[k]; }
     [[nodiscard]] double least_weight() const noexcept { return least_weight_; }
     // The block that holds a place; its part of the domain.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace nrb::mesh {
 
@@ -55,6 +56,7 @@ private:
     [[nodiscard]] double sharpness() const noexcept;
     [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
+    [[nodiscard]] double angle_at(size_t k) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
     [[nodiscard]] Values bends_about(size_t k) const noexcept;
     void set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
@@ -200,6 +202,17 @@ double Triangle::beside_segment() const noexcept {
     return lengths_[k] > 0 ? diagonal(beside, beyond + 8 * eps * longest_) * rounding : infinity;
 }
 
+// Not less than the angle, and at most 2e-4 more: formula 4.4.45 of Abramowitz and Stegun, whose error is 6.8e-5, and what rounding of the
+// cosine does to it.
+double Triangle::angle_at(size_t k) const noexcept {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]),
+                 x = std::min(std::abs(cosine), 1.0);
+    const double angle =
+        std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
+    return (cosine < 0 ? std::numbers::pi - angle : angle) + 1e-4;
+}
+
 // Seen along a direction a off the normal, a cosine of angles changes by sin^2 a at most before sides are shortened.
 double Triangle::sine(size_t k, double area) const noexcept {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -264,7 +277,7 @@ TriangleBound Triangle::bound() const noexcept {
     for (size_t k = 0; k < 3; ++k) {
         const Bend &bend_out = across[k];
         result.sines[k] = sine(k, area);
-        result.angles[k] = std::atan2(area, -dot(sides_[(k + 1) % 3], sides_[(k + 2) % 3]));
+        result.angles[k] = angle_at(k);
         const double below = least_weight_ * area / lengths_[k];
         result.outs[k] = bend_out.above(k, below / rounding) / least_weight_ + slack;
         result.out = std::max(result.out, result.outs[k]);
