@@ -7,7 +7,7 @@ namespace nrb::mesh {
 
 namespace {
 
-constexpr size_t fewest_slots = 64, most_slots = 4096;
+constexpr size_t fewest_slots = 64, most_slots = 16384;
 
 } // namespace
 

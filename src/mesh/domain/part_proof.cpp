@@ -113,11 +113,12 @@ void PartProof::prove(std::span<const int32_t> wanted, std::vector<Distances> &o
     std::vector<int32_t> open(wanted.size());
     std::iota(open.begin(), open.end(), 0);
     const double enough = proof_.enough();
-    if (enough > 0) {
+    if (proof_.try_coarse()) {
         bound(Effort::coarse, std::vector<char>(triangles_.size(), 1));
         set_overs();
         settle(open, enough, out);
         std::erase_if(open, [&](int32_t i) { return out[static_cast<size_t>(i)].most() <= enough; });
+        proof_.set_coarse_pays(2 * open.size() <= wanted.size());
     }
     if (!open.empty()) {
         bound(Effort::full, stars_of(open));

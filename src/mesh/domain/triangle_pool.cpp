@@ -13,8 +13,8 @@ namespace {
 
 // Multiply-adds of a triangle, estimated.
 constexpr int64_t work_of_triangle = 3000;
-// Triangles whose bounds are in memory at once.
-constexpr size_t triangles_of_a_part = 4096;
+// Triangles whose bounds are in memory at once; the first few show how good these have to be.
+constexpr size_t triangles_of_a_part = 4096, first_triangles = 256;
 
 float rounded_up(double x) noexcept {
     const auto near = static_cast<float>(x);
@@ -91,9 +91,10 @@ void TrianglePool::prove(TriangleProof &proof, size_t points) {
     distances_.resize(sites_.size());
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
     std::vector<Distances> found;
-    for (size_t first = 0; first < wanted.size(); first += triangles_of_a_part) {
-        const auto part =
-            std::span(wanted).subspan(first, std::min(triangles_of_a_part, wanted.size() - first));
+    for (auto rest = std::span(std::as_const(wanted)); !rest.empty();) {
+        const size_t most = rest.size() == wanted.size() ? first_triangles : triangles_of_a_part;
+        const auto part = rest.first(std::min(most, rest.size()));
+        rest = rest.subspan(part.size());
         parts.prove(part, found);
         for (size_t i = 0; i < part.size(); ++i) {
             distances_[static_cast<size_t>(part[i])] = {rounded_up(found[i].from_shape),

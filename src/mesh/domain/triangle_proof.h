@@ -31,6 +31,9 @@ public:
     // Distances that are enough; 0: the best that there are.
     void set_enough(double enough) noexcept { enough_ = enough; }
     [[nodiscard]] double enough() const noexcept { return enough_; }
+    // Whether coarse bounds are worth a try: they were enough for half of the last triangles.
+    [[nodiscard]] bool try_coarse() const noexcept { return enough_ > 0 && coarse_pays_; }
+    void set_coarse_pays(bool pays) noexcept { coarse_pays_ = pays; }
     // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
     [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle, Effort effort);
 
@@ -59,6 +62,7 @@ private:
     const Sites &sites_;
     const pieces::PieceGrid &grid_;
     double chord_, enough_ = 0;
+    bool coarse_pays_ = true;
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;

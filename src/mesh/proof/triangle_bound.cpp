@@ -34,6 +34,10 @@ public:
             least_weight_ = std::min(least_weight_, cell.box->least_weight());
             largest_weight_ = std::max(largest_weight_, cell.box->largest_weight());
         }
+        for (size_t k = 0; k < 3; ++k) {
+            const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            cosines_[k] = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
+        }
         sizes_ = over_cells([&](const HessianBox &box) { return box.size(corners[0].point, longest_); });
         for (size_t k = 0; k < 3; ++k) {
             bends_[k] = sizes_.beside(steps_[k][0], steps_[k][1]) * rounding;
@@ -48,13 +52,13 @@ private:
     template <class Of>
     [[nodiscard]] Hessian over_cells(Of &&of) const noexcept;
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
-    [[nodiscard]] Bend bend_across(size_t k, const Vector3 &normal) const noexcept;
+    [[nodiscard]] std::array<Bend, 3> bends_across(const Vector3 &normal) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
     [[nodiscard]] double from_a_side(const TriangleBound &bound) const noexcept;
     [[nodiscard]] bool runs_along(size_t k) const noexcept;
     [[nodiscard]] double sharpness() const noexcept;
-    [[nodiscard]] bool is_cut(size_t k, double half_cosine) const noexcept;
+    [[nodiscard]] bool is_cut(size_t k, double half_cosine_squared) const noexcept;
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double angle_at(size_t k) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
@@ -69,7 +73,7 @@ private:
     std::array<Vector3, 3> sides_;
     std::array<std::array<double, 2>, 3> steps_, places_; // in the first cell
     std::array<double, 2> reach_{};
-    Values lengths_;
+    Values lengths_, cosines_; // of the angles
     double longest_ = 0;
     double least_weight_ = infinity, largest_weight_ = 0;
     Hessian sizes_; // whatever the direction and the corner
@@ -94,21 +98,27 @@ Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
     const Hessian h = over_cells([&](const HessianBox &box) { return box.along(d, p); });
     std::array<Values, 3> q;
     Values rest;
-    for (size_t k = 0; k < 3; ++k) {
-        for (size_t m = 0; m < 3; ++m) {
-            q[k][m] = h.along(steps_[k][0], steps_[k][1], places_[m][0], places_[m][1]);
+    for (size_t m = 0; m < 3; ++m) {
+        const auto [x, y] = places_[m];
+        const double uu = h.uu.at(x, y), uv = h.uv.at(x, y), vv = h.vv.at(x, y);
+        for (size_t k = 0; k < 3; ++k) {
+            const auto [u, v] = steps_[k];
+            q[k][m] = uu * u * u + 2 * uv * u * v + vv * v * v;
         }
-        rest[k] = h.beside(steps_[k][0], steps_[k][1]);
+        rest[m] = h.beside(steps_[m][0], steps_[m][1]);
     }
     return {q, rest, h.beside(reach_[0], reach_[1])};
 }
 
-// Across side k.
-Bend Triangle::bend_across(size_t k, const Vector3 &normal) const noexcept {
+std::array<Bend, 3> Triangle::bends_across(const Vector3 &normal) const noexcept {
     if (effort_ == Effort::coarse) {
-        return {{}, bends_, sizes_.beside(reach_[0], reach_[1]) * rounding};
+        const Bend all({}, bends_, sizes_.beside(reach_[0], reach_[1]) * rounding);
+        return {all, all, all};
     }
-    return bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
+    const auto across = [&](size_t k) {
+        return bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
+    };
+    return {across(0), across(1), across(2)};
 }
 
 // The whole distance from the point of the triangle at equal parameters, whatever the direction. With N = A - w P and values N_i in the
@@ -138,20 +148,17 @@ bool Triangle::runs_along(size_t k) const noexcept {
 double Triangle::sharpness() const noexcept {
     double most = 1;
     for (size_t k = 0; k < 3; ++k) {
-        const size_t i = (k + 1) % 3, j = (k + 2) % 3; // the sides at corner k
-        const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
-        const double half_cosine = std::sqrt(std::max(1 + cosine - 8 * eps, 0.0) / 2);
-        const double half_sine = std::sqrt(std::max(1 - cosine - 8 * eps, 0.0) / 2);
-        most = std::max(
-            most,
-            1 / std::max(half_sine, half_cosine > half_sine && is_cut(k, half_cosine) ? half_cosine : 0.0));
+        const double cosine = cosines_[k], half_sine = (1 - cosine - 8 * eps) / 2, // squares
+            half_cosine = (1 + cosine - 8 * eps) / 2;
+        const bool cut = half_cosine > half_sine && is_cut(k, half_cosine);
+        most = std::max(most, 1 / std::max(cut ? half_cosine : half_sine, 0.0));
     }
-    return most * rounding;
+    return std::sqrt(most) * rounding;
 }
 
-bool Triangle::is_cut(size_t k, double half_cosine) const noexcept {
-    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double room = 2 * least_weight_ * half_cosine / rounding;
+bool Triangle::is_cut(size_t k, double half_cosine_squared) const noexcept {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3; // the sides at corner k
+    const double room = 2 * least_weight_ * std::sqrt(half_cosine_squared) / rounding;
     const auto fits = [&](double at_i, double at_j, double opposite) {
         return at_i + opposite <= room * lengths_[i] && at_j + opposite <= room * lengths_[j];
     };
@@ -205,9 +212,7 @@ double Triangle::beside_segment() const noexcept {
 // Not less than the angle, and at most 2e-4 more: formula 4.4.45 of Abramowitz and Stegun, whose error is 6.8e-5, and what rounding of the
 // cosine does to it.
 double Triangle::angle_at(size_t k) const noexcept {
-    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]),
-                 x = std::min(std::abs(cosine), 1.0);
+    const double cosine = cosines_[k], x = std::min(std::abs(cosine), 1.0);
     const double angle =
         std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
     return (cosine < 0 ? std::numbers::pi - angle : angle) + 1e-4;
@@ -216,8 +221,7 @@ double Triangle::angle_at(size_t k) const noexcept {
 // Seen along a direction a off the normal, a cosine of angles changes by sin^2 a at most before sides are shortened.
 double Triangle::sine(size_t k, double area) const noexcept {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double cosine = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
-    return cosine < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
+    return cosines_[k] < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
 }
 
 // The most of |A - w P|'' along the sides, about corner P.
@@ -273,7 +277,7 @@ TriangleBound Triangle::bound() const noexcept {
     result.normal = normal;
     result.altitude = area / longest_ * (1 - 16 * eps);
     result.height = (heights.both() / least_weight_ + flat) * rounding;
-    const std::array<Bend, 3> across{bend_across(0, normal), bend_across(1, normal), bend_across(2, normal)};
+    const std::array<Bend, 3> across = bends_across(normal);
     for (size_t k = 0; k < 3; ++k) {
         const Bend &bend_out = across[k];
         result.sines[k] = sine(k, area);
