@@ -62,7 +62,6 @@ private:
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double angle_at(size_t k) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
-    [[nodiscard]] Values bends_about(size_t k) const noexcept;
     void set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
                    TriangleBound &result) const noexcept;
 
@@ -224,16 +223,6 @@ double Triangle::sine(size_t k, double area) const noexcept {
     return cosines_[k] < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
 }
 
-// The most of |A - w P|'' along the sides, about corner P.
-Values Triangle::bends_about(size_t k) const noexcept {
-    if (effort_ == Effort::coarse) {
-        return bends_;
-    }
-    const Hessian v = over_cells([&](const HessianBox &box) { return box.size(corners_[k].point, 0); });
-    return {v.beside(steps_[0][0], steps_[0][1]), v.beside(steps_[1][0], steps_[1][1]),
-            v.beside(steps_[2][0], steps_[2][1])};
-}
-
 // About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
 // l_P l_E q / 2 - l_K (w a - r / 2), with the altitude a of K, the most q of |N''| along the side and r of that along the others. Seen along
 // a direction off the normal, heights h, of which half may count, come on top, at most (1 + p) l_E h / 2. So l_K <= p l_E where that is out,
@@ -243,7 +232,6 @@ void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights,
                          TriangleBound &result) const noexcept {
     const double h = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
     for (size_t k = 0; k < 3; ++k) {
-        const Values bends = bends_about(k);
         for (size_t m = 0; m < 2; ++m) {
             const size_t side = (k + 1 + m) % 3, opposite = (k + 2 - m) % 3;
             const double cosine = -dot(sides_[side], sides_[opposite]) / lengths_[side];
@@ -252,8 +240,8 @@ void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights,
                               std::max(across[side].largest(k), across[side].largest(opposite)) / 2;
             const double share = (out + h) / (in - h), high = (1 + share) * h;
             const double along =
-                least_weight_ * lengths_[side] - bends[side] / 2 -
-                share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends[k], bends[opposite]) / 2);
+                least_weight_ * lengths_[side] - bends_[side] / 2 -
+                share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends_[k], bends_[opposite]) / 2);
             const double turn = (out + high) / (along - high) * rounding;
             result.turns[k][m] = in > h && along > high ? turn : infinity;
         }
@@ -295,7 +283,8 @@ TriangleBound Triangle::bound() const noexcept {
     if (result.out > result.height && effort_ == Effort::full) {
         result.out = std::min(result.out, equal_parameters());
     }
-    result.whole = effort_ == Effort::full ? from_a_side(result) : infinity;
+    const bool needle = result.altitude < diagonal(result.height, result.out); // else sides are farther away
+    result.whole = effort_ == Effort::full && needle ? from_a_side(result) : infinity;
     result.height = std::min(result.height, result.whole); // sides are in the plane
     result.out = std::min(result.out, result.whole);
     for (double &over : result.outs) {
