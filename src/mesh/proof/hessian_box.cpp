@@ -11,8 +11,7 @@ namespace nrb::mesh {
 namespace {
 
 constexpr size_t width = HessianBox::coordinates;
-using Row = std::array<double, width>;
-using Ranges = std::array<Range, width>;
+using Ranges = HessianBox::Ranges;
 
 // The four coordinates in two registers of every processor.
 using Pair = double __attribute__((vector_size(16)));
@@ -22,6 +21,7 @@ struct Four {
     explicit Four(double x = 0) noexcept : low{x, x}, high{x, x} {}
     Four(const Pair &a, const Pair &b) noexcept : low(a), high(b) {}
     Four(double a, double b, double c, double d) noexcept : low{a, b}, high{c, d} {}
+    explicit Four(const std::array<double, width> &row) noexcept : Four(row.data()) {}
     explicit Four(const double *x) noexcept {
         std::memcpy(&low, x, sizeof low);
         std::memcpy(&high, x + 2, sizeof high);
@@ -38,6 +38,13 @@ struct Four {
         return {low - other.low, high - other.high};
     }
     [[nodiscard]] Four operator*(double x) const noexcept { return {low * x, high * x}; }
+    [[nodiscard]] Four operator*(const Four &other) const noexcept {
+        return {low * other.low, high * other.high};
+    }
+    [[nodiscard]] double sum() const noexcept {
+        const Pair both = low + high;
+        return both[0] + both[1];
+    }
 };
 
 Four least(const Four &a, const Four &b) noexcept {
@@ -46,6 +53,19 @@ Four least(const Four &a, const Four &b) noexcept {
 
 Four greatest(const Four &a, const Four &b) noexcept {
     return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+}
+
+// Without the bits of the signs.
+Four abs(const Four &a) noexcept {
+    using Bits = int64_t __attribute__((vector_size(16)));
+    constexpr Bits rest{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
+    return {reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.low) & rest),
+            reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.high) & rest)};
+}
+
+// As of a Range, of all coordinates.
+Four most(const Ranges &ranges) noexcept {
+    return abs(Four(ranges.middle)) + (abs(Four(ranges.u)) + abs(Four(ranges.v))) * 0.5 + Four(ranges.radius);
 }
 
 // Bernstein coefficients [u][v], of a function or of a derivative.
@@ -83,11 +103,11 @@ Ranges ranges_of(const Net &net, double factor, double error, bool planes) noexc
             high = greatest(high, rest);
         }
     }
-    for (size_t k = 0; k < width; ++k) {
-        const double size = std::max(std::abs(low[k]), std::abs(high[k])) + std::abs(u[k]) + std::abs(v[k]);
-        result[k] = {factor * (low[k] + high[k]) / 2, factor * u[k], factor * v[k],
-                     std::abs(factor) * ((high[k] - low[k]) / 2 + error + 8 * eps * size)};
-    }
+    const Four size = greatest(abs(low), abs(high)) + abs(u) + abs(v);
+    ((low + high) * (factor / 2)).store(result.middle.data());
+    (u * factor).store(result.u.data());
+    (v * factor).store(result.v.data());
+    (((high - low) * 0.5 + Four(error) + size * (8 * eps)) * std::abs(factor)).store(result.radius.data());
     return result;
 }
 
@@ -137,6 +157,14 @@ void add_constant(const Range &other, Range &range) noexcept {
     const double low = std::min(range.middle - range.radius, other.middle - other.radius),
                  high = std::max(range.middle + range.radius, other.middle + other.radius);
     range = {(low + high) / 2, 0, 0, (high - low) / 2 + 4 * eps * std::max(std::abs(low), std::abs(high))};
+}
+
+void add_constants(const Ranges &others, Ranges &ranges) noexcept {
+    for (size_t c = 0; c < width; ++c) {
+        Range range = ranges[c];
+        add_constant(others[c], range);
+        ranges.set(c, range);
+    }
 }
 
 } // namespace
@@ -195,54 +223,41 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
     const Ranges uv = ranges_of(second, p * q * fu * fv, error, whole);
     differences_vv(rows, second);
     const Ranges vv = ranges_of(second, q * (q - 1) * fv * fv, error, whole);
-    for (size_t c = 0; c < coordinates; ++c) {
-        if (fresh) {
-            uu_[c] = uu[c];
-            uv_[c] = uv[c];
-            vv_[c] = vv[c];
-        } else {
-            add_constant(uu[c], uu_[c]);
-            add_constant(uv[c], uv_[c]);
-            add_constant(vv[c], vv_[c]);
-        }
+    if (fresh) {
+        uu_ = uu;
+        uv_ = uv;
+        vv_ = vv;
+    } else {
+        add_constants(uu, uu_);
+        add_constants(uv, uv_);
+        add_constants(vv, vv_);
     }
 }
 
 // d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps.
 Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
-    const Row factors{dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]), dot(d, origin_ - p)};
+    const Four factors(dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]), dot(d, origin_ - p));
+    const Four sizes = abs(factors), at_least_one = greatest(sizes, Four(1));
     const auto sum = [&](const Ranges &ranges) {
-        Range result;
-        double all = 0;
-        for (size_t c = 0; c < coordinates; ++c) {
-            result.middle += factors[c] * ranges[c].middle;
-            result.u += factors[c] * ranges[c].u;
-            result.v += factors[c] * ranges[c].v;
-            result.radius += std::abs(factors[c]) * ranges[c].radius;
-            all += std::max(1.0, std::abs(factors[c])) * ranges[c].most();
-        }
-        result.radius += 16 * eps * all;
-        return result;
+        const double all = (at_least_one * most(ranges)).sum();
+        return Range{(factors * Four(ranges.middle)).sum(), (factors * Four(ranges.u)).sum(),
+                     (factors * Four(ranges.v)).sum(),
+                     (sizes * Four(ranges.radius)).sum() + 16 * eps * all};
     };
     return {sum(uu_), sum(uv_), sum(vv_)};
 }
 
 Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
     const Vector3 off = origin_ - p;
-    const Row moved{dot(axes_[0], off), dot(axes_[1], off), dot(axes_[2], off), 0};
+    const Four moved(dot(axes_[0], off), dot(axes_[1], off), dot(axes_[2], off), 0);
     const double noise = 16 * eps * length(off);
     const auto radius = [&](const Ranges &ranges) {
-        const Range &w = ranges[3];
-        double sum = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            const Range &a = ranges[c];
-            const double middle = std::abs(a.middle + moved[c] * w.middle),
-                         u = std::abs(a.u + moved[c] * w.u), v = std::abs(a.v + moved[c] * w.v),
-                         rest = a.radius + std::abs(moved[c]) * w.radius;
-            const double most = middle + (u + v) / 2 + rest;
-            sum += most * most;
-        }
-        return Range{0, 0, 0, (std::sqrt(sum) + (distance + noise) * w.most()) * (1 + 32 * eps)};
+        const Four middle = Four(ranges.middle) + moved * ranges.middle[3],
+                   u = Four(ranges.u) + moved * ranges.u[3], v = Four(ranges.v) + moved * ranges.v[3],
+                   rest = Four(ranges.radius) + abs(moved) * ranges.radius[3];
+        const Four all = abs(middle) + (abs(u) + abs(v)) * 0.5 + rest;
+        const double squares = all[0] * all[0] + all[1] * all[1] + all[2] * all[2];
+        return Range{0, 0, 0, (std::sqrt(squares) + (distance + noise) * ranges[3].most()) * (1 + 32 * eps)};
     };
     return {radius(uu_), radius(uv_), radius(vv_)};
 }

@@ -83,8 +83,22 @@ public:
     // Of coordinate c in the axes of the cell, about its origin.
     [[nodiscard]] Hessian of(size_t c) const noexcept { return {uu_[c], uv_[c], vv_[c]}; }
 
+    // Of all coordinates, side by side for registers that hold several.
+    struct Ranges {
+        std::array<double, coordinates> middle{}, u{}, v{}, radius{};
+
+        [[nodiscard]] Range operator[](size_t c) const noexcept {
+            return {middle[c], u[c], v[c], radius[c]};
+        }
+        void set(size_t c, const Range &range) noexcept {
+            middle[c] = range.middle;
+            u[c] = range.u;
+            v[c] = range.v;
+            radius[c] = range.radius;
+        }
+    };
+
 private:
-    using Ranges = std::array<Range, coordinates>;
     // Of first derivatives: the middle of A' and what there is about it, and the most of w'.
     struct First {
         std::array<double, 3> middle{};
