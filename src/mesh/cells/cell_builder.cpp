@@ -65,6 +65,8 @@ void CellTree::Builder::build() {
         block_ = static_cast<int32_t>(i);
         add_block({i / across, i % across});
     }
+    tree_.cells_.shrink_to_fit();
+    tree_.nodes_.shrink_to_fit();
     sort_lines();
 }
 

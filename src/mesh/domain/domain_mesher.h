@@ -73,6 +73,7 @@ private:
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
     [[nodiscard]] bool improve();
     [[nodiscard]] bool is_whole() const;
+    [[nodiscard]] std::vector<std::array<int32_t, 3>> all_points() const;
     [[nodiscard]] DomainMesh output();
 
     const MeshDomain &domain_;

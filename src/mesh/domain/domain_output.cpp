@@ -46,6 +46,16 @@ bool DomainMesher::is_pair(size_t triangle) const noexcept {
            !is_at_point(triangles_[triangle]) && !is_at_point(triangles_[triangle + 1]);
 }
 
+std::vector<std::array<int32_t, 3>> DomainMesher::all_points() const {
+    std::vector<std::array<int32_t, 3>> all;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (triangles_.has(i)) {
+            all.push_back(triangles_.meshed(i).points);
+        }
+    }
+    return all;
+}
+
 // Without sites and points that no triangle has.
 DomainMesh DomainMesher::output() {
     DomainMesh result;
@@ -68,8 +78,9 @@ DomainMesh DomainMesher::output() {
         }
         return own;
     };
-    std::vector<std::array<int32_t, 3>> all;
-    bool over = false;
+    result.vertices.reserve(sites_.all().size());
+    result.triangles.reserve(triangles_.size());
+    bool over = false, drops = false;
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (!triangles_.has(i)) {
             continue;
@@ -78,14 +89,17 @@ DomainMesh DomainMesher::output() {
         result.from_shape = std::max(result.from_shape, d.from_shape);
         result.from_mesh = std::max(result.from_mesh, d.from_mesh);
         over = over || is_over(i);
-        all.push_back(triangles_.meshed(i).points);
-        if (!is_at_point(triangles_[i])) {
-            const auto &s = triangles_[i].sites;
-            result.paired.push_back(is_pair(i));
-            result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
+        if (is_at_point(triangles_[i])) {
+            drops = true;
+            continue;
         }
+        const SiteTriangle triangle = triangles_[i];
+        const auto &s = triangle.sites;
+        result.paired.push_back(is_pair(i));
+        result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
     }
-    const bool whole = crossed_.empty() && !result.triangles.empty() && have_all_dropped(all) && is_whole();
+    const bool whole = crossed_.empty() && !result.triangles.empty() &&
+                       (!drops || have_all_dropped(all_points())) && is_whole();
     const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
     result.reached = whole && !over && as_asked;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing

@@ -9,6 +9,13 @@
 
 namespace nrb::mesh {
 
+namespace {
+
+// Sites that are evaluated in one batch.
+constexpr size_t most_at_once = 8192;
+
+} // namespace
+
 Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
     : domain_(domain), cells_(cells), place_sites_(static_cast<size_t>(cells.table().count()), -1),
       place_points_(place_sites_.size(), -1),
@@ -107,24 +114,30 @@ int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int3
     return known->second;
 }
 
-// In groups of equal sides.
 void Sites::evaluate() {
-    const size_t first = positions_.size();
+    const size_t known = positions_.size();
     positions_.resize(sites_.size());
     normals_.resize(sites_.size());
+    for (size_t first = known; first < sites_.size(); first += most_at_once) {
+        evaluate(first, std::min(first + most_at_once, sites_.size()));
+    }
+    point_sites_.resize(static_cast<size_t>(next_point_ - first_point_), -1);
+    for (size_t i = known; i < sites_.size(); ++i) {
+        if (sites_[i].point >= first_point_) {
+            int32_t &first = point_sites_[static_cast<size_t>(sites_[i].point - first_point_)];
+            first = first < 0 ? static_cast<int32_t>(i) : first;
+        }
+    }
+}
+
+// In groups of equal sides.
+void Sites::evaluate(size_t first, size_t last) {
     std::array<std::vector<size_t>, 4> groups;
-    for (size_t i = first; i < sites_.size(); ++i) {
+    for (size_t i = first; i < last; ++i) {
         groups[(sites_[i].from_left[0] ? 1U : 0U) + (sites_[i].from_left[1] ? 2U : 0U)].push_back(i);
     }
     for (unsigned group = 0; group < 4; ++group) {
         evaluate_group({(group & 1U) != 0, (group & 2U) != 0}, groups[group]);
-    }
-    points_.resize(static_cast<size_t>(next_point_ - first_point_), {nan_value, 0, 0});
-    for (size_t i = first; i < sites_.size(); ++i) {
-        if (sites_[i].point >= first_point_) {
-            Vector3 &x = points_[static_cast<size_t>(sites_[i].point - first_point_)];
-            x = std::isnan(x.x) ? positions_[i] : x;
-        }
     }
 }
 

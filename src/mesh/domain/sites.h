@@ -37,8 +37,9 @@ public:
     [[nodiscard]] int32_t point_count() const noexcept { return next_point_; }
     [[nodiscard]] int32_t first_point() const noexcept { return first_point_; }
     [[nodiscard]] const Vector3 &point(int32_t number) const noexcept {
-        return number < first_point_ ? (*domain_.points)[static_cast<size_t>(number)]
-                                     : points_[static_cast<size_t>(number - first_point_)];
+        return number < first_point_
+                   ? (*domain_.points)[static_cast<size_t>(number)]
+                   : position(point_sites_[static_cast<size_t>(number - first_point_)]);
     }
     // Of a site by itself, and its normal.
     [[nodiscard]] const Vector3 &position(int32_t site) const noexcept {
@@ -52,6 +53,7 @@ private:
     void set_border_points();
     void set_point(int32_t place, int32_t point);
     [[nodiscard]] std::array<double, 2> before_seams(std::array<double, 2> param) const noexcept;
+    void evaluate(size_t first, size_t last);
     void evaluate_group(const std::array<bool, 2> &from_left, const std::vector<size_t> &members);
 
     const MeshDomain &domain_;
@@ -64,7 +66,8 @@ private:
     std::map<std::array<double, 2>, int32_t> param_points_; // of places that are none of the border
     std::map<std::array<double, 2>, int32_t> border_points_;
     int32_t first_point_, next_point_;
-    std::vector<Vector3> points_, positions_, normals_;
+    std::vector<int32_t> point_sites_; // the first one at each of the own points; -1: none yet
+    std::vector<Vector3> positions_, normals_;
 };
 
 } // namespace nrb::mesh
