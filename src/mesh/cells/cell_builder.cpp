@@ -15,23 +15,15 @@ namespace {
 // Cells of at most so many pieces have their nets; larger ones look at the pieces one after the other.
 constexpr int64_t most_nets = 32;
 // Multiply-adds of looking at a net, estimated, for each of its numbers.
-constexpr int64_t work_for_a_number = 24;
+constexpr int64_t work_for_a_number = 8;
 
 // Of the estimates by which a cell is cut or not, and of all else that is made for it.
-constexpr int64_t work_of_a_cell = 2500;
+constexpr int64_t work_of_a_cell = 800;
 
 // Steps of places in a block: all that halves and thirds of halves and thirds lead to, 24 and 8 times.
 constexpr double raster = 0x1p24 * 6561;
 // Where weights may pass through 0 surfaces may have no end.
 constexpr int most_divisions = 16;
-
-} // namespace
-
-namespace {
-
-Parts halves_along(size_t axis) noexcept {
-    return axis == 0 ? Parts{2, 1} : Parts{1, 2};
-}
 
 } // namespace
 
@@ -54,8 +46,7 @@ int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
     return static_cast<int32_t>(lines.size() - 1);
 }
 
-// With half of the work, where that is limited: triangles take as much as cells.
-void CellTree::Builder::build() {
+double CellTree::Builder::build() {
     const HalfOfWork half;
     set_blocks();
     const int64_t across = std::ssize(tree_.blocks_[1]) - 1,
@@ -68,6 +59,8 @@ void CellTree::Builder::build() {
     tree_.cells_.shrink_to_fit();
     tree_.nodes_.shrink_to_fit();
     sort_lines();
+    const auto &u = tree_.block_ends_[0], &v = tree_.block_ends_[1];
+    return left_ > 0 ? std::max(0.0, 1 - left_ / ((u.back() - u.front()) * (v.back() - v.front()))) : 1;
 }
 
 void CellTree::Builder::add_block(const std::array<int64_t, 2> &block) {
@@ -94,9 +87,6 @@ void CellTree::Builder::look_at(Item item) {
         tree_.nodes_[static_cast<size_t>(item.parent)].next = static_cast<int32_t>(tree_.nodes_.size());
     }
     count_work(work_of_a_cell);
-    if (item.parts[0] * item.parts[1] > 1 && divide(item)) {
-        return;
-    }
     const Side side = item.side = side_of(item);
     make_nets(item);
     const Found found = box_of(item, side == Side::outside);
@@ -108,10 +98,12 @@ void CellTree::Builder::look_at(Item item) {
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
     const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
     const bool enough = flat || side == Side::outside || hopeless || work_ended();
-    if (!enough || wide) {
-        item.parts = bent && !wide ? parts_for(bend, rule_.chord) : parts_of_flat(item.part, found.box);
-    }
-    if ((enough && !wide) || !divide(item)) {
+    const auto cut = [&] {
+        return bent && !wide ? best_cut(bend, rule_.chord) : cut_of_flat(item.part, found.box);
+    };
+    if ((enough && !wide) || !divide(item, cut())) {
+        const bool done = flat || side == Side::outside || hopeless || !work_ended();
+        left_ += done ? 0 : item.part.side(0) * item.part.side(1);
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
 }
@@ -142,14 +134,14 @@ std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const 
 }
 
 // Where the surface is flat enough, across the longer side.
-Parts CellTree::Builder::parts_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
+Cut CellTree::Builder::cut_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
     if (const std::optional<size_t> wide = wide_axis(part)) {
-        return halves_along(*wide);
+        return {*wide, 0.5};
     }
     if (is_turned(box)) {
-        return parts_for_angle(box, turn_of(box, rule_.least), rule_.angle);
+        return cut_for_angle(box, turn_of(box, rule_.least), rule_.angle);
     }
-    return halves_along(box.move(1, 0) >= box.move(0, 1) ? 0 : 1);
+    return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
 }
 
 void CellTree::Builder::make_nets(Item &item) {
@@ -273,9 +265,7 @@ double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share)
     return best;
 }
 
-// Plans are for cells in one piece: others end where pieces do. Along the border of a face each part is looked at.
-bool CellTree::Builder::divide(Item &item) {
-    const Cut cut = cut_into(item.parts);
+bool CellTree::Builder::divide(Item &item, Cut cut) {
     size_t k = cut.axis;
     if (item.nets < 0 && item.pieces.count(k) == 1) {
         k = 1 - k;
@@ -288,11 +278,6 @@ bool CellTree::Builder::divide(Item &item) {
     low.part.upper[k] = high.part.lower[k] = at;
     low.upper[k] = high.lower[k] = add_line(k, at, false);
     low.divisions = high.divisions = item.divisions + 1;
-    low.parts[k] = std::floor(item.parts[k] / 2);
-    high.parts[k] = item.parts[k] - low.parts[k];
-    if (item.pieces.count() > 1 || side_of(item) != Side::inside) {
-        low.parts = high.parts = {1, 1};
-    }
     const int64_t piece = grid_.find(static_cast<int>(k), at); // the one to the right
     high.pieces.lower[k] = piece;
     low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;
@@ -392,8 +377,7 @@ void CellTree::Builder::cut(int32_t number) {
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;
     open_.clear();
-    item.parts = halves_along(first ? 0 : 1);
-    if (!divide(item)) {
+    if (!divide(item, {first ? size_t{0} : size_t{1}, 0.5})) {
         pool_.clear();
         return;
     }

@@ -15,7 +15,8 @@ public:
     Builder(const pieces::PieceGrid &grid, const CellRule &rule, CellTree &tree)
         : grid_(grid), rule_(rule), tree_(tree), nets_(grid), one_(nets_.values()) {}
 
-    void build();
+    // Returns the share of the domain in which cells are as small as they are to be.
+    [[nodiscard]] double build();
     void cut(int32_t number);
     void sort_lines();
 
@@ -28,7 +29,6 @@ private:
         int32_t parent = -1; // whose upper child it is
         int32_t cell = -1;   // which it takes the place of
         int divisions = 0;
-        Parts parts{1, 1};         // into how many it is going to be cut without being looked at
         Side side = Side::outside; // known of parts of what is inside
     };
 
@@ -41,7 +41,7 @@ private:
     [[nodiscard]] bool is_turned(const HessianBox &box) const noexcept {
         return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
     }
-    [[nodiscard]] Parts parts_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
+    [[nodiscard]] Cut cut_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
     [[nodiscard]] Side side_of(const Item &item) const;
     void make_nets(Item &item);
     struct Found {
@@ -53,7 +53,7 @@ private:
     [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
     void keep_box(int32_t cell, const Rectangle &part, const HessianBox &box);
     void add_cell(const Item &item, const HessianBox &box, Side side);
-    bool divide(Item &item);
+    bool divide(Item &item, Cut cut);
     [[nodiscard]] double on_raster(const Item &item, size_t k, double t) const noexcept;
     [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const noexcept;
     void divide_nets(const Item &item, size_t k, double at, Item &low, Item &high);
@@ -67,6 +67,7 @@ private:
     std::vector<double> pool_;
     std::vector<Item> open_;
     int32_t block_ = 0;
+    double left_ = 0; // area of what is not done
 };
 
 } // namespace nrb::mesh

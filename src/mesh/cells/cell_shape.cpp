@@ -15,8 +15,6 @@ constexpr double most_parts = 8;
 constexpr double most_out = 0.25;
 // By what second derivatives differ in parts that are alike, relative to them.
 constexpr double most_varied = 0.1;
-// Where they differ by more, halves are looked at one by one.
-constexpr double most_uneven = 6;
 // What slopes count about, in bounds of meshes.
 constexpr double slope_times = 0.15;
 
@@ -127,68 +125,44 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                                            : height + (out + height) * slope_times * slope(u, v);
 }
 
-// As in_parts(), but with second derivatives as constants in a part: for planning.
-double CellBend::about_in_parts(const Parts &parts) const noexcept {
-    const double u = 1 / parts[0], v = 1 / parts[1];
-    const auto most = [](const Range &range) { return std::abs(range.middle) + range.width(); };
-    const double uu = most(heights.uu) * u * u, vv = most(heights.vv) * v * v, uv = most(heights.uv) * u * v;
-    const bool opposite = heights.uu.middle * heights.vv.middle < 0;
-    const double diagonal_most = opposite ? std::abs(uu - vv) : std::max(uu + vv - 2 * uv, 0.0);
-    const double height = most_of_pairs({uu, vv, diagonal_most}) / 2,
-                 out = std::max(beside[0] * u * u, beside[1] * v * v);
-    return height + (out + height) * slope_times * slope(u, v);
-}
-
 namespace {
 
-// How many times second derivatives are larger in some parts of a cell than in others.
-double unevenness(const Hessian &heights) noexcept {
-    const double most = std::abs(heights.uu.middle) + 2 * std::abs(heights.uv.middle) +
-                        std::abs(heights.vv.middle);
-    const double rest = heights.uu.width() + 2 * heights.uv.width() + heights.vv.width();
-    return rest < most ? (most + rest) / (most - rest) : infinity;
-}
-
-// Halves of halves, as many as it takes along both axes.
-Parts halvings_for(const CellBend &bend, double chord) noexcept {
-    constexpr double most_of_all = 64;
-    Parts parts{1, 1};
-    while (!(bend.about_in_parts(parts) <= chord) && parts[0] * parts[1] < most_of_all) {
-        const double first = bend.about_in_parts({2 * parts[0], parts[1]}),
-                     second = bend.about_in_parts({parts[0], 2 * parts[1]});
-        parts[first <= second ? 0 : 1] *= 2;
+// As few parts as it takes along both axes, if no axis needs many.
+std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
+    std::array<double, 2> parts{1, 1};
+    while (!(bend.in_parts(parts[0], parts[1]) <= chord)) {
+        const bool first = bend.in_parts(2 * parts[0], parts[1]) <= bend.in_parts(parts[0], 2 * parts[1]);
+        double &more = parts[first ? 0 : 1];
+        more *= 2;
+        if (more > most_parts) {
+            return {2, 2};
+        }
+    }
+    for (double &own : parts) {
+        do {
+            own -= 1;
+        } while (own > 1 && bend.in_parts(parts[0], parts[1]) <= chord);
+        own += 1;
     }
     return parts;
 }
 
-// No more than it takes.
-void reduce(const CellBend &bend, double chord, Parts &parts) noexcept {
-    for (double &own : parts) {
-        do {
-            own -= 1;
-        } while (own > 0 && bend.about_in_parts(parts) <= chord);
-        own += 1;
-    }
+// Whether parts along an axis are going to be alike.
+bool are_alike(const Hessian &heights, size_t axis) noexcept {
+    const Range &range = axis == 0 ? heights.uu : heights.vv;
+    return !(range.width() > most_varied * std::abs(range.middle));
+}
+
+// In two halves, of so many parts.
+Cut halves(size_t axis, double parts) noexcept {
+    return {axis, parts > 2 && parts <= most_parts ? std::floor(parts / 2) / parts : 0.5};
 }
 
 } // namespace
 
-// Where parts are going to be alike, as few as it takes; else those that all parts take.
-Parts parts_for(const CellBend &bend, double chord) noexcept {
-    const double uneven = unevenness(bend.heights);
-    Parts parts{1, 1};
-    if (uneven < 1 + 2 * most_varied) {
-        parts = halvings_for(bend, chord);
-        if (std::max(parts[0], parts[1]) <= most_parts) {
-            reduce(bend, chord, parts);
-        }
-    } else if (uneven < most_uneven) {
-        parts = halvings_for(bend, uneven * chord);
-    }
-    if (parts[0] * parts[1] < 2) {
-        parts[bend.about_in_parts({2, 1}) <= bend.about_in_parts({1, 2}) ? 0 : 1] = 2;
-    }
-    return parts;
+Cut best_cut(const CellBend &bend, double chord) noexcept {
+    const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
+    return halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
 }
 
 // The slopes of the surface over the plane of the cell change by its second derivatives.
@@ -207,30 +181,12 @@ CellTurn turn_of(const HessianBox &box, double least) noexcept {
             diagonal(slopes[0][0] + slopes[0][1], slopes[1][0] + slopes[1][1])};
 }
 
-namespace {
-
-// Whether parts along an axis are going to be alike.
-bool are_alike(const Hessian &heights, size_t axis) noexcept {
-    const Range &range = axis == 0 ? heights.uu : heights.vv;
-    return !(range.width() > most_varied * std::abs(range.middle));
-}
-
-} // namespace
-
 // What the other axis leaves is for this one, but no less than its half.
-Parts parts_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept {
+Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept {
     const size_t axis = turn.along[0] >= turn.along[1] ? 0 : 1;
     const double other = turn.along[1 - axis];
     const double room = std::sqrt(std::max(angle * angle - other * other, angle * angle / 2));
-    const double wanted = are_alike(box.of(2), axis) ? std::ceil(turn.along[axis] / room) : 2;
-    Parts parts{1, 1};
-    parts[axis] = wanted >= 2 && wanted <= most_parts ? wanted : 2;
-    return parts;
-}
-
-Cut cut_into(const Parts &parts) noexcept {
-    const size_t axis = parts[0] >= parts[1] ? 0 : 1;
-    return {axis, std::floor(parts[axis] / 2) / parts[axis]};
+    return halves(axis, are_alike(box.of(2), axis) ? std::ceil(turn.along[axis] / room) : 2);
 }
 
 } // namespace nrb::mesh

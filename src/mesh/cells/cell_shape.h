@@ -6,9 +6,6 @@
 
 namespace nrb::mesh {
 
-// How many along each axis.
-using Parts = std::array<double, 2>;
-
 // An estimate, for deciding. Second derivatives along the axes of the cell, divided by its weight: across its plane, and in the plane across
 // the sides.
 struct CellBend {
@@ -19,7 +16,6 @@ struct CellBend {
 
     // The distance of a cell of a grid of so many along the axes.
     [[nodiscard]] double in_parts(double u_parts, double v_parts) const noexcept;
-    [[nodiscard]] double about_in_parts(const Parts &parts) const noexcept;
     [[nodiscard]] double slope(double u, double v) const noexcept;
 };
 
@@ -30,16 +26,12 @@ using CellCorners = std::array<const double *, 4>;
 HessianBox box_about(const CellCorners &corners) noexcept;
 CellBend bend_of(const HessianBox &box) noexcept;
 
-// Two or more.
-Parts parts_for(const CellBend &bend, double chord) noexcept;
-
 // An axis to cut, and where: a share of the side.
 struct Cut {
     size_t axis;
     double share;
 };
-// First across the axis with more parts, with about half of them on both sides.
-Cut cut_into(const Parts &parts) noexcept;
+Cut best_cut(const CellBend &bend, double chord) noexcept;
 
 // By how much the normal is about to turn over a cell: along each of its axes, and from any place to any other. An axis along which nothing
 // moves by more than `least` counts for nothing.
@@ -48,6 +40,6 @@ struct CellTurn {
     double both = 0;
 };
 CellTurn turn_of(const HessianBox &box, double least) noexcept;
-Parts parts_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept;
+Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept;
 
 } // namespace nrb::mesh

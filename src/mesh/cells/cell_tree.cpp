@@ -1,14 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/cells/cell_tree.h"
 
+#include "base/watch.h"
 #include "mesh/cells/cell_builder.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::mesh {
 
 CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule) : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid)) {
-    Builder(grid, rule_, *this).build();
+    constexpr int most_attempts = 3;
+    for (int attempt = 1; true; ++attempt) {
+        const bool was_ended = work_ended();
+        const double done = Builder(grid, rule_, *this).build();
+        if (done == 1 || was_ended || attempt == most_attempts) {
+            return;
+        }
+        // The next attempt has half of the work of the last one, and is to get along with less.
+        coarsen(2.5 / std::max(done, 1e-4));
+    }
+}
+
+// The number of cells falls as distances rise.
+void CellTree::coarsen(double factor) {
+    coarsening_ *= factor;
+    rule_.chord *= factor;
+    rule_.longest *= std::sqrt(factor);
+    rule_.angle *= std::sqrt(factor);
+    cells_.clear();
+    nodes_.clear();
+    roots_.clear();
+    for (size_t k = 0; k < 2; ++k) {
+        lines_[k].clear();
+        blocks_[k].clear();
+        block_ends_[k].clear();
+    }
+    boxes_ = std::make_unique<BoxTable>(grid_);
 }
 
 void CellTree::cut(const std::vector<int32_t> &cells) {

@@ -54,8 +54,12 @@ struct Cell {
 // first derivatives in each. A cell may cover many pieces.
 class CellTree {
 public:
+    // With half of the work, where that is limited: triangles take as much as cells. What would take more is made for larger
+    // distances, equally all over.
     CellTree(const pieces::PieceGrid &grid, const CellRule &rule);
 
+    // By what distances are larger than those of the rule, and by the square of what lengths and angles are.
+    [[nodiscard]] double coarsening() const noexcept { return coarsening_; }
     // Cuts cells in two, along which axis a function of each says. Cells that cannot be cut stay.
     void cut(const std::vector<int32_t> &cells);
     [[nodiscard]] const std::vector<Cell> &cells() const noexcept { return cells_; }
@@ -82,6 +86,7 @@ public:
 private:
     class Builder;
     friend class Builder;
+    void coarsen(double factor);
     struct Node {
         int32_t axis = -1; // -1: a leaf; 2: it was one, and leads on
         int32_t next = 0;  // the cell, or the upper child; the lower one is the next node
@@ -99,6 +104,7 @@ private:
     std::unique_ptr<BoxTable> boxes_;
     std::array<double, 2> speeds_{};
     double least_weight_ = 1;
+    double coarsening_ = 1;
 };
 
 template <class Visit>

@@ -27,9 +27,18 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       longest_(rule.longest > 0 ? within_reach(rule.longest, 1e-2) : 0),
       angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
                                                                          : 0),
-      most_apart_(angle_ > 0 ? 2 * std::sin(angle_ / 2) - 8 * eps : infinity),
-      least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), sites_(domain, cells_),
-      proof_(domain, cells_, sites_, grid_.scaled(chord_)) {}
+      least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), most_apart_(infinity),
+      sites_(domain, cells_), proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
+    coarsen(cells_.tree().coarsening());
+    most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
+}
+
+// Where the work is not enough for what was asked for.
+void DomainMesher::coarsen(double factor) noexcept {
+    chord_ *= factor;
+    longest_ *= std::sqrt(factor);
+    angle_ *= std::sqrt(factor);
+}
 
 DomainMesh DomainMesher::run() {
     for (;; ++round_) {

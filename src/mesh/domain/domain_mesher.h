@@ -26,6 +26,7 @@ private:
     };
 
     [[nodiscard]] CellRule cell_rule() const;
+    void coarsen(double factor) noexcept;
     [[nodiscard]] Side side_of(const Rectangle &part) const;
     void make_cells();
     void make_strip();
@@ -81,9 +82,9 @@ private:
     const pieces::PieceGrid &grid_;
     SegmentIndex index_;
     double chord_, longest_, angle_; // that triangles are made for
-    double most_apart_;              // of unit normals
     double least_;                   // in the units of the grid
     CellGrid cells_;
+    double most_apart_; // of unit normals
     Sites sites_;
     TriangleProof proof_;
     std::vector<std::array<double, 2>> extra_; // places of the strip besides

@@ -12,7 +12,7 @@ namespace nrb::mesh {
 namespace {
 
 // Multiply-adds of a triangle, estimated.
-constexpr int64_t work_of_triangle = 3000;
+constexpr int64_t work_of_triangle = 1000;
 // Triangles whose bounds are in memory at once; the first few show how good these have to be.
 constexpr size_t triangles_of_a_part = 4096, first_triangles = 256;
 

@@ -262,11 +262,15 @@ Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
     return {radius(uu_), radius(uv_), radius(vv_)};
 }
 
-// A first derivative differs from its mean by no more than second ones allow on the way through the cell. That of a function from the
-// bilinear one of its corners is an eighth of the second ones along both axes.
+// What constant second derivatives make of a first one differs from its mean by a half of each at most. What these differ from constants
+// adds what it may do on the way from the middle, and to the mean: a quarter more along the axis, and a half across. That of a function from
+// the bilinear one of its corners is an eighth of the second ones along both axes.
 HessianBox::First HessianBox::first(size_t k) const noexcept {
     const Ranges &along = k == 0 ? uu_ : vv_;
-    const auto differs = [&](size_t c) { return along[c].most() + uv_[c].most() + 8 * noise_; };
+    const auto differs = [&](size_t c) {
+        return (std::abs(along.middle[c]) + std::abs(uv_.middle[c])) / 2 + 0.75 * along[c].width() +
+               uv_[c].width() + 8 * noise_;
+    };
     First result{};
     for (size_t c = 0; c < 3; ++c) {
         result.middle[c] = first_[k][c];

@@ -62,8 +62,14 @@ private:
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double angle_at(size_t k) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
-    void set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
-                   TriangleBound &result) const noexcept;
+    struct Turning {
+        const std::array<Bend, 3> &across;
+        double high; // of heights
+        double area;
+    };
+    [[nodiscard]] double turn(size_t k, size_t m, const Turning &from, const Values &bends) const noexcept;
+    [[nodiscard]] Values bends_about(size_t k) const noexcept;
+    void set_turns(const Turning &from, TriangleBound &result) const noexcept;
 
     const std::array<TriangleCorner, 3> &corners_;
     std::span<const CellPart> cells_;
@@ -228,24 +234,36 @@ double Triangle::sine(size_t k, double area) const noexcept {
 // a direction off the normal, heights h, of which half may count, come on top, at most (1 + p) l_E h / 2. So l_K <= p l_E where that is out,
 // for p = (q / 2 + h / 2) / (w a - r / 2 - h / 2), and there N <= l_E q / 2. Along the side the distance from P is at least
 // l_E (w |PE| - |V''| / 2) less what l_K moves, and heights h, of which half may count, are at most (1 + p) l_E h / 2.
-void Triangle::set_turns(const std::array<Bend, 3> &across, const Bend &heights, double area,
-                         TriangleBound &result) const noexcept {
-    const double h = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
+double Triangle::turn(size_t k, size_t m, const Turning &from, const Values &bends) const noexcept {
+    const size_t side = (k + 1 + m) % 3, opposite = (k + 2 - m) % 3;
+    const Bend &across = from.across[side];
+    const double cosine = -dot(sides_[side], sides_[opposite]) / lengths_[side], h = from.high;
+    const double out = across.largest(side) / 2;
+    const double in = least_weight_ * from.area / lengths_[side] -
+                      std::max(across.largest(k), across.largest(opposite)) / 2;
+    const double share = (out + h) / (in - h), high = (1 + share) * h;
+    const double along =
+        least_weight_ * lengths_[side] - bends[side] / 2 -
+        share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends[k], bends[opposite]) / 2);
+    return in > h && along > high ? (out + high) / (along - high) * rounding : infinity;
+}
+
+// Those of V about the corner only where others are not enough.
+void Triangle::set_turns(const Turning &from, TriangleBound &result) const noexcept {
     for (size_t k = 0; k < 3; ++k) {
-        for (size_t m = 0; m < 2; ++m) {
-            const size_t side = (k + 1 + m) % 3, opposite = (k + 2 - m) % 3;
-            const double cosine = -dot(sides_[side], sides_[opposite]) / lengths_[side];
-            const double out = across[side].largest(side) / 2;
-            const double in = least_weight_ * area / lengths_[side] -
-                              std::max(across[side].largest(k), across[side].largest(opposite)) / 2;
-            const double share = (out + h) / (in - h), high = (1 + share) * h;
-            const double along =
-                least_weight_ * lengths_[side] - bends_[side] / 2 -
-                share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends_[k], bends_[opposite]) / 2);
-            const double turn = (out + high) / (along - high) * rounding;
-            result.turns[k][m] = in > h && along > high ? turn : infinity;
+        auto &turns = result.turns[k];
+        turns = {turn(k, 0, from, bends_), turn(k, 1, from, bends_)};
+        if (effort_ == Effort::full && !(std::max(turns[0], turns[1]) < result.sines[k] / 2)) {
+            const Values bends = bends_about(k);
+            turns = {turn(k, 0, from, bends), turn(k, 1, from, bends)};
         }
     }
+}
+
+Values Triangle::bends_about(size_t k) const noexcept {
+    const Hessian v = over_cells([&](const HessianBox &box) { return box.size(corners_[k].point, 0); });
+    return {v.beside(steps_[0][0], steps_[0][1]), v.beside(steps_[1][0], steps_[1][1]),
+            v.beside(steps_[2][0], steps_[2][1])};
 }
 
 TriangleBound Triangle::bound() const noexcept {
@@ -290,7 +308,8 @@ TriangleBound Triangle::bound() const noexcept {
     for (double &over : result.outs) {
         over = std::min(over * rounding, result.out);
     }
-    set_turns(across, heights, area, result);
+    const double high = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
+    set_turns({across, high, area}, result);
     return result;
 }
 
