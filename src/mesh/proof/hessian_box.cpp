@@ -68,6 +68,10 @@ Four most(const Ranges &ranges) noexcept {
     return abs(Four(ranges.middle)) + (abs(Four(ranges.u)) + abs(Four(ranges.v))) * 0.5 + Four(ranges.radius);
 }
 
+double length3(const Four &a) noexcept {
+    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
 // Bernstein coefficients [u][v], of a function or of a derivative.
 struct Net {
     int u, v;
@@ -196,6 +200,7 @@ HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes
         first_[0][k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
         first_[1][k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
     }
+    corner_weight_ = (a[3] + b[3] + c[3] + d[3]) / 4;
     for (const Four &x : {a, b, c, d}) {
         reach_ = std::max(reach_, std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
     }
@@ -227,10 +232,43 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
         uu_ = uu;
         uv_ = uv;
         vv_ = vv;
+        by_coefficients_ = is_coarse();
     } else {
         add_constants(uu, uu_);
         add_constants(uv, uv_);
         add_constants(vv, vv_);
+    }
+    if (by_coefficients_) {
+        add_first(rows, {p * fu, q * fv});
+    }
+}
+
+// Whether a first derivative may differ by more than a tenth.
+bool HessianBox::is_coarse() const noexcept {
+    double first = 0, second = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        first = std::max({first, std::abs(first_[0][c]), std::abs(first_[1][c])});
+        second = std::max({second, uu_[c].most(), uv_[c].most(), vv_[c].most()});
+    }
+    return second > 0.1 * first;
+}
+
+template <class Net>
+void HessianBox::add_first(const Net &net, const std::array<double, 2> &factors) noexcept {
+    for (int i = 0; i < net.u; ++i) {
+        for (int j = 0; j < net.v; ++j) {
+            const Four own = net.at(i, j);
+            coefficient_reach_ = std::max(coefficient_reach_, length3(own) + 4 * noise_);
+            for (const size_t k : {size_t{0}, size_t{1}}) {
+                if ((k == 0 ? i + 1 < net.u : j + 1 < net.v)) {
+                    const Four next = k == 0 ? net.at(i + 1, j) : net.at(i, j + 1);
+                    const Four first = (next - own) * factors[k];
+                    const double noise = 4 * noise_ * factors[k];
+                    first_radius_[k] = std::max(first_radius_[k], length3(first - Four(first_[k])) + noise);
+                    first_weight_[k] = std::max(first_weight_[k], std::abs(first[3]) + noise);
+                }
+            }
+        }
     }
 }
 
@@ -271,9 +309,12 @@ HessianBox::First HessianBox::first(size_t k) const noexcept {
         return (std::abs(along.middle[c]) + std::abs(uv_.middle[c])) / 2 + 0.75 * along[c].width() +
                uv_[c].width() + 8 * noise_;
     };
-    First result{};
+    First result{{first_[k][0], first_[k][1], first_[k][2]}, first_radius_[k], first_weight_[k]};
+    if (by_coefficients_) {
+        return result;
+    }
+    result.radius = 0;
     for (size_t c = 0; c < 3; ++c) {
-        result.middle[c] = first_[k][c];
         result.radius += differs(c) * differs(c);
     }
     result.radius = std::sqrt(result.radius);
@@ -282,6 +323,9 @@ HessianBox::First HessianBox::first(size_t k) const noexcept {
 }
 
 double HessianBox::reach() const noexcept {
+    if (by_coefficients_) {
+        return coefficient_reach_;
+    }
     double squares = 0;
     for (size_t c = 0; c < 3; ++c) {
         const double over = (uu_[c].most() + vv_[c].most()) / 8 + 4 * noise_;

@@ -68,7 +68,7 @@ public:
     // About how long a side of the cell is.
     [[nodiscard]] double speed(size_t k) const noexcept {
         const auto &x = first_[k];
-        return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / least_weight_;
+        return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / corner_weight_;
     }
 
     // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
@@ -105,6 +105,9 @@ private:
         double radius = 0, weight = 0;
     };
     [[nodiscard]] First first(size_t k) const noexcept;
+    [[nodiscard]] bool is_coarse() const noexcept;
+    template <class Net>
+    void add_first(const Net &net, const std::array<double, 2> &factors) noexcept;
     // The most of |A - w O|.
     [[nodiscard]] double reach() const noexcept;
 
@@ -113,8 +116,13 @@ private:
     Ranges uu_{}, uv_{}, vv_{};
     double least_weight_ = infinity, largest_weight_ = -infinity;
     std::array<std::array<double, coordinates>, 2> first_{}; // means of first derivatives, by the corners
+    double corner_weight_ = 1;                               // the mean
     double reach_ = 0;                                       // the most of |A - w O| in the corners
     double noise_ = 0;                                       // of a coefficient
+    // Where second derivatives tell little of first ones: by coefficients of these, what they differ by from the means.
+    bool by_coefficients_ = false;
+    std::array<double, 2> first_radius_{}, first_weight_{};
+    double coefficient_reach_ = 0;
 };
 
 } // namespace nrb::mesh
