@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 
 namespace nrb::face {
 
@@ -97,12 +99,44 @@ Deviation to_nearest(const MadeCurve &image, const Spline &edge, double toleranc
 
 } // namespace
 
+namespace {
+
+SplinePtr make_edge(const Face &face, const Coedge &coedge) {
+    const SplinePtr made = over(face, coedge).curve;
+    return coedge.against ? refine::reverse(*made, 0, false) : made;
+}
+
+std::vector<SplinePtr> make_edges(const Face &face) {
+    std::vector<SplinePtr> edges;
+    for (const Loop &loop : face.loops()) {
+        for (const Coedge &coedge : loop) {
+            edges.push_back(coedge.edge == nullptr ? make_edge(face, coedge) : nullptr);
+        }
+    }
+    return edges;
+}
+
+// Among all of the face.
+size_t number_of(const Face &face, const Coedge &coedge) {
+    size_t number = 0;
+    for (const Loop &loop : face.loops()) {
+        const auto *first = loop.data(), *last = first + loop.size();
+        if (!std::less<>{}(&coedge, first) && std::less<>{}(&coedge, last)) {
+            return number + static_cast<size_t>(&coedge - first);
+        }
+        number += loop.size();
+    }
+    throw std::logic_error("a coedge of another face");
+}
+
+} // namespace
+
+// Composing takes longer than most of what edges are for.
 SplinePtr edge_of(const Face &face, const Coedge &coedge) {
     if (coedge.edge != nullptr) {
         return coedge.edge;
     }
-    const SplinePtr made = over(face, coedge).curve;
-    return coedge.against ? refine::reverse(*made, 0, false) : made;
+    return face.made_edges().get([&] { return make_edges(face); })[number_of(face, coedge)];
 }
 
 Deviation deviation_of(const Face &face, const Coedge &coedge) {

@@ -8,7 +8,7 @@
 
 namespace nrb::face {
 
-// The edge of a coedge as it runs, made from the curve in the domain where none was given.
+// The edge of a coedge of the face as it runs, made from the curve in the domain where none was given, and kept.
 SplinePtr edge_of(const Face &face, const Coedge &coedge);
 
 // Of a made one as it was found when it was made. Of two that were given: at equal parameters if that is within the tolerance of

@@ -2,6 +2,7 @@
 // The face: the part of a surface that loops of curves in its domain bound.
 #pragma once
 
+#include "base/lazy.h"
 #include "base/records.h"
 #include "face/loop.h"
 #include "face/made/curve_under.h"
@@ -55,6 +56,8 @@ public:
     [[nodiscard]] const TrimMap &trims() const noexcept { return *trims_; }
     // Where segments close what curves leave open.
     [[nodiscard]] const std::vector<Joint> &joints() const noexcept { return joints_; }
+    // Of all loops one after the other: the edges that edge_of() makes where none is given, else null.
+    [[nodiscard]] const Lazy<std::vector<SplinePtr>> &made_edges() const noexcept { return made_edges_; }
 
 private:
     [[nodiscard]] TrimPieces pieces(std::vector<ClosedLoop> &closed, std::vector<double> *gaps, bool keep);
@@ -70,6 +73,7 @@ private:
     Covering covering_;
     std::vector<Joint> joints_;
     std::shared_ptr<const TrimMap> trims_; // of the other face, if it is the same part
+    Lazy<std::vector<SplinePtr>> made_edges_;
 };
 using FacePtr = std::shared_ptr<const Face>;
 

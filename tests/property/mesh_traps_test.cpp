@@ -197,6 +197,24 @@ TEST(MeshTraps, strips_without_triangles_are_told) {
     EXPECT_GT(proven, 10U);
 }
 
+// build123d#1444 is a mesh that is coarser than asked for; where work ends that cannot be helped, but it is told, and equally fine all over.
+TEST(MeshTraps, work_that_ends_makes_all_of_a_mesh_coarser) {
+    Random random(7);
+    const Ground ground = faces::wavy(random);
+    double before = infinity;
+    for (const int64_t work : {3000000, 12000000, 48000000}) {
+        const Mesh mesh = mesh_within(ground.surface.get(), 1e-9, work);
+        EXPECT_EQ(mesh.reached, 0);
+        const auto triangles = static_cast<double>(mesh.triangles.size() / 3);
+        EXPECT_LE(mesh.from_shape, 0.3 * before); // four times as many triangles
+        before = mesh.from_shape;
+        // One for that distance is no smaller than a third.
+        const Mesh other = mesh_of(ground.surface.get(), mesh.from_shape);
+        EXPECT_LE(triangles, 3 * static_cast<double>(other.triangles.size() / 3));
+        EXPECT_GE(triangles, 1e-4 * static_cast<double>(work));
+    }
+}
+
 // CDT!133: refinement that does not end, and Oblikovati#1409: a limit of it that is taken for success. Between sides that meet at a
 // small angle there are few triangles.
 TEST(MeshTraps, refinement_ends_at_small_angles) {

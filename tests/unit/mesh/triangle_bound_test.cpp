@@ -60,7 +60,7 @@ public:
             {{params[0], point(params[0])}, {params[1], point(params[1])}, {params[2], point(params[2])}}};
     }
     // Of a triangle in one piece.
-    TriangleBound bound(const std::array<Param, 3> &params) {
+    TriangleBound bound(const std::array<Param, 3> &params, Effort effort = Effort::full) {
         Rectangle part{params[0], params[0]};
         for (const Param &x : params) {
             for (size_t k = 0; k < 2; ++k) {
@@ -70,8 +70,9 @@ public:
         }
         const HessianBox box = nets_.box(part, nets_.pieces_in(part));
         const CellPart here{&box, part};
-        return triangle_bound(corners(params), {&here, 1});
+        return triangle_bound(corners(params), {&here, 1}, effort);
     }
+    HessianBox box(const Rectangle &part) { return nets_.box(part, nets_.pieces_in(part)); }
     // By parts.
     TriangleBound bound_by_pieces(const std::array<Param, 3> &params) {
         const Interval u = surface_->axis(0).domain(), v = surface_->axis(1).domain();
@@ -149,11 +150,38 @@ TEST(TriangleBound, holds_for_samples) {
     for (int i = 0; i < 400; ++i) {
         Measured measured(surface(random, random.whole(1, 5), 1, random.chance(60), random.between(0, 1)));
         const auto params = random_triangle(random, {0, 0}, {1, 1}, random.magnitude(0.01, 0.5));
-        const TriangleBound bound = measured.bound(params);
         const auto sampled = measured.sampled(params, 16);
-        EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
-        EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
+        for (const Effort effort : {Effort::coarse, Effort::full}) {
+            const TriangleBound bound = measured.bound(params, effort);
+            EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
+            EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
+        }
     }
+}
+
+// Of a cell, in one piece and in several.
+TEST(HessianBox, no_step_moves_farther) {
+    support::Random random(12);
+    double most = 0;
+    for (int i = 0; i < 400; ++i) {
+        const int spans = random.whole(1, 3);
+        Measured measured(
+            surface(random, random.whole(1, 5), spans, random.chance(60), random.between(0, 1)));
+        const double size = random.magnitude(0.001, 0.5) * spans;
+        const Param low{random.between(0, spans - size), random.between(0, spans - size)};
+        const HessianBox box = measured.box({low, {low[0] + size, low[1] + size}});
+        for (int k = 0; k < 20; ++k) {
+            const Param from{random.between(0, 1), random.between(0, 1)},
+                to{random.between(0, 1), random.between(0, 1)};
+            const auto at = [&](const Param &x) {
+                return measured.point({low[0] + size * x[0], low[1] + size * x[1]});
+            };
+            const double moved = length(at(to) - at(from)), told = box.move(to[0] - from[0], to[1] - from[1]);
+            EXPECT_LE(moved, told + 1e-14) << i;
+            most = std::max(most, moved / told);
+        }
+    }
+    EXPECT_GE(most, 0.99); // of small cells it is nearly all
 }
 
 // Small triangles of a smooth surface are told from it by little more than they are: else meshes have too many triangles.
