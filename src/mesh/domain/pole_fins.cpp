@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/domain/pole_fins.h"
 
+#include "mesh/domain/dropped_triangles.h"
+
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace nrb::mesh {
 
@@ -66,17 +69,18 @@ bool FinFlips::flip_beyond(size_t triangle, size_t corner) {
     return true;
 }
 
+std::array<int32_t, 3> points_of(const Sites &sites, const Piece &triangle) noexcept {
+    return {sites[triangle.sites[0]].point, sites[triangle.sites[1]].point, sites[triangle.sites[2]].point};
+}
+
 // Pairs of triangles of the same three points.
 std::vector<std::array<size_t, 2>> fins_of(const Sites &sites, const std::vector<Piece> &triangles) {
     std::map<std::array<int32_t, 3>, size_t> known;
     std::vector<std::array<size_t, 2>> fins;
     for (size_t i = 0; i < triangles.size(); ++i) {
-        std::array<int32_t, 3> points{};
-        for (size_t k = 0; k < 3; ++k) {
-            points[k] = sites[triangles[i].sites[k]].point;
-        }
+        std::array<int32_t, 3> points = points_of(sites, triangles[i]);
         std::ranges::sort(points);
-        if (points[0] == points[1] || points[1] == points[2]) {
+        if (is_dropped(points)) {
             continue;
         }
         if (const auto [at, fresh] = known.try_emplace(points, i); !fresh) {
@@ -86,10 +90,49 @@ std::vector<std::array<size_t, 2>> fins_of(const Sites &sites, const std::vector
     return fins;
 }
 
+// The segments of the border by the points at their ends, the lower one first.
+std::set<std::array<int32_t, 2>> border_sides(const Sites &sites, const std::vector<Piece> &triangles) {
+    std::set<std::array<int32_t, 2>> sides;
+    for (const Piece &triangle : triangles) {
+        const std::array<int32_t, 3> p = points_of(sites, triangle);
+        for (size_t k = 0; k < 3; ++k) {
+            if (triangle.border[k] >= 0) {
+                sides.insert(
+                    {std::min(p[(k + 1) % 3], p[(k + 2) % 3]), std::max(p[(k + 1) % 3], p[(k + 2) % 3])});
+            }
+        }
+    }
+    return sides;
+}
+
+// Triangles with the last two segments of a border before a pole, of which the last one is a side of a dropped triangle.
+std::vector<size_t> fins_at_borders(const Sites &sites, const std::vector<Piece> &triangles) {
+    const auto of_border = border_sides(sites, triangles);
+    std::vector<size_t> fins;
+    for (size_t i = 0; i < triangles.size(); ++i) {
+        const std::array<int32_t, 3> p = points_of(sites, triangles[i]);
+        size_t own = 0, other = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
+            const bool is_own = triangles[i].border[k] >= 0;
+            own += is_own ? 1 : 0;
+            other += !is_own && of_border.contains({std::min(a, b), std::max(a, b)}) ? 1 : 0;
+        }
+        if (own > 0 && other > 0 && !is_dropped(p)) {
+            fins.push_back(i);
+        }
+    }
+    return fins;
+}
+
 } // namespace
 
+// With the triangle on the other side of a border there would be a fin, too.
 void open_fins(const Sites &sites, std::vector<Piece> &triangles) {
-    const auto fins = fins_of(sites, triangles);
+    auto fins = fins_of(sites, triangles);
+    for (const size_t i : fins_at_borders(sites, triangles)) {
+        fins.push_back({i, i});
+    }
     if (fins.empty()) {
         return;
     }
