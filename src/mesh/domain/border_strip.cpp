@@ -206,7 +206,7 @@ std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
     }
     const auto is_pole = [](const std::array<bool, 2> &ends) { return ends[0] || ends[1]; };
     if (std::ranges::any_of(domain_.collapsed, is_pole)) {
-        open_fins(sites, result);
+        open_fins(cells_, sites, result);
     }
     return result;
 }

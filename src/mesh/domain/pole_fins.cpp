@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace nrb::mesh {
@@ -105,34 +106,64 @@ std::set<std::array<int32_t, 2>> border_sides(const Sites &sites, const std::vec
     return sides;
 }
 
-// Triangles with the last two segments of a border before a pole, of which the last one is a side of a dropped triangle.
-std::vector<size_t> fins_at_borders(const Sites &sites, const std::vector<Piece> &triangles) {
-    const auto of_border = border_sides(sites, triangles);
-    std::vector<size_t> fins;
-    for (size_t i = 0; i < triangles.size(); ++i) {
-        const std::array<int32_t, 3> p = points_of(sites, triangles[i]);
-        size_t own = 0, other = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            const int32_t a = p[(k + 1) % 3], b = p[(k + 2) % 3];
-            const bool is_own = triangles[i].border[k] >= 0;
-            own += is_own ? 1 : 0;
-            other += !is_own && of_border.contains({std::min(a, b), std::max(a, b)}) ? 1 : 0;
-        }
-        if (own > 0 && other > 0 && !is_dropped(p)) {
-            fins.push_back(i);
+// Divides triangles at the sides that two faces may have alike. Both triangles at a side do so, at one place.
+class SideSplits {
+public:
+    SideSplits(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles)
+        : cells_(cells), sites_(sites), triangles_(triangles), border_(border_sides(sites, triangles)) {
+        for (const auto &side : border_) {
+            on_border_.insert(side.begin(), side.end());
         }
     }
-    return fins;
-}
+
+    void split_all() {
+        for (size_t i = 0; i < triangles_.size(); ++i) { // parts are added behind them
+            while (const std::optional<size_t> side = doubtful_side(triangles_[i])) {
+                split(i, *side);
+            }
+        }
+    }
+
+private:
+    // From a pole to a further place of a border on which this is, but none of its segments.
+    [[nodiscard]] bool is_doubtful(const Piece &triangle, size_t k) const {
+        const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
+        const int32_t a = sites_[from].point, b = sites_[to].point;
+        return a != b && triangle.border[k] < 0 && !triangle.fixed[k] && on_border_.contains(a) &&
+               on_border_.contains(b) && is_pole(from) != is_pole(to) &&
+               !border_.contains({std::min(a, b), std::max(a, b)});
+    }
+    [[nodiscard]] std::optional<size_t> doubtful_side(const Piece &triangle) const {
+        const std::array<size_t, 3> sides{0, 1, 2};
+        const auto found = std::ranges::find_if(sides, [&](size_t k) { return is_doubtful(triangle, k); });
+        return found == sides.end() ? std::nullopt : std::optional(*found);
+    }
+    [[nodiscard]] bool is_pole(int32_t site) const { return cells_.pole_at(sites_[site].param) >= 0; }
+    void split(size_t i, size_t k) {
+        const Piece old = triangles_[i];
+        const size_t next = (k + 1) % 3, last = (k + 2) % 3;
+        const int32_t x = old.sites[k], a = old.sites[next], b = old.sites[last];
+        const auto &from = sites_[a].param, &to = sites_[b].param, &third = sites_[x].param;
+        const std::array<double, 2> place{from[0] / 2 + to[0] / 2, from[1] / 2 + to[1] / 2};
+        const int32_t block =
+            cells_.tree().block_at({(from[0] + to[0] + third[0]) / 3, (from[1] + to[1] + third[1]) / 3});
+        const int32_t middle = sites_.of_param(place, block, -1);
+        triangles_[i] = {{x, a, middle}, {-1, -1, old.border[last]}, {false, false, old.fixed[last]}};
+        triangles_.push_back({{x, middle, b}, {-1, old.border[next], -1}, {false, old.fixed[next], false}});
+    }
+
+    const CellGrid &cells_;
+    Sites &sites_;
+    std::vector<Piece> &triangles_;
+    std::set<std::array<int32_t, 2>> border_; // segments
+    std::set<int32_t> on_border_;             // points
+};
 
 } // namespace
 
-// With the triangle on the other side of a border there would be a fin, too.
-void open_fins(const Sites &sites, std::vector<Piece> &triangles) {
-    auto fins = fins_of(sites, triangles);
-    for (const size_t i : fins_at_borders(sites, triangles)) {
-        fins.push_back({i, i});
-    }
+void open_fins(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles) {
+    SideSplits(cells, sites, triangles).split_all();
+    const auto fins = fins_of(sites, triangles);
     if (fins.empty()) {
         return;
     }

@@ -9,8 +9,8 @@
 namespace nrb::mesh {
 
 // All places on the side of the domain that is a pole are one point. Where one beside it has no other neighbours than such places and one
-// further place, its two triangles have the same corners, back to back. So have the triangles of two faces at a border that leads to a pole, if each
-// has the last two segments of it. A flip gives the place another neighbour. Sites are those of `triangles`.
-void open_fins(const Sites &sites, std::vector<BorderStrip::Piece> &triangles);
+// further place, its two triangles have the same corners, back to back: a flip gives it another neighbour. Where a border leads to the pole,
+// sides from there to other vertices of it may be those of the face beyond, too: they are divided. Sites are those of `triangles`.
+void open_fins(const CellGrid &cells, Sites &sites, std::vector<BorderStrip::Piece> &triangles);
 
 } // namespace nrb::mesh
