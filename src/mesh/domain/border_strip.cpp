@@ -188,7 +188,8 @@ BorderStrip::Piece BorderStrip::piece_of(const StripTriangle &triangle, Sites &s
     return piece;
 }
 
-std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
+std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites,
+                                                       std::vector<std::array<double, 2>> &divided) const {
     std::vector<Piece> result;
     const auto &components = strip_->components();
     std::vector<Vote> votes;
@@ -206,7 +207,7 @@ std::vector<BorderStrip::Piece> BorderStrip::triangles(Sites &sites) const {
     }
     const auto is_pole = [](const std::array<bool, 2> &ends) { return ends[0] || ends[1]; };
     if (std::ranges::any_of(domain_.collapsed, is_pole)) {
-        open_fins(cells_, sites, result);
+        open_fins(cells_, sites, result, divided);
     }
     return result;
 }

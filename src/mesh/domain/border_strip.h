@@ -19,7 +19,9 @@ public:
         std::array<int32_t, 3> border;
         std::array<bool, 3> fixed;
     };
-    [[nodiscard]] std::vector<Piece> triangles(Sites &sites) const;
+    // Appends places that it has besides, which the next strip should have, too.
+    [[nodiscard]] std::vector<Piece> triangles(Sites &sites,
+                                               std::vector<std::array<double, 2>> &divided) const;
     // Segments of the border that cross each other.
     [[nodiscard]] std::vector<int32_t> crossed() const;
     // Segments of the border on which other places are, and where: shares of them.

@@ -109,8 +109,10 @@ std::set<std::array<int32_t, 2>> border_sides(const Sites &sites, const std::vec
 // Divides triangles at the sides that two faces may have alike. Both triangles at a side do so, at one place.
 class SideSplits {
 public:
-    SideSplits(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles)
-        : cells_(cells), sites_(sites), triangles_(triangles), border_(border_sides(sites, triangles)) {
+    SideSplits(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
+               std::vector<std::array<double, 2>> &divided)
+        : cells_(cells), sites_(sites), triangles_(triangles), divided_(divided),
+          border_(border_sides(sites, triangles)) {
         for (const auto &side : border_) {
             on_border_.insert(side.begin(), side.end());
         }
@@ -148,6 +150,7 @@ private:
         const int32_t block =
             cells_.tree().block_at({(from[0] + to[0] + third[0]) / 3, (from[1] + to[1] + third[1]) / 3});
         const int32_t middle = sites_.of_param(place, block, -1);
+        divided_.push_back(place);
         triangles_[i] = {{x, a, middle}, {-1, -1, old.border[last]}, {false, false, old.fixed[last]}};
         triangles_.push_back({{x, middle, b}, {-1, old.border[next], -1}, {false, old.fixed[next], false}});
     }
@@ -155,14 +158,16 @@ private:
     const CellGrid &cells_;
     Sites &sites_;
     std::vector<Piece> &triangles_;
+    std::vector<std::array<double, 2>> &divided_;
     std::set<std::array<int32_t, 2>> border_; // segments
     std::set<int32_t> on_border_;             // points
 };
 
 } // namespace
 
-void open_fins(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles) {
-    SideSplits(cells, sites, triangles).split_all();
+void open_fins(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
+               std::vector<std::array<double, 2>> &divided) {
+    SideSplits(cells, sites, triangles, divided).split_all();
     const auto fins = fins_of(sites, triangles);
     if (fins.empty()) {
         return;
