@@ -11,7 +11,7 @@
 #include "eval/adjoint/adjoint.h"
 #include "eval/adjoint/knot_adjoint.h"
 #include "eval/kernels/slots.h"
-#include "measure/length_adjoint.h"
+#include "measure/length/length_adjoint.h"
 
 #include <cmath>
 

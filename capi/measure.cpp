@@ -10,8 +10,8 @@
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "eval/parameters.h"
-#include "measure/divide.h"
-#include "measure/length_table.h"
+#include "measure/length/divide.h"
+#include "measure/length/length_table.h"
 #include "measure/moments.h"
 #include "spline/kind.h"
 

@@ -79,7 +79,7 @@ std::array<int32_t, 4> quad_of(const mesh::Mesh &own, size_t first) {
         ++k;
     }
     const int32_t from = a[(k + 2) % 3], to = a[(k + 1) % 3];
-    const auto other = std::ranges::find_if(b, [&](int32_t x) { return x != from && x != to; });
+    const auto *const other = std::ranges::find_if(b, [&](int32_t x) { return x != from && x != to; });
     return {from, a[k], to, *other};
 }
 

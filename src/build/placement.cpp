@@ -12,10 +12,6 @@ namespace nrb::build {
 
 namespace {
 
-Vector3 vector_of(const double *v, int dim) noexcept {
-    return {v[0], v[1], dim == 3 ? v[2] : 0};
-}
-
 using WideVector = std::array<DoubleDouble, 3>;
 
 DoubleDouble dot(const WideVector &a, const WideVector &b) noexcept {

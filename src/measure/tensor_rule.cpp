@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measure/tensor_rule.h"
 
-#include "measure/speed_kernel.h"
+#include "measure/length/speed_kernel.h"
 
 #include <algorithm>
 #include <cmath>

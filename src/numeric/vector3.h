@@ -15,6 +15,11 @@ struct Vector3 {
     double z = 0;
 };
 
+// The first coordinates of a point, the others 0.
+inline Vector3 vector_of(const double *x, int dim) noexcept {
+    return {x[0], dim > 1 ? x[1] : 0, dim > 2 ? x[2] : 0};
+}
+
 inline Vector3 operator+(const Vector3 &a, const Vector3 &b) noexcept {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -13,10 +13,6 @@ namespace {
 
 using Params = std::vector<double>;
 
-Vector3 vector_of(const double *x, int dim) noexcept {
-    return {x[0], x[1], dim > 2 ? x[2] : 0.0};
-}
-
 bool finite(const Vector3 &p) noexcept {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }

@@ -316,4 +316,29 @@ TEST(Face, tolerances_are_distances_in_space) {
 
 } // namespace
 
+// A surface has kinks in its parameters where its pieces meet, and where it closes up.
+TEST(Face, edges_follow_curves_past_kinks) {
+    for_each_case(1, 40, [](Random &random, uint64_t seed) {
+        const Ground ground = random.chance(50) ? cylinder(2, 3) : torus(3, 1);
+        const Star kind{random.whole(5, 9), true, random.chance(50), 0.4};
+        const Place centre = ground.at(random.between(-0.2, 0.2), ground.closed[1] ? random.unit() : 0.5);
+        const Handle loop = create(star(random, ground, centre, kind));
+        const Face face = face_of(ground.surface.get(), {{loop.get()}});
+        const Handle edge =
+            made([&](nurbs **out) { return nurbs_face_edge(face.get(), 0, 0, nullptr, out); });
+        const Vec places = polygon_of(loop.get()), points = polygon_of(edge.get());
+        for (size_t i = 0; i < places.size() / 2; i += 7) {
+            Place x{places[2 * i], places[2 * i + 1]};
+            for (size_t k = 0; k < 2; ++k) {
+                const double turns = std::floor((x[k] - ground.lower[k]) / ground.period[k]);
+                x[k] -= ground.closed[k] ? turns * ground.period[k] : 0;
+            }
+            const Vec want = eval(ground.surface.get(), {x[0], x[1]});
+            for (size_t k = 0; k < 3; ++k) {
+                ASSERT_NEAR(points[3 * i + k], want[k], 1e-9) << seed;
+            }
+        }
+    });
+}
+
 } // namespace face_test

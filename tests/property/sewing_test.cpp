@@ -382,6 +382,50 @@ TEST(Sewing, PiecesOfClosedSurfacesAreClosed) {
     });
 }
 
+// In some of them, neighbouring cells were cut at one place that was two numbers, or both faces at an edge had a side from a pole to one
+// of its vertices.
+TEST(Sewing, MeshesOfPiecesOfASphereAreClosed) {
+    const auto expect_sphere = [](Random &random, uint64_t) {
+        const Placing placing = any_placing(random);
+        const double chord = random.magnitude(0.003, 0.2);
+        const Patches patches =
+            shuffled(random, pieces(random, faces::sphere(1).surface, random.whole(1, 6)));
+        const Model model = sewn(faces_of(placed(patches, placing)), 1e-9 * placing.size);
+        expect_closed(model.get(), chord * placing.size, 2);
+    };
+    for (const uint64_t seed : {1285, 4585, 4670, 5788, 7634}) {
+        for_each_case(seed, 1, expect_sphere);
+    }
+}
+
+// Two half spheres whose common circle leads through both poles, or through one.
+TEST(Sewing, ShellsCutThroughPolesAreClosed) {
+    for_each_case(2, 9, [](Random &random, uint64_t seed) {
+        const faces::Ground ball = faces::sphere(1);
+        const bool great = random.chance(50);
+        const double angle = random.between(0, 2 * pi), tilt = great ? 0 : random.between(0.3, 1.2);
+        const Point axis{std::cos(angle) * std::cos(tilt), std::sin(angle) * std::cos(tilt), std::sin(tilt)};
+        const Point centre{axis[2] * axis[0], axis[2] * axis[1], axis[2] * axis[2]};
+        const Handle circle = made([&](nurbs **out) {
+            return nurbs_curve_circle(3, centre.data(), axis.data(), nullptr, std::cos(tilt),
+                                      NURBS_ARC_QUARTERS, out);
+        });
+        const Handle back = made([&](nurbs **out) { return nurbs_reverse(circle.get(), 0, 0, out); });
+        Faces halves;
+        for (const nurbs *edge : {circle.get(), back.get()}) {
+            const int64_t one = 1;
+            nurbs_face *face = nullptr;
+            require_ok(nurbs_face_create(ball.surface.get(), 1, &one, nullptr, &edge, nullptr, 1e-7,
+                                         NURBS_AS_ORIENTED, nullptr, &face));
+            halves.emplace_back(face);
+        }
+        SCOPED_TRACE(seed);
+        const Closedness mesh = mesh_of(sewn(halves, 1e-6).get(), random.magnitude(0.02, 0.2));
+        EXPECT_TRUE(std::isinf(mesh.bound) || (mesh.free_sides == 0 && mesh.crowded_sides == 0))
+            << mesh.bound;
+    });
+}
+
 // The loop of the side goes along its seam and back; the discs are trimmed, and begin elsewhere.
 TEST(Sewing, AClosedCylinder) {
     for (const double turn : {0.0, 0.4, 2.5}) {

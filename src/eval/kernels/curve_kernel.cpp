@@ -9,6 +9,7 @@
 #include "eval/kernels/bernstein-inl.h"
 #include "eval/kernels/curve_kernel.h"
 #include "eval/kernels/curve_recurrence-inl.h"
+#include "eval/kernels/curve_tables-inl.h"
 #include "eval/kernels/finish-inl.h"
 #include "eval/kernels/horner-inl.h"
 #include "eval/kernels/rows-inl.h"
@@ -21,64 +22,6 @@ namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 static_assert(curve_group == group_size);
-
-// Read by the loops over ordinary parameters; kept in registers.
-struct CurveTables {
-    explicit CurveTables(const CurveJob &job)
-        : domain(job.spline.axis(0).domain()), find(job.spans->finder()), power_spans((*job.power_spans)[0]),
-          power_span_size(job.power_spans->size()), degree(job.spline.axis(0).degree()),
-          lanes(job.shape.lanes), bernstein_lanes(job.spline.span_lanes()), dim(job.shape.dim) {}
-
-    // The spans of `count` parameters inside the domain; false unless each parameter lies strictly inside its
-    // span, and the span has a power span.
-    [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
-                                         const double **HWY_RESTRICT found) const {
-        bool all = true;
-        for (int i = 0; i < count; ++i) {
-            const double *power_span = power_spans + find.number_inside(params[i]) * power_span_size;
-            found[i] = power_span;
-            all &= params[i] > power_span[PowerSpan::lower];
-        }
-        return all;
-    }
-    // The same for any parameters; null where there is no such span.
-    HWY_INLINE void locate_some(const double *HWY_RESTRICT params, int count,
-                                const double **HWY_RESTRICT found) const {
-        for (int i = 0; i < count; ++i) {
-            const bool inside = params[i] > domain.lower && params[i] < domain.upper;
-            found[i] = inside ? power_spans + find.number_inside(params[i]) * power_span_size : nullptr;
-        }
-    }
-
-    Interval domain;
-    SpanTable::Finder find;
-    const double *power_spans;
-    int64_t power_span_size;
-    int degree;
-    int lanes;
-    int bernstein_lanes;
-    int dim;
-};
-
-// Whether `count` parameters lie strictly between two bounds; NaN does not.
-HWY_INLINE bool between(const double *block, int count, double lower_bound, double upper_bound) {
-    if (count < curve_block) {
-        bool all = true;
-        for (int i = 0; i < count; ++i) {
-            all = all && block[i] > lower_bound && block[i] < upper_bound;
-        }
-        return all;
-    }
-    const Vec8 d;
-    const auto lower = hn::Set(d, lower_bound);
-    const auto upper = hn::Set(d, upper_bound);
-    auto all = hn::And(hn::Lt(lower, hn::LoadU(d, block)), hn::Lt(hn::LoadU(d, block), upper));
-    for (int i = vec8_lanes; i < curve_block; i += vec8_lanes) {
-        const auto t = hn::LoadU(d, block + i);
-        all = hn::And(all, hn::And(hn::Lt(lower, t), hn::Lt(t, upper)));
-    }
-    return hn::AllTrue(d, all);
-}
 
 class CurveKernel {
 public:

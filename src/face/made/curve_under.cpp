@@ -8,6 +8,7 @@
 #include "eval/evaluate.h"
 #include "face/made/curve_fit.h"
 #include "face/made/plane_chart.h"
+#include "face/trims/monotone.h"
 #include "numeric/norm.h"
 #include "refine/compose/compose.h"
 #include "refine/parts/cut.h"
@@ -22,6 +23,8 @@ namespace {
 
 // Coordinates that differ by less than a step of this share of the tolerance in space are one.
 constexpr double share_of_same = 1e-3;
+// Of a domain, that a curve passes on one way.
+constexpr double most_copies = 4096;
 
 std::vector<double> points_at(const Spline &spline, std::span<const double> params) {
     const auto count = std::ssize(params) / spline.axes();
@@ -227,6 +230,55 @@ std::vector<double> breaks_of(const Spline &curve) {
     return refine::rough_knots(curve.axis(0), 2);
 }
 
+// Lines at which derivatives of a surface up to the second may jump, in all copies of its domain that an interval reaches: none where
+// these are so many that there are kinks everywhere.
+std::vector<double> rough_lines(const Spline &surface, const Covering &covering, int k, double low,
+                                double high) {
+    std::vector<double> knots = refine::rough_knots(surface.axis(k), 2), lines;
+    knots.pop_back();
+    const bool closed = covering.closed(k);
+    const auto copy_of = [&](double x) {
+        return closed ? std::floor((x - covering.domain(k).lower) / covering.period(k)) : 0;
+    };
+    if (copy_of(high) - copy_of(low) > most_copies) {
+        return {};
+    }
+    for (double copy = copy_of(low); copy <= copy_of(high); ++copy) {
+        for (const double knot : knots) {
+            const double line = knot + copy * (closed ? covering.period(k) : 0);
+            if (low < line && line < high) {
+                lines.push_back(line);
+            }
+        }
+    }
+    return lines;
+}
+
+// Also where a curve passes such lines: what is fitted across a kink needs as many places as there are bits.
+std::vector<double> breaks_over_kinks(const Spline &surface, const Covering &covering,
+                                      const SplinePtr &curve) {
+    std::vector<double> all = breaks_of(*curve), breaks;
+    TrimPieces pieces;
+    append_monotone({{curve}}, 0, {0, 0}, pieces);
+    for (const TrimPiece &piece : pieces.all()) {
+        for (const int k : {0, 1}) {
+            const auto at = static_cast<size_t>(k);
+            for (const double line : rough_lines(surface, covering, k, piece.lower[at], piece.upper[at])) {
+                all.push_back(parameter_at(piece, pieces.place_of(piece, k, line)));
+            }
+        }
+    }
+    std::ranges::sort(all);
+    const double room = 0x1p-40 * (all.back() - all.front());
+    for (const double t : all) {
+        if (breaks.empty() || (t - breaks.back() > room && all.back() - t > room)) {
+            breaks.push_back(t);
+        }
+    }
+    breaks.push_back(all.back());
+    return breaks;
+}
+
 // Also where an edge passes a pole, on the other side of which its places jump.
 std::vector<double> breaks_over(const Covering &covering, const Spline &edge, const UnderRule &rule) {
     std::vector<double> breaks = breaks_of(edge);
@@ -296,8 +348,9 @@ MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const Sp
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);
     Effort effort;
     effort.allow(*curve);
-    const FittedCurve fitted = fit_curve(Image(*surface, covering, *curve), breaks_of(*curve), same,
-                                         share_of_fit * tolerance, effort);
+    const FittedCurve fitted =
+        fit_curve(Image(*surface, covering, *curve), breaks_over_kinks(*surface, covering, curve), same,
+                  share_of_fit * tolerance, effort);
     return {fitted.spline, fitted.error, false};
 }
 

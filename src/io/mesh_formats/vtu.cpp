@@ -84,6 +84,7 @@ private:
 
 std::vector<const Array *> pointers_to(const std::vector<Array> &arrays) {
     std::vector<const Array *> pointers;
+    pointers.reserve(arrays.size());
     for (const Array &array : arrays) {
         pointers.push_back(&array);
     }

@@ -11,10 +11,6 @@ namespace nrb::mesh {
 
 namespace {
 
-Vector3 vector_of(const double *x, int dim) noexcept {
-    return {x[0], dim > 1 ? x[1] : 0, dim > 2 ? x[2] : 0};
-}
-
 // Of a rising or falling list, the place of x between its values.
 double interpolated(const std::vector<double> &from, const std::vector<double> &to, double x) noexcept {
     const bool rising = from.front() < from.back();
@@ -59,7 +55,7 @@ bool CurvePairing::is_near(double distance) const {
     constexpr int samples = 8;
     for (int i = 0; i <= samples; ++i) {
         const double s = parameter_in(curve_domain_, static_cast<double>(i) / samples);
-        if (!(length(image(s) - edge_jet(line_to_edge(s)).point) <= distance)) {
+        if (!(length(image(s) - edge_jet(by_line(s, curve_domain_, edge_domain_)).point) <= distance)) {
             return false;
         }
     }
@@ -81,14 +77,9 @@ void CurvePairing::make_tables() {
     }
 }
 
-double CurvePairing::line_to_edge(double s) const noexcept {
-    const double share = (s - curve_domain_.lower) / (curve_domain_.upper - curve_domain_.lower);
-    return parameter_in(edge_domain_, against_ ? 1 - share : share);
-}
-
-double CurvePairing::line_to_curve(double t) const noexcept {
-    const double share = (t - edge_domain_.lower) / (edge_domain_.upper - edge_domain_.lower);
-    return parameter_in(curve_domain_, against_ ? 1 - share : share);
+double CurvePairing::by_line(double x, Interval from, Interval to) const noexcept {
+    const double share = (x - from.lower) / (from.upper - from.lower);
+    return parameter_in(to, against_ ? 1 - share : share);
 }
 
 CurvePairing::Jet CurvePairing::edge_jet(double t) const {
@@ -137,24 +128,27 @@ double nearer(double x, Interval domain, const Vector3 &point, JetOf &&jet) {
 
 } // namespace
 
+// What the lengths tell is off by less.
+Interval CurvePairing::around(double guess, Interval domain) noexcept {
+    const double step = (domain.upper - domain.lower) / 16;
+    return {std::max(domain.lower, guess - step), std::min(domain.upper, guess + step)};
+}
+
 double CurvePairing::on_edge(double s) const {
     if (s_.empty() || s == curve_domain_.lower || s == curve_domain_.upper) {
-        return line_to_edge(s);
+        return by_line(s, curve_domain_, edge_domain_);
     }
-    const double step = (edge_domain_.upper - edge_domain_.lower) / 16, guess = interpolated(s_, t_, s);
-    const Interval around{std::max(edge_domain_.lower, guess - step),
-                          std::min(edge_domain_.upper, guess + step)};
-    return nearer(guess, around, image(s), [&](double t) { return edge_jet(t); });
+    const double guess = interpolated(s_, t_, s);
+    return nearer(guess, around(guess, edge_domain_), image(s), [&](double t) { return edge_jet(t); });
 }
 
 double CurvePairing::on_curve(double t) const {
     if (s_.empty() || t == edge_domain_.lower || t == edge_domain_.upper) {
-        return line_to_curve(t);
+        return by_line(t, edge_domain_, curve_domain_);
     }
-    const double step = (curve_domain_.upper - curve_domain_.lower) / 16, guess = interpolated(t_, s_, t);
-    const Interval around{std::max(curve_domain_.lower, guess - step),
-                          std::min(curve_domain_.upper, guess + step)};
-    return nearer(guess, around, edge_jet(t).point, [&](double s) { return image_jet(s); });
+    const double guess = interpolated(t_, s_, t);
+    return nearer(guess, around(guess, curve_domain_), edge_jet(t).point,
+                  [&](double s) { return image_jet(s); });
 }
 
 } // namespace nrb::mesh

@@ -25,12 +25,12 @@ private:
     struct Jet {
         Vector3 point, derivative;
     };
-    [[nodiscard]] double line_to_edge(double s) const noexcept;
-    [[nodiscard]] double line_to_curve(double t) const noexcept;
+    [[nodiscard]] double by_line(double x, Interval from, Interval to) const noexcept;
     [[nodiscard]] Jet image_jet(double s) const;
     [[nodiscard]] Jet edge_jet(double t) const;
     [[nodiscard]] bool is_near(double distance) const;
     void make_tables();
+    [[nodiscard]] static Interval around(double guess, Interval domain) noexcept;
 
     const face::Face &face_;
     const Spline &curve_;

@@ -58,6 +58,56 @@ double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &p
     return std::min(1.0, rest / (outer + rest) * (1 + 64 * eps));
 }
 
+// How far what belongs to a segment is from it, in periods of the domain across it, and along the axes.
+class SegmentRoom {
+public:
+    SegmentRoom(const face::Covering &covering, const Point2 &a, const Point2 &b)
+        : covering_(covering), period_{covering.period(0), covering.period(1)}, a_(a),
+          b_(b), along_{(b[0] - a[0]) / period_[0], (b[1] - a[1]) / period_[1]},
+          squared_(along_[0] * along_[0] + along_[1] * along_[1]) {}
+
+    // A place that the segment is to have in its steps along the axes, or that is behind one of its ends.
+    void take_in(Point2 x, BorderSegment &segment) const noexcept {
+        x = in_copy(x);
+        const double along =
+            ((x[0] - a_[0]) / period_[0] * along_[0] + (x[1] - a_[1]) / period_[1] * along_[1]) / squared_;
+        const double t = std::clamp(along, 0.0, 1.0);
+        segment.across = segment.across && std::abs(along - t) <= 1e-12;
+        for (size_t k = 0; k < 2; ++k) {
+            segment.over[k] = std::max(segment.over[k], std::abs(x[k] - (a_[k] * (1 - t) + b_[k] * t)));
+        }
+    }
+    // Of the curve that a polygon controls, times the length of the segment.
+    [[nodiscard]] double most_across(const PolygonPart &part) const noexcept {
+        double ends = 0, inner = 0;
+        for (size_t i = 0; i < part.points.size(); ++i) {
+            double &own = i == 0 || i + 1 == part.points.size() ? ends : inner;
+            own = std::max(own, across(in_copy(part.points[i])));
+        }
+        return std::max(ends, (1 - part.share) * ends + part.share * inner);
+    }
+    [[nodiscard]] Point2 step_across(double most) const noexcept {
+        return {-along_[1] * most / squared_ * period_[0], along_[0] * most / squared_ * period_[1]};
+    }
+
+private:
+    // The copy of a place that is in the copy of the domain that the segment is in.
+    [[nodiscard]] Point2 in_copy(Point2 x) const noexcept {
+        for (size_t k = 0; k < 2; ++k) {
+            const double off = x[k] - (a_[k] / 2 + b_[k] / 2);
+            x[k] -= covering_.closed(static_cast<int>(k)) ? std::round(off / period_[k]) * period_[k] : 0;
+        }
+        return x;
+    }
+    [[nodiscard]] double across(const Point2 &x) const noexcept {
+        return std::abs((x[0] - a_[0]) / period_[0] * along_[1] - (x[1] - a_[1]) / period_[1] * along_[0]);
+    }
+
+    const face::Covering &covering_;
+    Point2 period_, a_, b_, along_;
+    double squared_;
+};
+
 class BorderWalk {
 public:
     BorderWalk(const model::Model &model, int64_t number, const ModelEdges &edges)
@@ -81,6 +131,7 @@ private:
     void add(const face::TrimPiece &piece);
     void add_behind(const face::TrimPiece &piece);
     void arrive(const Point2 &place, const CurveVertex &vertex);
+    int32_t add_point(const Point2 &x, int32_t point);
     [[nodiscard]] bool is_at(int32_t number, const Point2 &x, int32_t point) const noexcept;
     [[nodiscard]] int32_t other_side(size_t k, int32_t point);
     void add_segment(int32_t from, int32_t to);
@@ -194,32 +245,16 @@ bool BorderWalk::is_at(int32_t number, const Point2 &x, int32_t point) const noe
 }
 
 void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
-    const int32_t point = vertex.point;
     const Point2 x = lines_.snapped(place);
-    if (last_ >= 0 && is_at(last_, x, point)) {
-        hull_.clear();
-        last_line_ = line_;
-        last_edge_param_ = vertex.edge_param;
-        return;
-    }
-    if (last_ >= 0 && last_ != first_ && is_at(first_, x, point)) { // closed
-        const bool same = line_ == last_line_ && vertex.edge_param != last_edge_param_;
-        span_ = {same ? last_edge_param_ : nan_value, vertex.edge_param};
-        connect(last_, first_);
-        last_ = first_;
-        last_line_ = line_;
-        last_edge_param_ = vertex.edge_param;
-        hull_.clear();
-        return;
-    }
-    result_.points.push_back({x, point});
-    const auto number = static_cast<int32_t>(result_.points.size() - 1);
-    if (last_ >= 0) {
+    const bool again = last_ >= 0 && is_at(last_, x, vertex.point);
+    const bool closes = last_ >= 0 && last_ != first_ && is_at(first_, x, vertex.point);
+    const int32_t number = again ? last_ : closes ? first_ : add_point(x, vertex.point);
+    if (last_ < 0) {
+        first_ = number;
+    } else if (!again) {
         const bool same = line_ == last_line_ && vertex.edge_param != last_edge_param_;
         span_ = {same ? last_edge_param_ : nan_value, vertex.edge_param};
         connect(last_, number);
-    } else {
-        first_ = number;
     }
     last_ = number;
     last_line_ = line_;
@@ -227,11 +262,15 @@ void BorderWalk::arrive(const Point2 &place, const CurveVertex &vertex) {
     hull_.clear();
 }
 
+int32_t BorderWalk::add_point(const Point2 &x, int32_t point) {
+    result_.points.push_back({x, point});
+    return static_cast<int32_t>(result_.points.size() - 1);
+}
+
 // The same point on the other side of a seam on which it is.
 int32_t BorderWalk::other_side(size_t k, int32_t point) {
-    const BorderPoint &own = result_.points[static_cast<size_t>(point)];
-    result_.points.push_back({lines_.other_side(k, own.param), own.point});
-    return static_cast<int32_t>(result_.points.size() - 1);
+    const BorderPoint own = result_.points[static_cast<size_t>(point)];
+    return add_point(lines_.other_side(k, own.param), own.point);
 }
 
 // Ends on a seam are taken on the side from which the other end comes.
@@ -266,41 +305,25 @@ void BorderWalk::mirror(const BorderSegment &segment) {
     }
 }
 
+// With how far its curve is from it.
 void BorderWalk::add_segment(int32_t from, int32_t to) {
-    const Point2 &a = result_.points[static_cast<size_t>(from)].param,
-                 &b = result_.points[static_cast<size_t>(to)].param;
+    const SegmentRoom room(face_.covering(), result_.points[static_cast<size_t>(from)].param,
+                           result_.points[static_cast<size_t>(to)].param);
     BorderSegment segment{from, to};
     segment.backwards = backwards_;
     if (!std::isnan(span_[0])) {
         segment.line = line_;
         segment.params = span_;
     }
-    const Point2 period{face_.covering().period(0), face_.covering().period(1)};
-    const double du = (b[0] - a[0]) / period[0], dv = (b[1] - a[1]) / period[1], squared = du * du + dv * dv;
     double most = 0;
     for (const PolygonPart &part : hull_) {
-        double ends = 0, inner = 0;
-        for (size_t i = 0; i < part.points.size(); ++i) {
-            Point2 x = part.points[i];
-            for (size_t k = 0; k < 2; ++k) { // in the copy of the segment
-                const double off = x[k] - (a[k] / 2 + b[k] / 2);
-                x[k] -= face_.covering().closed(static_cast<int>(k)) ? std::round(off / period[k]) * period[k]
-                                                                     : 0;
-            }
-            const double along = ((x[0] - a[0]) / period[0] * du + (x[1] - a[1]) / period[1] * dv) / squared;
-            const double t = std::clamp(along, 0.0, 1.0);
-            segment.across = segment.across && std::abs(along - t) <= 1e-12;
-            for (size_t k = 0; k < 2; ++k) {
-                segment.over[k] = std::max(segment.over[k], std::abs(x[k] - (a[k] * (1 - t) + b[k] * t)));
-            }
-            const double off = std::abs((x[0] - a[0]) / period[0] * dv - (x[1] - a[1]) / period[1] * du);
-            double &own = i == 0 || i + 1 == part.points.size() ? ends : inner;
-            own = std::max(own, off);
+        for (const Point2 &x : part.points) {
+            room.take_in(x, segment);
         }
-        most = std::max({most, ends, (1 - part.share) * ends + part.share * inner});
+        most = std::max(most, room.most_across(part));
     }
     if (segment.across) {
-        segment.over = {-dv * most / squared * period[0], du * most / squared * period[1]};
+        segment.over = room.step_across(most);
     }
     result_.segments.push_back(segment);
     mirror(segment);

@@ -19,7 +19,7 @@ public:
 
 private:
     [[nodiscard]] size_t column(size_t k, double x) const noexcept;
-    [[nodiscard]] bool meets(int32_t segment, const Rectangle &part) const noexcept;
+    [[nodiscard]] bool meets(int32_t number, const Rectangle &part) const noexcept;
 
     const FaceBorder &border_;
     Rectangle box_;

@@ -30,7 +30,7 @@ void Corridor::open(TriangleNet &net, std::span<const EdgeId> crossed, int32_t m
     // Old triangles stay until all new ones are there: a side may have the polygon on both sides of it.
     net.reserve_triangles(crossed.size() + 1);
     const TriangleId first_ear = net.size();
-    random_.seed();
+    draw_ = 1; // the same segment, the same triangles
     const EdgeId below = cut_ears(net, right_);
     net.join(below, cut_ears(net, left_), mark);
     return_ears(net, first_ear);
@@ -85,9 +85,10 @@ void Corridor::set_corners(const TriangleNet &net, std::span<const EdgeId> sides
     corners_.push_back({net.to(sides.back()), -1, last - 1, -1, false});
 }
 
-// Any of them.
+// Any of them, drawn by the generator of S. Park and K. Miller.
 int32_t Corridor::take_waiting() {
-    std::swap(waiting_[random_() % waiting_.size()], waiting_.back());
+    draw_ = draw_ * 48271 % 2147483647;
+    std::swap(waiting_[draw_ % waiting_.size()], waiting_.back());
     const int32_t i = waiting_.back();
     waiting_.pop_back();
     return i;

@@ -5,7 +5,7 @@
 #include "mesh/delaunay/flips.h"
 #include "mesh/delaunay/triangle_net.h"
 
-#include <random>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -45,7 +45,7 @@ private:
     std::vector<EdgeId> right_, left_; // counterclockwise around each polygon, without the base
     std::vector<Corner> corners_;
     std::vector<int32_t> waiting_; // corners that may be ears
-    std::minstd_rand random_;
+    uint64_t draw_ = 1;            // of the last ear
     StarFlips flips_;
 };
 

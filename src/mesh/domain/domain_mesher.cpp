@@ -133,9 +133,13 @@ void DomainMesher::make_strip() {
     crossed_ = strip.crossed();
     united_ = strip.united();
     touched_ = strip.touched();
-    for (const BorderStrip::Piece &piece : strip.triangles(sites_)) {
+    std::vector<std::array<double, 2>> divided;
+    for (const BorderStrip::Piece &piece : strip.triangles(sites_, divided)) {
         const SiteTriangle triangle{piece.sites, -1, piece.border, piece.fixed};
         triangles_.add(triangle, mesh_triangle(triangle));
+    }
+    for (const auto &place : divided) {
+        add_place(place, extra_);
     }
 }
 

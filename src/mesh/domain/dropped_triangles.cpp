@@ -9,10 +9,6 @@ namespace {
 
 using Corners = std::array<int32_t, 3>;
 
-bool is_dropped(const Corners &p) noexcept {
-    return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
-}
-
 // The least and the greatest of its points.
 std::array<int32_t, 2> segment_of(const Corners &p) noexcept {
     const auto [least, greatest] = std::ranges::minmax(p);

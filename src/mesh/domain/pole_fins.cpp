@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/domain/pole_fins.h"
 
+#include "mesh/domain/dropped_triangles.h"
+
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace nrb::mesh {
 
@@ -66,17 +70,18 @@ bool FinFlips::flip_beyond(size_t triangle, size_t corner) {
     return true;
 }
 
+std::array<int32_t, 3> points_of(const Sites &sites, const Piece &triangle) noexcept {
+    return {sites[triangle.sites[0]].point, sites[triangle.sites[1]].point, sites[triangle.sites[2]].point};
+}
+
 // Pairs of triangles of the same three points.
 std::vector<std::array<size_t, 2>> fins_of(const Sites &sites, const std::vector<Piece> &triangles) {
     std::map<std::array<int32_t, 3>, size_t> known;
     std::vector<std::array<size_t, 2>> fins;
     for (size_t i = 0; i < triangles.size(); ++i) {
-        std::array<int32_t, 3> points{};
-        for (size_t k = 0; k < 3; ++k) {
-            points[k] = sites[triangles[i].sites[k]].point;
-        }
+        std::array<int32_t, 3> points = points_of(sites, triangles[i]);
         std::ranges::sort(points);
-        if (points[0] == points[1] || points[1] == points[2]) {
+        if (is_dropped(points)) {
             continue;
         }
         if (const auto [at, fresh] = known.try_emplace(points, i); !fresh) {
@@ -86,9 +91,83 @@ std::vector<std::array<size_t, 2>> fins_of(const Sites &sites, const std::vector
     return fins;
 }
 
+// The segments of the border by the points at their ends, the lower one first.
+std::set<std::array<int32_t, 2>> border_sides(const Sites &sites, const std::vector<Piece> &triangles) {
+    std::set<std::array<int32_t, 2>> sides;
+    for (const Piece &triangle : triangles) {
+        const std::array<int32_t, 3> p = points_of(sites, triangle);
+        for (size_t k = 0; k < 3; ++k) {
+            if (triangle.border[k] >= 0) {
+                sides.insert(
+                    {std::min(p[(k + 1) % 3], p[(k + 2) % 3]), std::max(p[(k + 1) % 3], p[(k + 2) % 3])});
+            }
+        }
+    }
+    return sides;
+}
+
+// Divides triangles at the sides that two faces may have alike. Both triangles at a side do so, at one place.
+class SideSplits {
+public:
+    SideSplits(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
+               std::vector<std::array<double, 2>> &divided)
+        : cells_(cells), sites_(sites), triangles_(triangles), divided_(divided),
+          border_(border_sides(sites, triangles)) {
+        for (const auto &side : border_) {
+            on_border_.insert(side.begin(), side.end());
+        }
+    }
+
+    void split_all() {
+        for (size_t i = 0; i < triangles_.size(); ++i) { // parts are added behind them
+            while (const std::optional<size_t> side = doubtful_side(triangles_[i])) {
+                split(i, *side);
+            }
+        }
+    }
+
+private:
+    // From a pole to a further place of a border on which this is, but none of its segments.
+    [[nodiscard]] bool is_doubtful(const Piece &triangle, size_t k) const {
+        const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
+        const int32_t a = sites_[from].point, b = sites_[to].point;
+        return a != b && triangle.border[k] < 0 && !triangle.fixed[k] && on_border_.contains(a) &&
+               on_border_.contains(b) && is_pole(from) != is_pole(to) &&
+               !border_.contains({std::min(a, b), std::max(a, b)});
+    }
+    [[nodiscard]] std::optional<size_t> doubtful_side(const Piece &triangle) const {
+        const std::array<size_t, 3> sides{0, 1, 2};
+        const auto found = std::ranges::find_if(sides, [&](size_t k) { return is_doubtful(triangle, k); });
+        return found == sides.end() ? std::nullopt : std::optional(*found);
+    }
+    [[nodiscard]] bool is_pole(int32_t site) const { return cells_.pole_at(sites_[site].param) >= 0; }
+    void split(size_t i, size_t k) {
+        const Piece old = triangles_[i];
+        const size_t next = (k + 1) % 3, last = (k + 2) % 3;
+        const int32_t x = old.sites[k], a = old.sites[next], b = old.sites[last];
+        const auto &from = sites_[a].param, &to = sites_[b].param, &third = sites_[x].param;
+        const std::array<double, 2> place{from[0] / 2 + to[0] / 2, from[1] / 2 + to[1] / 2};
+        const int32_t block =
+            cells_.tree().block_at({(from[0] + to[0] + third[0]) / 3, (from[1] + to[1] + third[1]) / 3});
+        const int32_t middle = sites_.of_param(place, block, -1);
+        divided_.push_back(place);
+        triangles_[i] = {{x, a, middle}, {-1, -1, old.border[last]}, {false, false, old.fixed[last]}};
+        triangles_.push_back({{x, middle, b}, {-1, old.border[next], -1}, {false, old.fixed[next], false}});
+    }
+
+    const CellGrid &cells_;
+    Sites &sites_;
+    std::vector<Piece> &triangles_;
+    std::vector<std::array<double, 2>> &divided_;
+    std::set<std::array<int32_t, 2>> border_; // segments
+    std::set<int32_t> on_border_;             // points
+};
+
 } // namespace
 
-void open_fins(const Sites &sites, std::vector<Piece> &triangles) {
+void open_fins(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
+               std::vector<std::array<double, 2>> &divided) {
+    SideSplits(cells, sites, triangles, divided).split_all();
     const auto fins = fins_of(sites, triangles);
     if (fins.empty()) {
         return;

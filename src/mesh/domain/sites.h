@@ -23,8 +23,8 @@ public:
     Sites(const MeshDomain &domain, const CellGrid &cells);
 
     [[nodiscard]] int32_t of_place(int32_t place);
-    // Of a place of the domain that is none of the cells, in a block; point: of the border, -1: none.
-    [[nodiscard]] int32_t of_param(const std::array<double, 2> &param, int32_t block, int32_t point);
+    // Of a place of the domain that is none of the cells, in the block of a number; point: of the border, -1: none.
+    [[nodiscard]] int32_t of_param(const std::array<double, 2> &param, int32_t number, int32_t point);
     // Where places have new numbers.
     void renumber(const std::vector<int32_t> &places);
     // Points and normals of those that are new.

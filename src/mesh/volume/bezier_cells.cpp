@@ -28,6 +28,7 @@ int64_t net_point(const Lattice &lattice, int64_t node) noexcept {
 Lattice bezier_lattice(const Spline &spline) {
     check_cell_degrees(spline);
     std::vector<LatticeAxis> axes;
+    axes.reserve(static_cast<size_t>(spline.axes()));
     for (int k = 0; k < spline.axes(); ++k) {
         axes.emplace_back(spline.axis(k).degree(), jumps_of(spline.axis(k)), closes(spline, k));
     }

@@ -26,6 +26,7 @@ namespace {
 
 std::vector<int> degrees_of_cells(const std::vector<LatticeAxis> &axes) {
     std::vector<int> degrees;
+    degrees.reserve(axes.size());
     for (const LatticeAxis &axis : axes) {
         degrees.push_back(axis.degree());
     }

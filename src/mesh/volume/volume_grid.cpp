@@ -315,8 +315,8 @@ std::vector<double> GridPlan::lines(size_t k, std::vector<double> &shares) const
             last = t;
             result.push_back(t);
         };
-        for (double i = 1; i < n; ++i) {
-            const double t = a * (1 - i / n) + b * (i / n);
+        for (int64_t i = 1; i < counts_[k][e]; ++i) {
+            const double share = static_cast<double>(i) / n, t = a * (1 - share) + b * share;
             if (t > last && t < b) {
                 add(t);
             }

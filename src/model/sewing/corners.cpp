@@ -26,6 +26,7 @@ std::vector<Vector3> ends_of(const std::vector<Side> &sides) {
 Corners::Corners(const std::vector<Side> &sides, double tolerance)
     : ends_(ends_of(sides)), classes_(ends_.size()) {
     std::vector<intersect::Box3> boxes;
+    boxes.reserve(ends_.size());
     for (const Vector3 &x : ends_) {
         boxes.push_back({{x.x, x.y, x.z}, {x.x, x.y, x.z}});
     }
@@ -52,6 +53,7 @@ std::vector<Corners::Middle> Corners::middles() {
         sum.count += 1;
     }
     std::vector<Middle> result;
+    result.reserve(sums.size());
     for (const auto &[vertex, sum] : sums) {
         result.push_back({vertex, sum.first + (1 / sum.count) * sum.from_first});
     }

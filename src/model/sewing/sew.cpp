@@ -86,11 +86,8 @@ private:
         const std::vector<SidePiece> &all = pieces_.all();
         kept_.assign(all.size(), true);
         for (size_t first = 0, last = 0; first < all.size(); first = last) {
-            const Side &own = sides_[all[first].side];
             bool any = false;
-            for (last = first; last < all.size() && sides_[all[last].side].patch == own.patch &&
-                               sides_[all[last].side].loop == own.loop;
-                 ++last) {
+            for (last = first; last < all.size() && in_one_loop(all[first], all[last]); ++last) {
                 any = any || !all[last].collapsed;
             }
             for (size_t i = first; any && i < last; ++i) {
@@ -98,13 +95,27 @@ private:
             }
         }
     }
+    [[nodiscard]] bool in_one_loop(const SidePiece &a, const SidePiece &b) const noexcept {
+        const Side &one = sides_[a.side], &other = sides_[b.side];
+        return one.patch == other.patch && one.loop == other.loop;
+    }
 
-    // Pieces are in the order of faces.
     void add_face(size_t number) {
         const Patch &patch = patches_[number];
         const double least = tolerance_ / 1024; // so that curves can be made to it
         face::FaceParts parts{patch.given->surface(), {}, std::max(patch.given->tolerance(), least), true};
+        parts.keep_gaps = patch.given->has_gaps();
         parts.loops.resize(patch.loops.size());
+        const bool left_out = add_loops(number, parts);
+        set_tolerance(patch, left_out, parts);
+        ModelFace made;
+        made.name = std::to_string(number);
+        made.face = named(number, [&] { return std::make_shared<const face::Face>(parts, nullptr); });
+        model_.faces.push_back(std::move(made));
+    }
+
+    // Pieces are in the order of faces. Whether one is left out.
+    bool add_loops(size_t number, face::FaceParts &parts) {
         bool left_out = false;
         const std::vector<SidePiece> &all = pieces_.all();
         for (; next_ < all.size() && sides_[all[next_].side].patch == static_cast<int64_t>(number); ++next_) {
@@ -115,23 +126,24 @@ private:
                 parts.tolerance = std::max(parts.tolerance, piece.gap);
             }
         }
+        return left_out;
+    }
+
+    // So large that the surface closes up as the loops have it, and that these close over what is left out.
+    void set_tolerance(const Patch &patch, bool left_out, face::FaceParts &parts) const {
+        const face::Covering wanted(*parts.surface, patch.tolerance);
         const auto closes = [&](double tolerance) {
-            return closes_alike(face::Covering(*parts.surface, tolerance),
-                                face::Covering(*parts.surface, patch.tolerance));
+            return closes_alike(face::Covering(*parts.surface, tolerance), wanted);
         };
         if (!closes(parts.tolerance)) {
             parts.tolerance = std::max(parts.tolerance, patch.natural ? tolerance_ : patch.tolerance);
         }
-        parts.keep_gaps = patch.given->has_gaps();
-        if (left_out && closes(std::max(parts.tolerance, tolerance_))) {
-            parts.tolerance = std::max(parts.tolerance, tolerance_);
+        const double wide = std::max(parts.tolerance, tolerance_);
+        if (left_out && closes(wide)) {
+            parts.tolerance = wide;
         } else if (left_out) { // of a surface that is nowhere wider
             parts.keep_gaps = true;
         }
-        ModelFace made;
-        made.name = std::to_string(number);
-        made.face = named(number, [&] { return std::make_shared<const face::Face>(parts, nullptr); });
-        model_.faces.push_back(std::move(made));
     }
 
     face::Coedge coedge_of(const SidePiece &piece) {

@@ -52,6 +52,7 @@ std::vector<SideCut> kept_cuts(const Side &side, size_t number, std::vector<Side
 std::vector<std::vector<SideCut>> cuts_of(const std::vector<Side> &sides, Corners &corners,
                                           double tolerance) {
     std::vector<intersect::Box3> boxes;
+    boxes.reserve(sides.size());
     for (const Side &side : sides) {
         boxes.push_back(side.box);
     }

@@ -6,7 +6,6 @@
 #include "refine/parts/cut.h"
 
 #include <algorithm>
-#include <map>
 
 namespace nrb::model {
 
@@ -46,6 +45,12 @@ private:
     std::vector<std::optional<face::CurveMatch>> found_;
 };
 
+void follow(SidePiece &piece, size_t leader, const face::CurveMatch &match) {
+    piece.leader = leader;
+    piece.against = match.against;
+    piece.gap = match.distance;
+}
+
 } // namespace
 
 SidePieces::SidePieces(const std::vector<Side> &sides, const std::vector<std::vector<SideCut>> &cuts,
@@ -56,6 +61,14 @@ SidePieces::SidePieces(const std::vector<Side> &sides, const std::vector<std::ve
     for (SidePiece &piece : pieces_) { // small ones have made one vertex of two
         piece.vertices = {corners.now(piece.vertices[0]), corners.now(piece.vertices[1])};
     }
+    for (const auto &[ends, numbers] : by_ends()) {
+        match_pieces(numbers, sides, tolerance);
+    }
+    set_members();
+}
+
+// Those that may be one edge.
+std::map<std::array<size_t, 2>, std::vector<size_t>> SidePieces::by_ends() const {
     std::map<std::array<size_t, 2>, std::vector<size_t>> alike;
     for (size_t i = 0; i < pieces_.size(); ++i) {
         std::array<size_t, 2> ends = pieces_[i].vertices;
@@ -64,10 +77,7 @@ SidePieces::SidePieces(const std::vector<Side> &sides, const std::vector<std::ve
             alike[ends].push_back(i);
         }
     }
-    for (const auto &[ends, numbers] : alike) {
-        match_pieces(numbers, sides, tolerance);
-    }
-    set_members();
+    return alike;
 }
 
 void SidePieces::add_side(const Side &side, size_t number, const std::vector<SideCut> &cuts, Corners &corners,
@@ -100,8 +110,9 @@ void SidePieces::match_pieces(const std::vector<size_t> &alike, const std::vecto
         for (size_t j = 0; j < i; ++j) {
             const SidePiece &a = pieces_[alike[j]], &b = pieces_[alike[i]];
             const double off = sides[a.side].off + sides[b.side].off;
-            if (const auto match =
-                    off < tolerance ? face::match_within(a.image, b.image, tolerance - off) : std::nullopt) {
+            const auto match =
+                off < tolerance ? face::match_within(a.image, b.image, tolerance - off) : std::nullopt;
+            if (match) {
                 table.set(i, j, {match->distance + off, match->against});
             }
             count_work(1 << 10);
@@ -109,16 +120,13 @@ void SidePieces::match_pieces(const std::vector<size_t> &alike, const std::vecto
     }
     std::vector<bool> taken(alike.size(), false);
     while (const std::optional<size_t> leader = table.leader(taken)) {
+        taken[*leader] = true;
         for (size_t i = 0; i < alike.size(); ++i) {
             if (const auto &match = table.between(i, *leader); match && !taken[i]) {
-                SidePiece &piece = pieces_[alike[i]];
                 taken[i] = true;
-                piece.leader = alike[*leader];
-                piece.against = match->against;
-                piece.gap = match->distance;
+                follow(pieces_[alike[i]], alike[*leader], *match);
             }
         }
-        taken[*leader] = true;
     }
 }
 

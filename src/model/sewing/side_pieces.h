@@ -4,6 +4,7 @@
 
 #include "model/sewing/side_cuts.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,7 @@ public:
 private:
     void add_side(const Side &side, size_t number, const std::vector<SideCut> &cuts, Corners &corners,
                   double tolerance);
+    [[nodiscard]] std::map<std::array<size_t, 2>, std::vector<size_t>> by_ends() const;
     void match_pieces(const std::vector<size_t> &alike, const std::vector<Side> &sides, double tolerance);
     void set_members();
     [[nodiscard]] std::optional<size_t> beyond(size_t piece, size_t vertex) const;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "measure/divide.h"
+#include "measure/length/divide.h"
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "eval/evaluate.h"
-#include "measure/chord_path.h"
-#include "measure/length_table.h"
+#include "measure/length/chord_path.h"
+#include "measure/length/length_table.h"
 #include "numeric/norm.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Division of curves into equal parts.
 #pragma once
 
-#include "measure/curve_length.h"
+#include "measure/length/curve_length.h"
 
 namespace nrb::measure {
 

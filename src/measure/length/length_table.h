@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/records.h"
-#include "measure/curve_length.h"
+#include "measure/length/curve_length.h"
 
 #include <memory>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "measure/curve_length.h"
+#include "measure/length/curve_length.h"
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "measure/speed_net.h"
+#include "measure/length/speed_net.h"
 #include "measure/tolerance_ladder.h"
 #include "numeric/sum.h"
 

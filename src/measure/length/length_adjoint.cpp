@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "measure/length_adjoint.h"
+#include "measure/length/length_adjoint.h"
 
 #include "base/error.h"
 #include "base/numbers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "measure/speed_net.h"
+#include "measure/length/speed_net.h"
 
 #include "base/numbers.h"
 #include "bernstein/de_casteljau.h"

@@ -2,7 +2,7 @@
 // What the coefficients of a speed tell without a node, and their halves.
 #pragma once
 
-#include "measure/speed_kernel.h"
+#include "measure/length/speed_kernel.h"
 
 namespace nrb::measure {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "measure/chord_path.h"
+#include "measure/length/chord_path.h"
 
 #include "base/numbers.h"
 #include "base/watch.h"

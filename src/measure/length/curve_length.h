@@ -3,7 +3,7 @@
 #pragma once
 
 #include "measure/elements.h"
-#include "measure/speed_kernel.h"
+#include "measure/length/speed_kernel.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "measure/length_table.h"
+#include "measure/length/length_table.h"
 
 #include "base/error.h"
 #include "base/numbers.h"

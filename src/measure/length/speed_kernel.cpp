@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "measure/speed_kernel.cpp"
+#define HWY_TARGET_INCLUDE "measure/length/speed_kernel.cpp"
 #include "base/dispatch.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "measure/speed_kernel.h"
+#include "measure/length/speed_kernel.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/border/edge_uses.h"
+
+#include "base/watch.h"
+#include "build/polylines.h"
+#include "eval/curve_point.h"
+#include "face/border_pieces.h"
+#include "face/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::mesh {
+
+namespace {
+
+// The break of an axis that a parameter is near.
+double at_break(const KnotVector &axis, double t, double room) noexcept {
+    const auto knots = axis.knots();
+    const auto next = std::ranges::lower_bound(knots, t - room);
+    return next != knots.end() && *next <= t + room ? *next : t;
+}
+
+using FixedUse = std::pair<FixedPlace *, size_t>; // and of which use
+
+// Whether no other place of the same curve is near; they rise.
+bool is_alone(const std::vector<FixedUse> &all, size_t i, double room) {
+    const auto is_other = [&](size_t k) { return all[k].second != all[i].second; };
+    const auto is_near = [&](size_t k) { return std::abs(all[i].first->edge - all[k].first->edge) <= room; };
+    bool alone = true;
+    for (size_t k = i; k > 0 && is_near(k - 1); --k) {
+        alone = alone && is_other(k - 1);
+    }
+    for (size_t k = i + 1; k < all.size() && is_near(k); ++k) {
+        alone = alone && is_other(k);
+    }
+    return alone;
+}
+
+} // namespace
+
+EdgeUses::EdgeUses(const model::Model &model, double near) : model_(model), borders_(model) {
+    set_uses();
+    set_curves();
+    pair_from(0, near);
+    const size_t count = uses_.size();
+    for (int64_t number = 0; number < std::ssize(model_.faces); ++number) {
+        if (face(number).has_gaps()) {
+            add_gaps(number);
+        }
+    }
+    pair_from(count, near);
+    for (int64_t number = 0; number < std::ssize(model_.faces); ++number) {
+        add_fixed(number);
+    }
+}
+
+void EdgeUses::set_uses() {
+    for (int64_t number = 0; number < std::ssize(model_.faces); ++number) {
+        const auto &loops = face(number).loops();
+        for (int32_t loop = 0; loop < static_cast<int32_t>(loops.size()); ++loop) {
+            for (int32_t i = 0; i < static_cast<int32_t>(loops[static_cast<size_t>(loop)].size()); ++i) {
+                uses_.push_back({number, loop, i, curves_.max_size()});
+            }
+        }
+    }
+}
+
+size_t EdgeUses::add_line(const SplinePtr &curve, std::vector<size_t> users) {
+    for (const size_t use : users) {
+        uses_[use].line = curves_.size();
+    }
+    curves_.push_back(curve);
+    users_.push_back(std::move(users));
+    return curves_.size() - 1;
+}
+
+// Edges of the model, and those that faces have for themselves.
+void EdgeUses::set_curves() {
+    for (const model::Edge &edge : model_.edges) {
+        std::vector<size_t> users;
+        for (const model::EdgeUse &use : edge.uses) {
+            users.push_back(at(use.face, static_cast<int32_t>(use.loop), static_cast<int32_t>(use.index)));
+        }
+        add_line(edge.curve, std::move(users));
+    }
+    for (size_t use = 0; use < uses_.size(); ++use) {
+        if (uses_[use].line == curves_.max_size()) {
+            add_line(face::edge_of(face_of(uses_[use]), coedge_of(uses_[use])), {use});
+        }
+    }
+}
+
+void EdgeUses::pair_from(size_t first, double near) {
+    for (size_t i = first; i < uses_.size(); ++i) {
+        EdgeUse &use = uses_[i];
+        use.pairing = std::make_unique<CurvePairing>(face_of(use), curve_of(use), curve(use.line),
+                                                     is_against(use), near);
+        count_work(1 << 12);
+    }
+}
+
+// Behind curves that end farther from the next one than the tolerance.
+void EdgeUses::add_gaps(int64_t number) {
+    const auto &loops = face(number).loops();
+    const auto end_of = [&](const EdgeUse &use, bool upper) {
+        const Interval domain = curve_of(use).axis(0).domain();
+        return use.pairing->image(upper ? domain.upper : domain.lower);
+    };
+    for (int32_t loop = 0; loop < static_cast<int32_t>(loops.size()); ++loop) {
+        for (int32_t i = 0; i < static_cast<int32_t>(loops[static_cast<size_t>(loop)].size()); ++i) {
+            const size_t own = at(number, loop, i), next = at(number, loop, next_index(number, loop, i));
+            if (length(end_of(uses_[own], true) - end_of(uses_[next], false)) > face(number).tolerance()) {
+                add_gap(own, next);
+            }
+        }
+    }
+}
+
+void EdgeUses::add_gap(size_t own, size_t next) {
+    const face::Face &face = face_of(uses_[own]);
+    face::Point2 from{}, to{};
+    eval::end_point(curve_of(uses_[own]), true, from.data());
+    eval::end_point(curve_of(uses_[next]), false, to.data());
+    to = face.covering().nearest_copy(to, from);
+    EdgeUse use{uses_[own].face, uses_[own].loop, uses_[own].index};
+    use.own = build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1});
+    const SplinePtr edge = face::edge_over(face.surface(), face.covering(), use.own, face.tolerance()).curve;
+    gaps_[own] = uses_.size();
+    uses_.push_back(std::move(use));
+    add_line(edge, {uses_.size() - 1});
+}
+
+std::optional<size_t> EdgeUses::behind(int64_t face, int32_t loop, int32_t index) const noexcept {
+    const auto found = gaps_.find(at(face, loop, index));
+    return found == gaps_.end() ? std::nullopt : std::optional(found->second);
+}
+
+int32_t EdgeUses::next_index(int64_t face, int32_t loop, int32_t index) const noexcept {
+    const auto count = static_cast<int32_t>(
+        model_.faces[static_cast<size_t>(face)].face->loops()[static_cast<size_t>(loop)].size());
+    return (index + 1) % count;
+}
+
+const Spline &EdgeUses::curve_of(const EdgeUse &use) const noexcept {
+    return use.own ? *use.own : *coedge_of(use).curve;
+}
+
+bool EdgeUses::is_against(const EdgeUse &use) const noexcept {
+    return !use.own && coedge_of(use).against;
+}
+
+// Where the border passes a seam, or a kink of the surface. What is near such a line is on it.
+void EdgeUses::add_fixed(int64_t number) {
+    const face::BorderPieces border(face(number));
+    const auto &all = face(number).trims().pieces().all();
+    for (size_t first = 0, last = 0; first < all.size(); first = last) {
+        for (last = first; last < all.size() && all[last].loop == all[first].loop; ++last) {
+        }
+        const auto loop = std::span(all).subspan(first, last - first);
+        for (const LinePassage &passage : passages_of(face(number), loop)) {
+            if (passage.piece->range.lower == passage.piece->range.upper) {
+                fix_behind(number, border, passage);
+            } else {
+                fix(number, border, passage);
+            }
+        }
+    }
+}
+
+void EdgeUses::fix(int64_t number, const face::BorderPieces &border, const LinePassage &passage) {
+    const face::BorderPlace place = border.place_of(*passage.piece, passage.place);
+    EdgeUse &use = uses_[at(number, place.loop, place.index)];
+    use.fixed.push_back({place.param, use.pairing->on_edge(place.param), passage.at});
+}
+
+// On the segment behind a curve, if it is one that is far from the next.
+void EdgeUses::fix_behind(int64_t number, const face::BorderPieces &border, const LinePassage &passage) {
+    const face::BorderPlace place = border.place_of(*passage.piece, 0);
+    const bool turned = border.is_turned(*passage.piece);
+    const auto count = static_cast<int32_t>(face(number).loops()[static_cast<size_t>(place.loop)].size());
+    const int32_t before = turned ? (place.index + count - 1) % count : place.index;
+    if (const std::optional<size_t> found = behind(number, place.loop, before)) {
+        EdgeUse &use = uses_[*found];
+        const double param = turned ? 1 - passage.place : passage.place;
+        use.fixed.push_back({param, use.pairing->on_edge(param), passage.at});
+    }
+}
+
+void EdgeUses::align_fixed(size_t line) {
+    const KnotVector &axis = curve(line).axis(0);
+    const Interval domain = axis.domain();
+    const double room = 0x1p-36 * (domain.upper - domain.lower);
+    std::vector<FixedUse> all;
+    for (const size_t use : users_[line]) {
+        for (FixedPlace &fixed : uses_[use].fixed) {
+            all.emplace_back(&fixed, use);
+        }
+    }
+    std::ranges::sort(all, {}, [](const FixedUse &own) { return own.first->edge; });
+    double before = domain.lower;
+    size_t by = uses_.size(); // any other face may be there, too
+    for (size_t i = 0; i < all.size(); ++i) {
+        const auto [fixed, use] = all[i];
+        if (fixed->edge - before <= room && use != by) {
+            fixed->edge = before;
+        } else if (domain.upper - fixed->edge <= room) {
+            fixed->edge = domain.upper;
+        } else {
+            fixed->edge = is_alone(all, i, 2 * room) ? at_break(axis, fixed->edge, room) : fixed->edge;
+            before = fixed->edge;
+            by = use;
+        }
+    }
+}
+
+std::vector<double> EdgeUses::fixed_params(size_t line) const {
+    const Interval domain = curve(line).axis(0).domain();
+    std::vector<double> result;
+    for (const size_t use : users_[line]) {
+        for (const FixedPlace &fixed : uses_[use].fixed) {
+            if (fixed.edge > domain.lower && fixed.edge < domain.upper) {
+                result.push_back(fixed.edge);
+            }
+        }
+    }
+    std::ranges::sort(result);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+} // namespace nrb::mesh
