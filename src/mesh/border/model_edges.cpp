@@ -5,7 +5,7 @@
 #include "base/watch.h"
 #include "eval/curve_point.h"
 #include "face/deviation.h"
-#include "mesh/proof/distance.h"
+#include "mesh/border/under_segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,48 +50,27 @@ int64_t ModelEdges::line_behind(int64_t face, int32_t loop, int32_t index) const
     return static_cast<int64_t>(uses_[*uses_.behind(face, loop, index)].line);
 }
 
-// Whether what a face has between two vertices is far from the segment: on its curve, or on the segment in its domain.
-bool ModelEdges::is_far(const EdgeUse &use, const std::array<double, 2> &params, double chord) const {
-    const face::Face &face = uses_.face_of(use);
-    const Spline &curve = uses_.curve_of(use);
-    const auto place = [&](double share) {
-        face::Point2 x;
-        eval::curve_point(curve, params[0] * (1 - share) + params[1] * share, false, x.data());
-        return x;
-    };
-    const auto in_space = [&](const face::Point2 &x) {
-        return vector_of(face::point_at(*face.surface(), face.covering().in_domain(x)).data(),
-                         face.surface()->dim());
-    };
-    const face::Point2 from = place(0), to = place(1);
-    const Vector3 a = in_space(from), b = in_space(to);
-    double off_chord = 0, off_curve = 0;
-    for (const double share : {0.25, 0.5, 0.75}) {
-        const face::Point2 between{from[0] * (1 - share) + to[0] * share,
-                                   from[1] * (1 - share) + to[1] * share};
-        const Vector3 on_chord = in_space(between);
-        off_chord = std::max(off_chord, distance_from_segment(on_chord, a, b));
-        off_curve = std::max(off_curve, length(in_space(place(share)) - on_chord));
-    }
-    return off_chord + off_curve > chord;
-}
-
+// In the middle of segments that are far from what a face has under them.
 std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<double> &params,
                                               double chord) const {
+    std::vector<bool> far(params.size(), false);
+    std::vector<double> on_curve(params.size());
+    for (const size_t at : uses_.users(line)) {
+        const EdgeUse &use = uses_[at];
+        std::ranges::transform(params, on_curve.begin(), [&](double t) { return use.pairing->on_curve(t); });
+        const std::vector<double> distances =
+            distances_under(uses_.face_of(use), uses_.curve_of(use), on_curve);
+        for (size_t i = 0; i < distances.size(); ++i) {
+            far[i] = far[i] || distances[i] > chord;
+        }
+        count_work(std::ssize(params) << 10);
+    }
     std::vector<double> result;
     for (size_t i = 0; i + 1 < params.size(); ++i) {
         const double middle = params[i] / 2 + params[i + 1] / 2;
-        const bool far =
-            middle > params[i] && middle < params[i + 1] &&
-            std::ranges::any_of(uses_.users(line), [&](size_t at) {
-                const EdgeUse &use = uses_[at];
-                return is_far(use, {use.pairing->on_curve(params[i]), use.pairing->on_curve(params[i + 1])},
-                              chord);
-            });
-        if (far) {
+        if (far[i] && middle > params[i] && middle < params[i + 1]) {
             result.push_back(middle);
         }
-        count_work(1 << 10);
     }
     return result;
 }

@@ -59,7 +59,6 @@ private:
     void make_line(size_t line, const PolylineRule &rule);
     [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params,
                                                     double chord) const;
-    [[nodiscard]] bool is_far(const EdgeUse &use, const std::array<double, 2> &params, double chord) const;
     void set_points(size_t line, const Polyline &polyline);
     int32_t end_of_line(size_t line, bool upper, const Vector3 &x);
     int32_t corner(int64_t number, const Vector3 &x);

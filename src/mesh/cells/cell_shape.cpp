@@ -115,10 +115,10 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                      range.radius};
     };
     const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
-    const double one = std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}),
-                                over_triangle(h, {a, b}, {-a, b}, {-a, -b}));
-    const double other = std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}),
-                                  over_triangle(h, {-a, b}, {a, b}, {a, -b}));
+    const double one =
+        std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}), over_triangle(h, {a, b}, {-a, b}, {-a, -b}));
+    const double other =
+        std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}), over_triangle(h, {-a, b}, {a, b}, {a, -b}));
     const double height = std::min(one, other), out = std::max(beside[0] * u * u, beside[1] * v * v);
     const double width = std::min(speeds[0] * u, speeds[1] * v);
     return alone || out > most_out * width ? diagonal(height, out)

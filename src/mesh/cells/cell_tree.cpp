@@ -9,7 +9,8 @@
 
 namespace nrb::mesh {
 
-CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule) : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid)) {
+CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule)
+    : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid)) {
     constexpr int most_attempts = 3;
     for (int attempt = 1; true; ++attempt) {
         const bool was_ended = work_ended();

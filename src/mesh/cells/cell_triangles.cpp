@@ -108,9 +108,8 @@ size_t CellTriangles::best_ear(const Stops &stops, const Cell &cell) {
             continue;
         }
         const double u = b.u - a.u, v = b.v - a.v;
-        const double bend =
-            std::abs(cell.bends.along(2, u, v)) +
-            (std::abs(cell.bends.along(0, u, v)) + std::abs(cell.bends.along(1, u, v))) / 16;
+        const double bend = std::abs(cell.bends.along(2, u, v)) +
+                            (std::abs(cell.bends.along(0, u, v)) + std::abs(cell.bends.along(1, u, v))) / 16;
         if (bend < least || least == infinity) {
             least = bend;
             best = i;

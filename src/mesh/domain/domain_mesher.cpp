@@ -28,7 +28,8 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
                                                                          : 0),
       least_(least_for_angles * grid_.size()), cells_(domain, grid_, cell_rule()), most_apart_(infinity),
-      sites_(domain, cells_), proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
+      sites_(domain, cells_),
+      proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
 }

@@ -53,9 +53,7 @@ double DomainMesher::normals_apart(const SiteTriangle &triangle) const noexcept 
 
 // By the bound of its cell.
 double DomainMesher::turn_over(const SiteTriangle &triangle) const {
-    return triangle.cell < 0
-               ? 0
-               : turn_of(cells_.tree().box(triangle.cell), least_).both;
+    return triangle.cell < 0 ? 0 : turn_of(cells_.tree().box(triangle.cell), least_).both;
 }
 
 // Where the bound of a cell sees no turn, parts of it would not do better.
@@ -64,10 +62,8 @@ bool DomainMesher::is_to_divide(size_t triangle) const {
         return true;
     }
     const SiteTriangle own = triangles_[triangle];
-    return is_turned(own) &&
-           (own.cell < 0 ? round_ < most_angle_rounds
-                         : turn_of(cells_.tree().box(own.cell), least_).both >
-                               angle_ / 2);
+    return is_turned(own) && (own.cell < 0 ? round_ < most_angle_rounds
+                                           : turn_of(cells_.tree().box(own.cell), least_).both > angle_ / 2);
 }
 
 // What is no longer stays as it is.

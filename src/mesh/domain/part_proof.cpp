@@ -55,8 +55,7 @@ void PartProof::gather(std::span<const int32_t> wanted) {
 void PartProof::bound(Effort effort, std::span<const char> which) {
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (which[i] != 0) {
-            const ProvenTriangle proven =
-                proof_.of(triangle_of_(static_cast<size_t>(triangles_[i])), effort);
+            const ProvenTriangle proven = proof_.of(triangle_of_(static_cast<size_t>(triangles_[i])), effort);
             bounds_[i] = proven.bound;
             overs_[i] = proven.over;
         }
@@ -86,7 +85,8 @@ void PartProof::settle(std::span<const int32_t> wanted, double enough, std::vect
         }
         const Distances all = mesh.distances(i, enough - over);
         Distances &best = out[i];
-        best.from_shape = std::min({best.from_shape, bounds_[i].from_shape() + overs_[i], all.from_shape + over});
+        best.from_shape =
+            std::min({best.from_shape, bounds_[i].from_shape() + overs_[i], all.from_shape + over});
         best.from_mesh = std::min({best.from_mesh, bounds_[i].from_mesh() + overs_[i], all.from_mesh + over});
     }
 }

@@ -41,8 +41,8 @@ private:
     std::vector<int32_t> points_, triangles_; // their numbers in the mesh
     std::vector<MeshTriangle> meshed_;
     std::vector<TriangleBound> bounds_;
-    std::vector<double> overs_;        // of triangles
-    std::vector<double> point_overs_;  // the most of those around
+    std::vector<double> overs_;       // of triangles
+    std::vector<double> point_overs_; // the most of those around
 };
 
 } // namespace nrb::mesh

@@ -37,9 +37,8 @@ public:
     [[nodiscard]] int32_t point_count() const noexcept { return next_point_; }
     [[nodiscard]] int32_t first_point() const noexcept { return first_point_; }
     [[nodiscard]] const Vector3 &point(int32_t number) const noexcept {
-        return number < first_point_
-                   ? (*domain_.points)[static_cast<size_t>(number)]
-                   : position(point_sites_[static_cast<size_t>(number - first_point_)]);
+        return number < first_point_ ? (*domain_.points)[static_cast<size_t>(number)]
+                                     : position(point_sites_[static_cast<size_t>(number - first_point_)]);
     }
     // Of a site by itself, and its normal.
     [[nodiscard]] const Vector3 &position(int32_t site) const noexcept {

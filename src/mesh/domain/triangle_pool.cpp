@@ -18,7 +18,8 @@ constexpr size_t triangles_of_a_part = 4096, first_triangles = 256;
 
 float rounded_up(double x) noexcept {
     const auto near = static_cast<float>(x);
-    return static_cast<double>(near) >= x ? near : std::nextafter(near, std::numeric_limits<float>::infinity());
+    return static_cast<double>(near) >= x ? near
+                                          : std::nextafter(near, std::numeric_limits<float>::infinity());
 }
 
 } // namespace

@@ -195,7 +195,7 @@ HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes
                        const std::array<const double *, 4> &corners) noexcept
     : origin_(origin), axes_(axes) {
     const Four a = in_axes(corners[0], origin, axes), b = in_axes(corners[1], origin, axes),
-              c = in_axes(corners[2], origin, axes), d = in_axes(corners[3], origin, axes);
+               c = in_axes(corners[2], origin, axes), d = in_axes(corners[3], origin, axes);
     for (size_t k = 0; k < width; ++k) {
         first_[0][k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
         first_[1][k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
@@ -279,8 +279,7 @@ Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
     const auto sum = [&](const Ranges &ranges) {
         const double all = (at_least_one * most(ranges)).sum();
         return Range{(factors * Four(ranges.middle)).sum(), (factors * Four(ranges.u)).sum(),
-                     (factors * Four(ranges.v)).sum(),
-                     (sizes * Four(ranges.radius)).sum() + 16 * eps * all};
+                     (factors * Four(ranges.v)).sum(), (sizes * Four(ranges.radius)).sum() + 16 * eps * all};
     };
     return {sum(uu_), sum(uv_), sum(vv_)};
 }

@@ -87,9 +87,7 @@ public:
     struct Ranges {
         std::array<double, coordinates> middle{}, u{}, v{}, radius{};
 
-        [[nodiscard]] Range operator[](size_t c) const noexcept {
-            return {middle[c], u[c], v[c], radius[c]};
-        }
+        [[nodiscard]] Range operator[](size_t c) const noexcept { return {middle[c], u[c], v[c], radius[c]}; }
         void set(size_t c, const Range &range) noexcept {
             middle[c] = range.middle;
             u[c] = range.u;

@@ -53,8 +53,8 @@ private:
         bool on_border = false;
         double turned = 0; // from the mean, as a chord of the unit sphere
         double altitude = infinity, height = 0, out = 0, beside = 0;
-        double turns = -1;             // in terms of the sines of angles across sides; -1: not known yet
-        double border = 0;             // how far the border is from its sides
+        double turns = -1; // in terms of the sines of angles across sides; -1: not known yet
+        double border = 0; // how far the border is from its sides
     };
     void set_point(int32_t number);
     void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;

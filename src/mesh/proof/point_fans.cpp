@@ -33,7 +33,8 @@ PointFans::PointFans(size_t points, std::span<const MeshTriangle> triangles, std
     }
     first_[points] = all;
     triangles_.resize(static_cast<size_t>(all));
-    for_each_corner([&](int32_t triangle, int32_t &own) { triangles_[static_cast<size_t>(own++)] = triangle; });
+    for_each_corner(
+        [&](int32_t triangle, int32_t &own) { triangles_[static_cast<size_t>(own++)] = triangle; });
 }
 
 } // namespace nrb::mesh

@@ -218,8 +218,7 @@ double Triangle::beside_segment() const noexcept {
 // cosine does to it.
 double Triangle::angle_at(size_t k) const noexcept {
     const double cosine = cosines_[k], x = std::min(std::abs(cosine), 1.0);
-    const double angle =
-        std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
+    const double angle = std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
     return (cosine < 0 ? std::numbers::pi - angle : angle) + 1e-4;
 }
 
