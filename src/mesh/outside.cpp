@@ -2,7 +2,6 @@
 #include "mesh/outside.h"
 
 #include "base/watch.h"
-#include "model/sections/shared_borders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +95,7 @@ void turn_outward(const std::vector<int64_t> &solids, Mesh &mesh) {
 
 } // namespace
 
-void label(const model::Model &model, Mesh &mesh) {
-    const model::SharedBorders borders(model);
+void label(const model::Model &model, const model::SharedBorders &borders, Mesh &mesh) {
     std::vector<int64_t> solids;
     for (size_t i = 0; i < mesh.faces.size(); ++i) {
         const model::ModelFace &face = model.faces[i];

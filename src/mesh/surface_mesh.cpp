@@ -7,6 +7,9 @@
 #include "model/from_faces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace nrb::mesh {
 
@@ -14,6 +17,8 @@ namespace {
 
 // Rounds in which edges get more vertices for the sake of faces.
 constexpr int most_edge_rounds = 12;
+// Parts of domains that are kept for further meshes, each in most of a kilobyte: what trees begin with.
+constexpr int64_t most_known_parts = int64_t{1} << 17;
 // Of the tolerance, for edges: their segments, and what faces make of them.
 constexpr double share_of_edges = 0.8;
 
@@ -100,12 +105,22 @@ void check_surface(const Spline &surface) {
     }
 }
 
+// A model, whatever the distance.
+struct PreparedModel {
+    explicit PreparedModel(const model::Model &own) : model(own), curves(own) {}
+
+    const model::Model &model;
+    EdgeCurves curves;
+    std::vector<CellMemo> memos{}; // of faces; empty: none are kept
+};
+
 class ModelMesher {
 public:
-    ModelMesher(const model::Model &model, const MeshRule &rule)
-        : model_(model), rule_(rule),
-          edges_(model, {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
-          parts_(model.faces.size()) {}
+    ModelMesher(PreparedModel &prepared, const MeshRule &rule)
+        : model_(prepared.model), memos_(prepared.memos), rule_(rule),
+          edges_(model_, prepared.curves,
+                 {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
+          parts_(model_.faces.size()) {}
 
     Mesh mesh() {
         std::vector<bool> old(parts_.size(), true);
@@ -134,6 +149,7 @@ private:
     bool change_edges(std::vector<bool> &old);
 
     const model::Model &model_;
+    std::vector<CellMemo> &memos_;
     MeshRule rule_;
     ModelEdges edges_;
     std::vector<DomainMesh> parts_;
@@ -154,6 +170,7 @@ bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
         domain.border = border_of(model_, static_cast<int64_t>(i), edges_);
         domain.points = &edges_.points();
         domain.border_grows = !last;
+        domain.memo = memos_.empty() ? nullptr : &memos_[i];
         domain.inside = [&face](const face::Point2 &x) { return face.trims().side(x) > 0; };
         domain.cut = [&face](const Rectangle &part) { return face.trims().cuts(part.lower, part.upper); };
         parts_[i] = mesh_of(domain, rule_);
@@ -198,16 +215,71 @@ bool ModelMesher::change_edges(std::vector<bool> &old) {
     return any;
 }
 
+void check_surfaces(const model::Model &model) {
+    for (const model::ModelFace &face : model.faces) {
+        check_surface(*face.face->surface());
+    }
+}
+
+MeshPtr mesh_of(const Spline &surface, const MeshRule &rule, CellMemo *memo) {
+    std::vector<Interval> box;
+    const MeshRule own = settled(rule, extent_of(surface.effective(), box));
+    MeshDomain domain = domain_of(surface, face::Covering(surface, 0));
+    domain.memo = memo;
+    Mesh mesh;
+    append(mesh_of(domain, own), mesh);
+    label_as_one_part(mesh);
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+MeshPtr mesh_of(PreparedModel &prepared, const MeshRule &rule) {
+    const model::Model &model = prepared.model;
+    Mesh mesh = ModelMesher(prepared, settled(model, rule)).mesh();
+    label(model, prepared.curves.borders, mesh);
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+// Of the work that is left for this distance and smaller ones: triangles are as many as what they are near to is large.
+double share_of(double chord, double rest) noexcept {
+    return std::isfinite(1 / chord) && rest > 0 ? 1 / chord / rest : 0.5;
+}
+
+// Calls make(chord), from coarse to fine, so that what is kept is what all have.
+template <class Make>
+std::vector<MeshPtr> level_by_level(const Levels &levels, Make &&make) {
+    std::vector<size_t> order(levels.chords.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::ranges::stable_sort(order, std::greater<>(), [&](size_t i) { return levels.chords[i]; });
+    double rest = 0;
+    for (const double chord : levels.chords) {
+        rest += 1 / chord;
+    }
+    std::vector<MeshPtr> meshes(order.size());
+    for (size_t i = 0; i < order.size(); ++i) {
+        const double chord = levels.chords[order[i]];
+        if (i > 0 && chord == levels.chords[order[i - 1]]) {
+            meshes[order[i]] = meshes[order[i - 1]];
+            continue;
+        }
+        const Phase phase(share_of(chord, rest));
+        const UsualLimit usual(levels.usual_work);
+        const LimitedSearch limited;
+        meshes[order[i]] = make(chord);
+        rest -= 1 / chord;
+    }
+    return meshes;
+}
+
+MeshRule with_chord(MeshRule rule, double chord) {
+    rule.chord = chord;
+    return rule;
+}
+
 } // namespace
 
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule) {
     check_surface(surface);
-    std::vector<Interval> box;
-    const MeshRule own = settled(rule, extent_of(surface.effective(), box));
-    Mesh mesh;
-    append(mesh_of(domain_of(surface, face::Covering(surface, 0)), own), mesh);
-    label_as_one_part(mesh);
-    return std::make_shared<const Mesh>(std::move(mesh));
+    return mesh_of(surface, rule, nullptr);
 }
 
 MeshPtr mesh_of(const face::FacePtr &face, const MeshRule &rule) {
@@ -215,12 +287,35 @@ MeshPtr mesh_of(const face::FacePtr &face, const MeshRule &rule) {
 }
 
 MeshPtr mesh_of(const model::Model &model, const MeshRule &rule) {
-    for (const model::ModelFace &face : model.faces) {
-        check_surface(*face.face->surface());
+    check_surfaces(model);
+    PreparedModel prepared(model);
+    return mesh_of(prepared, rule);
+}
+
+std::vector<MeshPtr> meshes_of(const Spline &surface, const MeshRule &rule, const Levels &levels) {
+    check_surface(surface);
+    CellMemo memo(std::make_shared<int64_t>(most_known_parts));
+    const double least = levels.chords.empty() ? 0 : std::ranges::min(levels.chords);
+    return level_by_level(levels, [&](double chord) {
+        if (chord == least) {
+            memo.close();
+        }
+        return mesh_of(surface, with_chord(rule, chord), &memo);
+    });
+}
+
+std::vector<MeshPtr> meshes_of(const face::FacePtr &face, const MeshRule &rule, const Levels &levels) {
+    return meshes_of(model::model_of_faces({face}, 0), rule, levels);
+}
+
+std::vector<MeshPtr> meshes_of(const model::Model &model, const MeshRule &rule, const Levels &levels) {
+    check_surfaces(model);
+    PreparedModel prepared(model);
+    const auto room = std::make_shared<int64_t>(most_known_parts);
+    for (size_t i = 0; i < model.faces.size(); ++i) {
+        prepared.memos.emplace_back(room);
     }
-    Mesh mesh = ModelMesher(model, settled(model, rule)).mesh();
-    label(model, mesh);
-    return std::make_shared<const Mesh>(std::move(mesh));
+    return level_by_level(levels, [&](double chord) { return mesh_of(prepared, with_chord(rule, chord)); });
 }
 
 } // namespace nrb::mesh

@@ -34,9 +34,49 @@ double at_break(const KnotVector &axis, double t, double room) noexcept {
 
 } // namespace
 
-ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule) : model_(model), borders_(model) {
+EdgeCurves::EdgeCurves(const model::Model &model) : borders(model) {
+    for (const model::Edge &edge : model.edges) {
+        add_line(edge);
+    }
+    for (size_t face = 0; face < model.faces.size(); ++face) {
+        const face::Face &own = *model.faces[face].face;
+        for (size_t loop = 0; loop < own.loops().size(); ++loop) {
+            add_own_lines(own, own.loops()[loop],
+                          static_cast<size_t>(
+                              borders.number(static_cast<int64_t>(face), static_cast<int32_t>(loop), 0)));
+        }
+    }
+}
+
+size_t &EdgeCurves::line(size_t curve) {
+    line_of.resize(std::max(line_of.size(), curve + 1), none);
+    return line_of[curve];
+}
+
+void EdgeCurves::add_line(const model::Edge &edge) {
+    Line own{std::ssize(lines), edge.curve};
+    for (const model::EdgeUse &use : edge.uses) {
+        own.users.push_back(static_cast<size_t>(
+            borders.number(use.face, static_cast<int32_t>(use.loop), static_cast<int32_t>(use.index))));
+        line(own.users.back()) = lines.size();
+    }
+    lines.push_back(std::move(own));
+}
+
+// Of curves of a loop without an edge.
+void EdgeCurves::add_own_lines(const face::Face &face, const face::Loop &loop, size_t first) {
+    for (size_t i = 0; i < loop.size(); ++i) {
+        if (line(first + i) == none) {
+            line(first + i) = lines.size();
+            lines.push_back({-1, face::edge_of(face, loop[i]), {first + i}});
+        }
+    }
+}
+
+ModelEdges::ModelEdges(const model::Model &model, const EdgeCurves &curves, const PolylineRule &rule)
+    : model_(model), borders_(curves.borders) {
     set_uses();
-    set_curves();
+    set_lines(curves);
     const double near = std::isfinite(rule.chord) ? rule.chord / 32 : 0;
     const size_t count = uses_.size();
     for (size_t i = 0; i < count; ++i) {
@@ -124,35 +164,20 @@ void ModelEdges::set_uses() {
         const auto &loops = model_.faces[static_cast<size_t>(face)].face->loops();
         for (int32_t loop = 0; loop < static_cast<int32_t>(loops.size()); ++loop) {
             for (int32_t i = 0; i < static_cast<int32_t>(loops[static_cast<size_t>(loop)].size()); ++i) {
-                uses_.push_back({face, loop, i, lines_.max_size()});
+                uses_.push_back({face, loop, i});
             }
         }
     }
 }
 
-// Edges of the model, and those that faces have for themselves.
-void ModelEdges::set_curves() {
-    for (const model::Edge &edge : model_.edges) {
-        lines_.push_back({std::ssize(lines_)});
-        curves_.push_back(edge.curve);
-        users_.emplace_back();
-        for (const model::EdgeUse &use : edge.uses) {
-            const size_t at =
-                use_at(use.face, static_cast<int32_t>(use.loop), static_cast<int32_t>(use.index));
-            uses_[at].line = lines_.size() - 1;
-            users_.back().push_back(at);
-        }
+void ModelEdges::set_lines(const EdgeCurves &curves) {
+    for (const EdgeCurves::Line &line : curves.lines) {
+        lines_.push_back({line.edge});
+        curves_.push_back(line.curve);
+        users_.push_back(line.users);
     }
     for (size_t at = 0; at < uses_.size(); ++at) {
-        Use &use = uses_[at];
-        if (use.line == lines_.max_size()) {
-            const face::Face &face = *model_.faces[static_cast<size_t>(use.face)].face;
-            use.line = lines_.size();
-            lines_.emplace_back();
-            curves_.push_back(face::edge_of(
-                face, face.loops()[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)]));
-            users_.push_back({at});
-        }
+        uses_[at].line = curves.line_of[at];
     }
 }
 

@@ -32,12 +32,32 @@ struct CurveVertex {
     std::optional<face::Point2> place{}; // if it has to be there exactly, in the domain
 };
 
+// What edges of a model are before they are polylines, for all distances: which curves are under which, and these in space.
+struct EdgeCurves {
+    explicit EdgeCurves(const model::Model &model);
+
+    struct Line {
+        int64_t edge = -1; // as of an EdgeLine
+        SplinePtr curve;
+        std::vector<size_t> users{}; // curves of loops
+    };
+    model::SharedBorders borders;
+    std::vector<Line> lines;
+    std::vector<size_t> line_of{}; // each curve of a loop, by its number
+
+private:
+    static constexpr auto none = static_cast<size_t>(-1);
+    [[nodiscard]] size_t &line(size_t curve);
+    void add_line(const model::Edge &edge);
+    void add_own_lines(const face::Face &face, const face::Loop &loop, size_t first);
+};
+
 class ModelEdges {
 public:
     // Segments are within the distance of the rule of their edges, and so are, about, what the faces make of the segments between
     // the same places of their domains. Vertices are also where curves pass from one copy of a domain to the next, and
     // where a surface may have a kink.
-    ModelEdges(const model::Model &model, const PolylineRule &rule);
+    ModelEdges(const model::Model &model, const EdgeCurves &curves, const PolylineRule &rule);
 
     [[nodiscard]] const std::vector<Vector3> &points() const noexcept { return points_; }
     [[nodiscard]] const std::vector<EdgeLine> &lines() const noexcept { return lines_; }
@@ -80,7 +100,7 @@ private:
     void add_gap(int64_t face, int32_t loop, int32_t index, const face::Joint &gap);
     void make_pairing(Use &use, double near);
     [[nodiscard]] const face::Coedge &coedge_of(const Use &use) const noexcept;
-    void set_curves();
+    void set_lines(const EdgeCurves &curves);
     void add_fixed(int64_t face);
     void fix_behind(const face::BorderPlace &place, bool turned, const LinePassage &passage);
     void fix(const face::BorderPlace &place, const face::Point2 &x);
@@ -103,7 +123,7 @@ private:
 
     const model::Model &model_;
     int64_t face_ = 0; // at which we are
-    model::SharedBorders borders_;
+    const model::SharedBorders &borders_;
     std::vector<Use> uses_;
     std::vector<EdgeLine> lines_;
     std::vector<SplinePtr> curves_;          // of the lines

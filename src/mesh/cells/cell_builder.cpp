@@ -86,18 +86,36 @@ void CellTree::Builder::look_at(Item item) {
     count_work(work_of_a_cell);
     const Side side = rule_.side ? rule_.side(item.part) : Side::inside;
     make_nets(item);
-    const Found found = box_of(item, side == Side::outside);
-    CellBend bend = bend_of(found.box);
-    bend.alone = at_border(item);
+    const Looked found = looked_at(item, side == Side::outside);
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
-    const bool flat = found.whole && found.box.certain() && bend.in_parts(1, 1) <= rule_.chord && small &&
-                      !is_turned(found.box);
+    const bool flat =
+        found.whole && found.box.certain() && found.off <= rule_.chord && small && !is_turned(found.box);
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
     const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
     const bool enough = flat || side == Side::outside || hopeless || work_ended();
-    if ((enough && !wide) || !divide(item, cut_of(item.part, found.box, bend))) {
+    if ((enough && !wide) || !divide(item, cut_of(item.part, found))) {
         add_cell(item, found.whole ? found.box : box_of(item, true).box, side);
     }
+}
+
+// As a memo has it, or as it is found. What depends on the distance, because many pieces were not all looked at, is not kept.
+CellTree::Builder::Looked CellTree::Builder::looked_at(const Item &item, bool all) {
+    if (const LookedAt *known = rule_.memo == nullptr ? nullptr : rule_.memo->find(item.known)) {
+        count_nets(item.pieces.count()); // so that limits of work end both at one place
+        return {*known};
+    }
+    const Found found = box_of(item, all);
+    Looked looked{{found.box, bend_of(found.box)}, found.whole};
+    looked.bend.alone = at_border(item);
+    looked.off = looked.bend.in_parts(1, 1);
+    if (rule_.memo != nullptr) {
+        rule_.memo->keep(item.known, looked);
+    }
+    return looked;
+}
+
+void CellTree::Builder::count_nets(int64_t nets) const {
+    count_work(work_for_a_number * static_cast<int64_t>(nets_.values()) * nets);
 }
 
 // Elsewhere what comes out of a triangle is over others.
@@ -121,18 +139,18 @@ std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const 
 }
 
 // Where the surface is flat enough, across the longer side.
-Cut CellTree::Builder::cut_of(const Rectangle &part, const HessianBox &box,
-                              const CellBend &bend) const noexcept {
+Cut CellTree::Builder::cut_of(const Rectangle &part, const LookedAt &found) const noexcept {
+    const HessianBox &box = found.box;
     if (const std::optional<size_t> wide = wide_axis(part)) {
         return {*wide, 0.5};
     }
-    if (bend.in_parts(1, 1) <= rule_.chord) {
+    if (found.off <= rule_.chord) {
         if (is_turned(box)) {
             return cut_for_angle(box, turn_of(box, rule_.least), rule_.angle);
         }
         return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
     }
-    return best_cut(bend, rule_.chord);
+    return best_cut(found.bend, rule_.chord);
 }
 
 void CellTree::Builder::make_nets(Item &item) {
@@ -140,6 +158,7 @@ void CellTree::Builder::make_nets(Item &item) {
         return;
     }
     item.nets = std::ssize(pool_);
+    item.known = rule_.memo == nullptr ? item.known : rule_.memo->first(item.part, item.divisions);
     pool_.resize(pool_.size() + static_cast<size_t>(item.pieces.count()) * nets_.values());
     double *out = pool_.data() + item.nets;
     for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
@@ -179,7 +198,7 @@ CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
         for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j) {
             found.box.add(nets_.degree(0), nets_.degree(1), net_of(item, i, j), factors(item, i, j), noise);
-            count_work(work_for_a_number * static_cast<int64_t>(nets_.values()));
+            count_nets(1);
         }
         if (!all && item.nets < 0 && !(bend_of(found.box).in_parts(1, 1) <= 4 * rule_.chord)) {
             found.whole = i + 1 == item.pieces.upper[0];
@@ -246,6 +265,7 @@ bool CellTree::Builder::divide(Item &item, Cut cut) {
     high.pieces.lower[k] = piece;
     low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;
     divide_nets(item, k, at, low, high);
+    number_halves(item, k, at, low, high);
     high.parent = static_cast<int32_t>(tree_.nodes_.size());
     low.parent = -1;
     high.cell = -1;
@@ -253,6 +273,14 @@ bool CellTree::Builder::divide(Item &item, Cut cut) {
     open_.push_back(high);
     open_.push_back(low);
     return true;
+}
+
+void CellTree::Builder::number_halves(const Item &item, size_t k, double at, Item &low, Item &high) const {
+    if (rule_.memo != nullptr) {
+        const auto numbers = rule_.memo->halves(item.known, k, at);
+        low.known = numbers[0];
+        high.known = numbers[1];
+    }
 }
 
 // The nets of the upper part stay below those of the lower one, which is looked at first.
@@ -324,6 +352,7 @@ CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
     item.divisions = 4;
     item.pieces = nets_.pieces_in(item.part);
     make_nets(item);
+    item.known = CellMemo::unknown; // cuts of a cell are not the same for all distances
     return item;
 }
 

@@ -28,6 +28,7 @@ private:
         int32_t parent = -1; // whose upper child it is
         int32_t cell = -1;   // which it takes the place of
         int divisions = 0;
+        int32_t known = CellMemo::unknown; // its number in the memo
     };
 
     void set_blocks();
@@ -39,14 +40,19 @@ private:
     [[nodiscard]] bool is_turned(const HessianBox &box) const noexcept {
         return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
     }
-    [[nodiscard]] Cut cut_of(const Rectangle &part, const HessianBox &box,
-                             const CellBend &bend) const noexcept;
+    [[nodiscard]] Cut cut_of(const Rectangle &part, const LookedAt &found) const noexcept;
     void make_nets(Item &item);
+    void number_halves(const Item &item, size_t k, double at, Item &low, Item &high) const;
     struct Found {
         HessianBox box;
         bool whole = true; // all pieces were looked at
     };
     [[nodiscard]] Found box_of(const Item &item, bool all);
+    struct Looked : LookedAt {
+        bool whole = true;
+    };
+    [[nodiscard]] Looked looked_at(const Item &item, bool all);
+    void count_nets(int64_t nets) const;
     [[nodiscard]] const double *net_of(const Item &item, int64_t u, int64_t v);
     [[nodiscard]] std::array<double, 2> factors(const Item &item, int64_t u, int64_t v) const noexcept;
     void add_cell(const Item &item, const HessianBox &box, Side side);

@@ -2,6 +2,7 @@
 // A surface in cells that are so flat that two triangles each are within a distance of it.
 #pragma once
 
+#include "mesh/cells/cell_memo.h"
 #include "mesh/cells/cell_nets.h"
 
 #include <functional>
@@ -21,6 +22,7 @@ struct CellRule {
     // corners in one point but those at a pole.
     std::array<double, 2> most_sides{infinity, infinity};
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
+    CellMemo *memo = nullptr; // what trees over the same domain found out; null: nothing is kept
 };
 
 // A line u = t or v = t along which cells end. Where the surface may have a kink or a jump, cells to its left and to its right have

@@ -4,6 +4,7 @@
 
 #include "base/numbers.h"
 #include "mesh/border/face_border.h"
+#include "mesh/cells/cell_memo.h"
 #include "mesh/mesh.h"
 #include "mesh/proof/triangle_bound.h"
 
@@ -23,6 +24,7 @@ struct MeshDomain {
     std::function<bool(const Rectangle &)> cut{};
     // Weak segments of the border are going to be divided; without that, a mesh is not worth being finished.
     bool border_grows = false;
+    CellMemo *memo = nullptr; // for all meshes of this domain; null: there are no others
 };
 
 // Points of vertices are those of the border, or own ones: -1 - i.
