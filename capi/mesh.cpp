@@ -45,6 +45,10 @@ void check_limits(const mesh::MeshRule &rule) {
     if (!(rule.angle >= 0 && rule.angle <= std::numbers::pi)) {
         fail(Status::angle, "options: angle = %s, expected one from 0 to pi", Number(rule.angle).text);
     }
+    if (!(rule.least_angle >= 0 && rule.least_angle <= std::numbers::pi / 6)) {
+        fail(Status::angle, "options: minimum_angle = %s, expected one from 0 to pi / 6",
+             Number(rule.least_angle).text);
+    }
 }
 
 mesh::MeshRule usual_rule() noexcept {
@@ -58,7 +62,7 @@ mesh::MeshRule unchecked_rule_of(const nurbs_mesh_options *options) {
         return usual_rule();
     }
     const nurbs_mesh_options &given = checked_struct("options", options);
-    return {given.chord, given.relative_chord, given.longest, given.angle};
+    return {given.chord, given.relative_chord, given.longest, given.angle, given.minimum_angle};
 }
 
 mesh::MeshRule rule_of(const nurbs_mesh_options *options) {
@@ -153,6 +157,7 @@ nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int64_t struct
         options->relative_chord = usual.relative;
         options->longest = usual.longest;
         options->angle = usual.angle;
+        options->minimum_angle = usual.least_angle;
     });
 }
 
@@ -254,8 +259,10 @@ nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options
         mesh::check_volume(*g->spline);
         check_length(limit, "limit");
         const mesh::MeshRule rule = rule_of(options);
-        if (rule.angle > 0) {
-            fail(Status::angle, "options: angle = %s, expected 0 for a volume", Number(rule.angle).text);
+        if (rule.angle > 0 || rule.least_angle > 0) {
+            fail(Status::angle, "options: %s = %s, expected 0 for a volume",
+                 rule.angle > 0 ? "angle" : "minimum_angle",
+                 Number(rule.angle > 0 ? rule.angle : rule.least_angle).text);
         }
         *out = new nurbs_mesh{mesh::mesh_of_volume(g->spline, rule, limit == 0 ? usual_hexahedra : limit)};
     });

@@ -8233,6 +8233,7 @@ typedef struct nurbs_mesh_options {
     double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; 1e-3 */
     double longest;        /**< length of sides of triangles, >= 0; 0: no limit; 0 */
     double angle;          /**< of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0 */
+    double minimum_angle;  /**< of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0 */
 } nurbs_mesh_options;
 
 /** \brief Fills an options struct with the defaults.
