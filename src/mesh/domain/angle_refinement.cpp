@@ -17,8 +17,13 @@ constexpr int64_t work_of_a_vertex = 4000;
 constexpr double room = 1 + 1e-6;
 // Of the sizes that areas of the domain are the differences of: what is less is none.
 constexpr double least_area = 1e-9;
+// Of the shortest side of a triangle, for new ones: places of the domain are not quite where they are wanted in space.
+constexpr double least_of_shortest = 0.85;
 // New places see no side that stays under a larger angle.
-constexpr double most_seen = 2 * std::numbers::pi / 3;
+constexpr double most_seen = 2 * std::numbers::pi / 3, most_seen_of_lines = std::numbers::pi / 2;
+constexpr size_t most_changed = 64;
+// Of a side on a seam or a kink, to parts shorter than what is beside it.
+constexpr int most_halvings = 6;
 constexpr int most_steps = 200, most_passes = 32;
 
 double angle_at(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
@@ -54,10 +59,14 @@ bool AngleRefinement::has_pole(int32_t t) const noexcept {
     return std::ranges::any_of(net_[t].sites, is_pole);
 }
 
-bool AngleRefinement::fails(int32_t t) const noexcept {
+bool AngleRefinement::fails(int32_t t) const {
     const auto &s = net_[t].sites;
-    return !std::ranges::any_of(s, [&](int32_t site) { return is_fixed(site); }) &&
-           !(least_angle(s) >= rule_.angle);
+    if (std::ranges::any_of(s, [&](int32_t site) { return is_fixed(site); }) ||
+        least_angle(s) >= rule_.angle) {
+        return false;
+    }
+    const int32_t barrier = place_for(t).barrier;
+    return barrier < 0 || net_[barrier / 4].sides[static_cast<size_t>(barrier % 4)].divides;
 }
 
 // Not at poles, nor between two sides of the border.
@@ -181,7 +190,7 @@ AngleRefinement::Place AngleRefinement::walk(int32_t t, const Shares &shares) co
         }
         const NetSide &side = net_[t].sides[out];
         if (side.stays) {
-            place.line = side.divides ? 4 * t + static_cast<int32_t>(out) : -1;
+            place.barrier = 4 * t + static_cast<int32_t>(out);
             return place;
         }
         from = t;
@@ -199,14 +208,37 @@ bool AngleRefinement::is_near(const Vector3 &x, int32_t t, double distance) cons
     return near;
 }
 
-// One that stays and that a place is too near to; -1: none.
-int32_t AngleRefinement::side_in_the_way(const Vector3 &x, int32_t t) const noexcept {
+// One of a triangle that stays and that a place is too near to; -1: none.
+int32_t AngleRefinement::side_seen(const Vector3 &x, int32_t t) const noexcept {
     const auto &s = net_[t].sites;
     for (size_t k = 0; k < 3; ++k) {
         const NetSide &side = net_[t].sides[k];
         const double seen = side.stays ? angle_at(x, at(s[(k + 1) % 3]), at(s[(k + 2) % 3])) : 0;
-        if (seen > (side.divides ? std::numbers::pi / 2 : most_seen)) {
+        if (seen > (side.divides ? most_seen_of_lines : most_seen)) {
             return 4 * t + static_cast<int32_t>(k);
+        }
+    }
+    return -1;
+}
+
+// The same of all triangles that are going to be changed by flips.
+int32_t AngleRefinement::side_in_the_way(const Vector3 &x, int32_t triangle) const {
+    std::vector<std::pair<int32_t, int32_t>> open{{triangle, -1}};
+    for (size_t i = 0; i < open.size() && i < most_changed; ++i) {
+        const auto [t, from] = open[i];
+        if (const int32_t side = side_seen(x, t); side >= 0) {
+            return side;
+        }
+        const auto &s = net_[t].sites;
+        for (size_t k = 0; k < 3; ++k) {
+            const NetSide &side = net_[t].sides[k];
+            if (side.stays || side.next == from) {
+                continue;
+            }
+            const Vector3 &a = at(s[(k + 1) % 3]), &b = at(s[(k + 2) % 3]);
+            if (angle_at(x, a, b) + angle_at(at(net_.beyond(t, k)), a, b) > std::numbers::pi) {
+                open.emplace_back(side.next, t);
+            }
         }
     }
     return -1;
@@ -243,7 +275,10 @@ bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
     const NetSide side = net_[t].sides[k];
     const auto &s = net_[t].sites;
     const int32_t a = s[(k + 1) % 3], b = s[(k + 2) % 3];
-    if (!side.divides || !net_.can_change(t, k) || !(side_length(a, b) > 2 * shortest * (1 - 1e-9))) {
+    const double size = side_length(a, b);
+    const bool can =
+        size > 2 * shortest * (1 - 1e-9) || (side.halvings < most_halvings && size > 2 * rule_.shortest);
+    if (!side.divides || !net_.can_change(t, k) || !can) {
         return false;
     }
     const auto middle = [&](int32_t from, int32_t to) {
@@ -362,34 +397,39 @@ void AngleRefinement::want(int32_t t) {
     }
 }
 
+// On the triangle over a place.
+Vector3 AngleRefinement::point_in(int32_t t, const std::array<double, 2> &param) const noexcept {
+    const auto &s = net_[t].sites;
+    Vector3 x{};
+    double sum = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const double share = area(s[(k + 1) % 3], s[(k + 2) % 3], param);
+        x = x + share * at(s[k]);
+        sum += share;
+    }
+    return (1 / sum) * x;
+}
+
+// Where a new vertex makes a triangle better, or what is in the way.
+AngleRefinement::Place AngleRefinement::place_for(int32_t t) const {
+    Place place = walk(t, wanted_place(t, shortest_side(t)));
+    if (place.triangle >= 0) {
+        place.barrier = side_in_the_way(point_in(place.triangle, place.param), place.triangle);
+    }
+    return place;
+}
+
 // By a place that is no nearer to others than the ends of its shortest side are to each other.
-void AngleRefinement::improve(int32_t t) {
+bool AngleRefinement::improve(int32_t t) {
     const size_t k = shortest_side(t);
     const auto &s = net_[t].sites;
     const double shortest = side_length(s[(k + 1) % 3], s[(k + 2) % 3]);
     if (!(shortest > rule_.shortest)) {
-        return;
+        return false;
     }
-    const Place place = walk(t, wanted_place(t, k));
-    int32_t line = place.line;
-    if (place.triangle >= 0) {
-        Vector3 x{};
-        const auto &own = net_[place.triangle].sites;
-        double sum = 0;
-        for (size_t m = 0; m < 3; ++m) {
-            const double share = area(own[(m + 1) % 3], own[(m + 2) % 3], place.param);
-            x = x + share * at(own[m]);
-            sum += share;
-        }
-        line = sum > 0 ? side_in_the_way((1 / sum) * x, place.triangle) : -1;
-        if (line < 0) {
-            insert(place, shortest * (1 - 1e-9));
-            return;
-        }
-    }
-    if (line >= 0) {
-        halve(line / 4, static_cast<size_t>(line % 4), shortest);
-    }
+    const Place place = place_for(t);
+    return place.barrier >= 0 ? halve(place.barrier / 4, static_cast<size_t>(place.barrier % 4), shortest)
+                              : place.triangle >= 0 && insert(place, shortest * least_of_shortest);
 }
 
 // As long as one makes another one better.
@@ -410,6 +450,13 @@ void AngleRefinement::flip_all() {
 
 void AngleRefinement::run() {
     flip_all();
+    for (int pass = 0; pass < most_passes && improve_all() && !work_ended(); ++pass) {
+    }
+}
+
+// The worst ones first. Returns whether there is something new: then some may have room for what they had none for before.
+bool AngleRefinement::improve_all() {
+    bool any = false;
     for (int32_t t = 0; t < net_.size(); ++t) {
         want(t);
     }
@@ -419,10 +466,11 @@ void AngleRefinement::run() {
         waiting_.pop_back();
         const auto &s = net_[own[0]].sites;
         if (s == std::array<int32_t, 3>{own[1], own[2], own[3]}) {
-            improve(own[0]);
+            any = improve(own[0]) || any;
         }
     }
     waiting_.clear();
+    return any;
 }
 
 AngleRefinement::Divided AngleRefinement::divide(int32_t t, double longer) {

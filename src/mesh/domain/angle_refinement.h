@@ -47,16 +47,17 @@ public:
     [[nodiscard]] const SiteNet &net() const noexcept { return net_; }
     void set_source(int32_t triangle, int32_t source) noexcept { net_.set_source(triangle, source); }
     void clear_dropped() noexcept { net_.clear_dropped(); }
-    // The smallest angle of a triangle is too small, and no corner of it is at a border or a pole: there sides are given.
-    [[nodiscard]] bool fails(int32_t triangle) const noexcept;
+    // The smallest angle of a triangle is too small, and neither does a corner lie at the border or at a pole nor is the border in the way
+    // of a vertex in its circle: there sides are given.
+    [[nodiscard]] bool fails(int32_t triangle) const;
 
 private:
     // Shares of the corners of a triangle, of the sum 1.
     using Shares = std::array<double, 3>;
     struct Place {
         int32_t triangle = -1; // -1: none
-        int32_t line = -1;     // the side that is in the way, if that may be halved
         std::array<double, 2> param{};
+        int32_t barrier = -1; // the side that stays in the way: 4 times its triangle and its number
     };
 
     [[nodiscard]] const Vector3 &at(int32_t site) const noexcept { return sites_.point(sites_[site].point); }
@@ -73,10 +74,14 @@ private:
     [[nodiscard]] Shares wanted_place(int32_t triangle, size_t shortest) const noexcept;
     [[nodiscard]] Place walk(int32_t triangle, const Shares &shares) const noexcept;
     [[nodiscard]] bool is_near(const Vector3 &x, int32_t triangle, double distance) const noexcept;
-    [[nodiscard]] int32_t side_in_the_way(const Vector3 &x, int32_t triangle) const noexcept;
+    [[nodiscard]] int32_t side_seen(const Vector3 &x, int32_t triangle) const noexcept;
+    [[nodiscard]] int32_t side_in_the_way(const Vector3 &x, int32_t triangle) const;
+    [[nodiscard]] Vector3 point_in(int32_t triangle, const std::array<double, 2> &param) const noexcept;
+    [[nodiscard]] Place place_for(int32_t triangle) const;
     // -1 if there is one.
     int32_t make_site(const std::array<double, 2> &param, int32_t triangle);
-    void improve(int32_t triangle);
+    bool improve(int32_t triangle);
+    bool improve_all();
     void flip_all();
     bool insert(const Place &place, double shortest);
     bool halve(int32_t triangle, size_t k, double shortest);

@@ -58,8 +58,11 @@ void SiteNet::join(const std::vector<int32_t> &points) {
 }
 
 void SiteNet::link(int32_t t, size_t k, int32_t u, size_t j, const NetSide &like) noexcept {
-    side(t, k) = {u, static_cast<int32_t>(j), like.border, like.stays, like.divides};
-    side(u, j) = {t, static_cast<int32_t>(k), like.border, like.stays, like.divides};
+    side(t, k) = side(u, j) = like;
+    side(t, k).next = u;
+    side(t, k).back = static_cast<int32_t>(j);
+    side(u, j).next = t;
+    side(u, j).back = static_cast<int32_t>(k);
 }
 
 // And the other way round.
@@ -126,13 +129,15 @@ void SiteNet::split_triangle(int32_t t, int32_t v) {
 
 void SiteNet::split_side(int32_t t, size_t k, int32_t v, int32_t w) {
     const NetTriangle one = (*this)[t];
-    const NetSide old = one.sides[k], inner{-1, 0, -1, false, true};
+    const NetSide inner{-1, 0, -1, false, true};
+    NetSide old = one.sides[k];
+    ++old.halvings;
     const int32_t p = one.sites[k], a = one.sites[(k + 1) % 3], b = one.sites[(k + 2) % 3];
     const int32_t first = replace(t, {p, a, v}), second = replace(-1, {p, v, b});
     set_side(first, 2, one.sides[(k + 2) % 3]);
     set_side(second, 1, one.sides[(k + 1) % 3]);
     link(first, 1, second, 2, inner);
-    side(first, 0) = side(second, 0) = {-1, 0, old.border, old.stays, old.divides};
+    side(first, 0) = side(second, 0) = old;
     if (old.next < 0) {
         return;
     }

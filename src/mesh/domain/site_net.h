@@ -17,6 +17,7 @@ struct NetSide {
     int32_t border = -1;  // segment of the border
     bool stays = true;    // not flipped
     bool divides = false; // may have a new site inside
+    int8_t halvings = 0;  // what the caller counts: halves have one more than the whole
 };
 
 struct NetTriangle {
