@@ -20,8 +20,6 @@ constexpr int64_t work_for_a_number = 24;
 // Of the estimates by which a cell is cut or not, and of all else that is made for it.
 constexpr int64_t work_of_a_cell = 2500;
 
-// Steps of places in a block: all that halves and thirds of halves and thirds lead to, 24 and 8 times.
-constexpr double raster = 0x1p24 * 6561;
 // Where weights may pass through 0 surfaces may have no end.
 constexpr int most_divisions = 16;
 
@@ -226,7 +224,7 @@ void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side s
 // Cuts of neighbours at one place are at one number, however they were computed.
 double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const noexcept {
     const Rectangle block = tree_.block(block_);
-    const double place = std::round((t - block.lower[k]) / block.side(k) * raster) / raster;
+    const double place = std::round((t - block.lower[k]) / block.side(k) * rule_.raster) / rule_.raster;
     const double result = block.lower[k] + place * block.side(k);
     return result > item.part.lower[k] && result < item.part.upper[k] ? result : t;
 }

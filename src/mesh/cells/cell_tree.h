@@ -22,6 +22,8 @@ struct CellRule {
     // corners in one point but those at a pole.
     std::array<double, 2> most_sides{infinity, infinity};
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
+    // Steps of places in a block: all that halves and thirds of halves and thirds lead to, 24 and 8 times.
+    double raster = 0x1p24 * 6561;
     CellMemo *memo = nullptr; // what trees over the same domain found out; null: nothing is kept
 };
 

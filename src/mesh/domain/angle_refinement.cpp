@@ -22,9 +22,14 @@ constexpr double least_of_shortest = 0.85;
 // New places see no side that stays under a larger angle.
 constexpr double most_seen = 2 * std::numbers::pi / 3, most_seen_of_lines = std::numbers::pi / 2;
 constexpr size_t most_changed = 64;
+// Triangles with smaller ones are segments, as all are where an axis has degree 0.
+constexpr double no_angle = 1e-6;
+constexpr int most_tries = 4;
+// New places for each triangle of equal sides that there is room for at first.
+constexpr double most_places = 6;
 // Of a side on a seam or a kink, to parts shorter than what is beside it.
-constexpr int most_halvings = 6;
-constexpr int most_steps = 200, most_passes = 32;
+constexpr int most_halvings = 10;
+constexpr int most_steps = 64, most_passes = 32;
 
 double angle_at(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
     return std::atan2(length(cross(a - x, b - x)), dot(a - x, b - x));
@@ -40,12 +45,17 @@ double AngleRefinement::least_angle(const std::array<int32_t, 3> &s) const noexc
     return least;
 }
 
-// Twice that in the domain; 0 if it is not certain.
+// Twice that in the domain; 0 if it is not certain, as rounded parameters have it, or next to nothing.
 double AngleRefinement::area(int32_t a, int32_t b, const std::array<double, 2> &x) const noexcept {
     const auto &p = sites_[a].param, &q = sites_[b].param;
-    const double one = (q[0] - p[0]) * (x[1] - p[1]), other = (q[1] - p[1]) * (x[0] - p[0]);
-    const double result = one - other;
-    return std::abs(result) > least_area * (std::abs(one) + std::abs(other)) ? result : 0;
+    std::array<double, 2> sides{}, rounding{};
+    for (size_t k = 0; k < 2; ++k) {
+        sides[k] = std::max(std::abs(q[k] - p[k]), std::abs(x[k] - p[k]));
+        rounding[k] = 8 * eps * (std::abs(p[k]) + std::abs(q[k]) + std::abs(x[k]));
+    }
+    const double result = (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]);
+    const double least = least_area * sides[0] * sides[1] + rounding[0] * sides[1] + rounding[1] * sides[0];
+    return std::abs(result) > least ? result : 0;
 }
 
 double AngleRefinement::area(const std::array<int32_t, 3> &s) const noexcept {
@@ -72,7 +82,8 @@ bool AngleRefinement::fails(int32_t t) const {
 // Not at poles, nor between two sides of the border.
 bool AngleRefinement::is_bad(int32_t t) const noexcept {
     const auto &s = net_[t].sites;
-    if (has_pole(t) || !(least_angle(s) < rule_.angle * room)) {
+    const double least = least_angle(s);
+    if (has_pole(t) || !(least < rule_.angle * room && least > no_angle)) {
         return false;
     }
     const size_t k = shortest_side(t);
@@ -113,6 +124,7 @@ void AngleRefinement::join() {
             }
         }
     }
+    set_budget();
     // All sites of a point.
     std::vector<char> at_points(static_cast<size_t>(sites_.point_count()), 0);
     for (size_t i = 0; i < points.size(); ++i) {
@@ -121,6 +133,20 @@ void AngleRefinement::join() {
     for (size_t i = 0; i < points.size(); ++i) {
         fixed_[i] = at_points[static_cast<size_t>(points[i])];
     }
+}
+
+// A triangle has room for as many of equal sides as it is longer than high.
+void AngleRefinement::set_budget() {
+    double room_for = 0;
+    for (int32_t t = 0; t < net_.size(); ++t) {
+        const auto &s = net_[t].sites;
+        const size_t k = longest_side(t);
+        const double longest = side_length(s[(k + 1) % 3], s[(k + 2) % 3]),
+                     twice_area = length(cross(at(s[1]) - at(s[0]), at(s[2]) - at(s[0])));
+        room_for += twice_area > 0 ? longest * longest / twice_area : 1;
+    }
+    constexpr double most = 1 << 28;
+    budget_ = static_cast<int64_t>(std::min(most_places * room_for + 1000, most));
 }
 
 size_t AngleRefinement::shortest_side(int32_t t) const noexcept {
@@ -135,6 +161,13 @@ size_t AngleRefinement::shortest_side(int32_t t) const noexcept {
         }
     }
     return best;
+}
+
+size_t AngleRefinement::longest_side(int32_t t) const noexcept {
+    const auto &s = net_[t].sites;
+    const auto size = [&](size_t k) { return side_length(s[(k + 1) % 3], s[(k + 2) % 3]); };
+    const size_t longer = size(0) >= size(1) ? 0 : 1;
+    return size(longer) >= size(2) ? longer : 2;
 }
 
 // On the line from the middle of the shortest side to the centre of the circle: there, or before, where the side is seen under the angle.
@@ -255,6 +288,7 @@ int32_t AngleRefinement::make_site(const std::array<double, 2> &param, int32_t t
     const int32_t site = sites_.of_param(param, cells_.tree().block_at(middle), -1);
     sites_.evaluate();
     count_work(work_of_a_vertex);
+    --budget_;
     return site == fresh ? site : -1;
 }
 
@@ -276,8 +310,8 @@ bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
     const auto &s = net_[t].sites;
     const int32_t a = s[(k + 1) % 3], b = s[(k + 2) % 3];
     const double size = side_length(a, b);
-    const bool can =
-        size > 2 * shortest * (1 - 1e-9) || (side.halvings < most_halvings && size > 2 * rule_.shortest);
+    const bool can = size > 2 * shortest * (1 - 1e-9) ||
+                     (side.stays && side.halvings < most_halvings && size > 2 * rule_.shortest);
     if (!side.divides || !net_.can_change(t, k) || !can) {
         return false;
     }
@@ -300,7 +334,8 @@ bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
         }
         w = make_site(y, side.next);
     }
-    if (v < 0 || w < 0 || sites_[v].point != sites_[w].point) {
+    if (v < 0 || w < 0 || sites_[v].point != sites_[w].point ||
+        (!side.stays && is_near(at(v), t, shortest))) {
         return false;
     }
     const int32_t second = net_.size();
@@ -356,7 +391,7 @@ bool AngleRefinement::is_better_flipped(int32_t t, size_t k) const noexcept {
     const int32_t p = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3], q = net_.beyond(t, k);
     const std::array<int32_t, 3> one{p, a, q}, other{p, q, b};
     const double before = std::min(least_angle(s), least_angle(net_[side.next].sites));
-    return area(one) > 0 && area(other) > 0 &&
+    return area(one) > 0 && area(other) > 0 && p != q &&
            std::min(least_angle(one), least_angle(other)) > before * (1 + 1e-9) &&
            rule_.is_allowed_side(p, q);
 }
@@ -421,6 +456,11 @@ AngleRefinement::Place AngleRefinement::place_for(int32_t t) const {
 
 // By a place that is no nearer to others than the ends of its shortest side are to each other.
 bool AngleRefinement::improve(int32_t t) {
+    for (size_t side = 0; side < 3; ++side) {
+        if (net_.remove_fin(t, side)) {
+            return true;
+        }
+    }
     const size_t k = shortest_side(t);
     const auto &s = net_[t].sites;
     const double shortest = side_length(s[(k + 1) % 3], s[(k + 2) % 3]);
@@ -450,7 +490,7 @@ void AngleRefinement::flip_all() {
 
 void AngleRefinement::run() {
     flip_all();
-    for (int pass = 0; pass < most_passes && improve_all() && !work_ended(); ++pass) {
+    for (int pass = 0; pass < most_tries && improve_all() && !work_ended(); ++pass) {
     }
 }
 
@@ -460,12 +500,12 @@ bool AngleRefinement::improve_all() {
     for (int32_t t = 0; t < net_.size(); ++t) {
         want(t);
     }
-    while (!waiting_.empty() && !work_ended()) {
+    while (!waiting_.empty() && budget_ > 0 && !work_ended()) {
         std::ranges::pop_heap(waiting_);
         const auto [angle, own] = waiting_.back();
         waiting_.pop_back();
-        const auto &s = net_[own[0]].sites;
-        if (s == std::array<int32_t, 3>{own[1], own[2], own[3]}) {
+        const std::array<int32_t, 3> sites{own[1], own[2], own[3]};
+        if (own[0] < net_.size() && net_[own[0]].sites == sites) {
             any = improve(own[0]) || any;
         }
     }

@@ -71,6 +71,7 @@ private:
     [[nodiscard]] bool has_pole(int32_t triangle) const noexcept;
     [[nodiscard]] bool is_bad(int32_t triangle) const noexcept;
     [[nodiscard]] size_t shortest_side(int32_t triangle) const noexcept;
+    [[nodiscard]] size_t longest_side(int32_t triangle) const noexcept;
     [[nodiscard]] Shares wanted_place(int32_t triangle, size_t shortest) const noexcept;
     [[nodiscard]] Place walk(int32_t triangle, const Shares &shares) const noexcept;
     [[nodiscard]] bool is_near(const Vector3 &x, int32_t triangle, double distance) const noexcept;
@@ -83,6 +84,7 @@ private:
     bool improve(int32_t triangle);
     bool improve_all();
     void flip_all();
+    void set_budget();
     bool insert(const Place &place, double shortest);
     bool halve(int32_t triangle, size_t k, double shortest);
     [[nodiscard]] bool makes_triangles(int32_t triangle, size_t k,
@@ -95,6 +97,7 @@ private:
     Sites &sites_;
     Rule rule_;
     SiteNet net_;
+    int64_t budget_ = 0;              // places that may still be tried
     std::vector<char> fixed_, poles_; // sites at the border, and at poles
     std::vector<std::pair<double, std::array<int32_t, 4>>>
         waiting_; // a heap: angles, triangles with their sites

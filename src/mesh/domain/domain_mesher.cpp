@@ -19,6 +19,9 @@ constexpr int most_rounds = 16;
 // Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
 constexpr double least_for_angles = 1e-5;
 
+// Steps of places with fifths and sevenths, too, so that different ways lead to one place, and not to two a step apart.
+constexpr double raster_without_needles = 0x1p16 * 729 * 625 * 343;
+
 } // namespace
 
 DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
@@ -56,6 +59,9 @@ CellRule DomainMesher::cell_rule() const {
     rule.angle = angle_;
     rule.least = least_;
     rule.memo = domain_.memo;
+    if (rule_.least_angle > 0) { // no two places next to each other
+        rule.raster = raster_without_needles;
+    }
     for (size_t k = 0; k < 2; ++k) {
         const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
         const double parts = domain_.closed[k]                                    ? 3

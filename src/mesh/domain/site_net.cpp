@@ -115,6 +115,41 @@ void SiteNet::flip(int32_t t, size_t k) {
     link(t, 1, u, 2, one.sides[k]);
 }
 
+void SiteNet::erase(int32_t t) {
+    if ((*this)[t].source >= 0) {
+        dropped_.push_back((*this)[t].source);
+    }
+    const int32_t last = size() - 1;
+    if (t != last) {
+        triangles_[static_cast<size_t>(t)] = (*this)[last];
+        for (size_t k = 0; k < 3; ++k) {
+            set_side(t, k, (*this)[t].sides[k]);
+        }
+    }
+    triangles_.pop_back();
+}
+
+bool SiteNet::remove_fin(int32_t t, size_t k) {
+    const NetSide own = (*this)[t].sides[k];
+    if (own.stays || beyond(t, k) != (*this)[t].sites[k] || !can_change(t, k)) {
+        return false;
+    }
+    const auto j = static_cast<size_t>(own.back);
+    for (const size_t m : {size_t{1}, size_t{2}}) {
+        const NetSide one = (*this)[t].sides[(k + m) % 3], other = (*this)[own.next].sides[(j + 3 - m) % 3];
+        if (one.next < 0 || other.next < 0 || one.stays || other.stays || one.next == other.next) {
+            return false;
+        }
+    }
+    for (const size_t m : {size_t{1}, size_t{2}}) {
+        const NetSide one = (*this)[t].sides[(k + m) % 3], other = (*this)[own.next].sides[(j + 3 - m) % 3];
+        link(one.next, static_cast<size_t>(one.back), other.next, static_cast<size_t>(other.back), own);
+    }
+    erase(std::max(t, own.next));
+    erase(std::min(t, own.next));
+    return true;
+}
+
 void SiteNet::split_triangle(int32_t t, int32_t v) {
     const NetTriangle old = (*this)[t];
     const auto &s = old.sites;

@@ -62,7 +62,12 @@ public:
     // ones. Sites of one point; where they differ the halves stay as the side did.
     void split_side(int32_t t, size_t k, int32_t v, int32_t w);
 
+    // Two triangles of the same three corners, which have this side in common, go, and what is beyond their other sides comes together.
+    // The last triangles take their numbers. Returns whether these are such two.
+    bool remove_fin(int32_t t, size_t k);
+
 private:
+    void erase(int32_t t);
     int32_t replace(int32_t t, const std::array<int32_t, 3> &sites);
     void set_side(int32_t t, size_t k, const NetSide &side) noexcept;
     void link(int32_t t, size_t k, int32_t u, size_t j, const NetSide &like) noexcept;
