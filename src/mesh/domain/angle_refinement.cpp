@@ -315,6 +315,9 @@ bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
     if (!side.divides || !net_.can_change(t, k) || !can) {
         return false;
     }
+    if (side.next >= 0 && sites_[s[k]].point == sites_[net_.beyond(t, k)].point) {
+        return false;
+    }
     const auto middle = [&](int32_t from, int32_t to) {
         const auto &p = sites_[from].param, &q = sites_[to].param;
         return std::array<double, 2>{p[0] / 2 + q[0] / 2, p[1] / 2 + q[1] / 2};
@@ -353,7 +356,8 @@ bool AngleRefinement::insert(const Place &place, double shortest) {
     for (size_t k = 0; k < 3; ++k) { // on a side, or as good as that
         if (area(s[(k + 1) % 3], s[(k + 2) % 3], place.param) <= 1e-3 * area(s)) {
             const NetSide side = net_[t].sides[k];
-            if (side.stays || !net_.can_change(t, k) || !makes_triangles(t, k, place.param)) {
+            if (side.stays || !net_.can_change(t, k) || !makes_triangles(t, k, place.param) ||
+                sites_[s[k]].point == sites_[net_.beyond(t, k)].point) {
                 return false;
             }
             const int32_t v = make_site(place.param, t);
@@ -381,6 +385,30 @@ bool AngleRefinement::insert(const Place &place, double shortest) {
     return true;
 }
 
+// Whether a side leads from a corner of a triangle, or from another copy of it, to a point: around a closed axis that may be another way
+// than that over the side in front of the corner.
+bool AngleRefinement::are_joined(int32_t start, size_t corner, int32_t point) const noexcept {
+    const int32_t centre = sites_[net_[start].sites[corner]].point;
+    const auto is_point = [&](int32_t site, int32_t other) { return sites_[site].point == other; };
+    for (const size_t turn : {size_t{1}, size_t{2}}) {
+        int32_t t = start;
+        size_t k = corner;
+        for (size_t i = 0; i < most_changed; ++i) {
+            if (std::ranges::any_of(net_[t].sites, [&](int32_t site) { return is_point(site, point); })) {
+                return true;
+            }
+            const NetSide &side = net_[t].sides[(k + turn) % 3];
+            if (side.next < 0 || side.next == start) {
+                break;
+            }
+            const auto back = static_cast<size_t>(side.back);
+            t = side.next;
+            k = is_point(net_[t].sites[(back + 1) % 3], centre) ? (back + 1) % 3 : (back + 2) % 3;
+        }
+    }
+    return false;
+}
+
 // New sides have to be such as are allowed, and triangles have to be as they are in the domain.
 bool AngleRefinement::is_better_flipped(int32_t t, size_t k) const noexcept {
     const NetSide &side = net_[t].sides[k];
@@ -391,9 +419,9 @@ bool AngleRefinement::is_better_flipped(int32_t t, size_t k) const noexcept {
     const int32_t p = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3], q = net_.beyond(t, k);
     const std::array<int32_t, 3> one{p, a, q}, other{p, q, b};
     const double before = std::min(least_angle(s), least_angle(net_[side.next].sites));
-    return area(one) > 0 && area(other) > 0 && p != q &&
+    return area(one) > 0 && area(other) > 0 &&
            std::min(least_angle(one), least_angle(other)) > before * (1 + 1e-9) &&
-           rule_.is_allowed_side(p, q);
+           rule_.is_allowed_side(p, q) && !are_joined(t, k, sites_[q].point);
 }
 
 // Flips around a new site, where triangles are beside each other.

@@ -90,6 +90,7 @@ private:
     [[nodiscard]] bool makes_triangles(int32_t triangle, size_t k,
                                        const std::array<double, 2> &x) const noexcept;
     void settle(int32_t site, std::array<int32_t, 4> around);
+    [[nodiscard]] bool are_joined(int32_t start, size_t corner, int32_t point) const noexcept;
     [[nodiscard]] bool is_better_flipped(int32_t triangle, size_t k) const noexcept;
     void want(int32_t triangle);
 
