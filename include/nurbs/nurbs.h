@@ -8281,6 +8281,17 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * below 1e-7 is reached, and none at places that are singular, where the normal jumps inside of a polynomial piece:
  * triangles there become as short as 1e-5 of the size of the surface. In the plane there is no angle to keep.
  *
+ * **Small angles** of the triangles themselves, as they are in space: with `minimum_angle` vertices are added inside, and
+ * sides flipped, until no triangle has a smaller one (Delaunay refinement: Chew 1993, Ruppert 1995, Shewchuk 2002). What is
+ * given stays: points at the border do not move, and sides at the border are not divided, since they belong to edges. So a
+ * triangle does not count if a corner of it is at the border or at a pole, or if the border or sides at a pole come into
+ * the circle through its corners, in the middle of which its new vertex would be; nor do triangles between two sides of the
+ * border that meet at a smaller angle. All others have no smaller angle where the mesh is `reached`, and those that do not
+ * count are made better where they can be. Seams and lines at which there may be a crease are divided, but not crossed.
+ * Distances are proven of the triangles that there are in the end. There are as many as squares would be in place of
+ * long and thin triangles, and few more; it ends at a multiple of that number, which is not enough where lengths of the
+ * surface change a lot within a triangle, as where it is crumpled: a smaller `chord` helps. Quads are what is left of cells.
+ *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
  * given there is one of about two million triangles, and more for many control points.
@@ -8291,7 +8302,8 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * \param[out] out the new mesh, of one face and no edges.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OPTIONS; _TOLERANCE if chord is not > 0, if
  *   relative_chord is not finite or < 0, or if there is no limit at all, _LENGTH if longest is not finite or < 0,
- *   _ANGLE if angle is not from 0 to pi, _OVERFLOW if there are 2^31 vertices or more.
+ *   _ANGLE if angle is not from 0 to pi, or minimum_angle not from 0 to pi / 6, _OVERFLOW if there are 2^31 vertices or
+ *   more.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface(const nurbs *g, const nurbs_mesh_options *options,
                                           nurbs_mesh **out);
@@ -8453,7 +8465,7 @@ NURBS_API nurbs_status nurbs_mesh_model_levels_with(const nurbs_model *model, in
  * \param[in] limit most hexahedra, 0 for 2^20: lines are farther apart than asked for rather than that there are more,
  *   and `reached` of nurbs_mesh_bound() is 0; but there is one for each polynomial piece at least.
  * \param[out] out the new mesh.
- * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE if angle is not 0; _NOT_REPRESENTABLE
+ * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE if angle or minimum_angle is not 0; _NOT_REPRESENTABLE
  *   if the control points of a side overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
