@@ -9,8 +9,11 @@
 #include "mesh/volume/volume_mesh.h"
 #include "spline/kind.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -22,10 +25,13 @@ constexpr int64_t usual_hexahedra = int64_t{1} << 20;
 // About two million triangles, and more for many control points.
 constexpr int64_t usual_work_for_meshes = 4000000000, work_for_a_point = 20000;
 
+// Besides the distance.
+bool is_limited(const mesh::MeshRule &rule) noexcept {
+    return rule.relative > 0 || rule.longest > 0 || (rule.angle > 0 && rule.angle < std::numbers::pi);
+}
+
 void check_limits(const mesh::MeshRule &rule) {
-    const bool limited =
-        rule.relative > 0 || rule.longest > 0 || (rule.angle > 0 && rule.angle < std::numbers::pi);
-    if (!(rule.chord > 0) || (std::isinf(rule.chord) && !limited)) {
+    if (!(rule.chord > 0) || (std::isinf(rule.chord) && !is_limited(rule))) {
         fail(Status::tolerance, "options: chord = %s, expected > 0, and finite without another limit",
              Number(rule.chord).text);
     }
@@ -39,6 +45,10 @@ void check_limits(const mesh::MeshRule &rule) {
     if (!(rule.angle >= 0 && rule.angle <= std::numbers::pi)) {
         fail(Status::angle, "options: angle = %s, expected one from 0 to pi", Number(rule.angle).text);
     }
+    if (!(rule.least_angle >= 0 && rule.least_angle <= std::numbers::pi / 6)) {
+        fail(Status::angle, "options: minimum_angle = %s, expected one from 0 to pi / 6",
+             Number(rule.least_angle).text);
+    }
 }
 
 mesh::MeshRule usual_rule() noexcept {
@@ -47,12 +57,16 @@ mesh::MeshRule usual_rule() noexcept {
     return rule;
 }
 
-mesh::MeshRule rule_of(const nurbs_mesh_options *options) {
+mesh::MeshRule unchecked_rule_of(const nurbs_mesh_options *options) {
     if (options == nullptr) {
         return usual_rule();
     }
     const nurbs_mesh_options &given = checked_struct("options", options);
-    const mesh::MeshRule rule{given.chord, given.relative_chord, given.longest, given.angle};
+    return {given.chord, given.relative_chord, given.longest, given.angle, given.minimum_angle};
+}
+
+mesh::MeshRule rule_of(const nurbs_mesh_options *options) {
+    const mesh::MeshRule rule = unchecked_rule_of(options);
     check_limits(rule);
     return rule;
 }
@@ -74,6 +88,65 @@ void give_mesh(const Shape &shape, int64_t points, const nurbs_mesh_options *opt
     *out = new nurbs_mesh{mesh::mesh_of(shape, rule)};
 }
 
+// That of all levels but for the distance, which is here the first one, or none.
+mesh::MeshRule rule_of_levels(const nurbs_mesh_options *options, std::span<const double> chords) {
+    mesh::MeshRule rule = unchecked_rule_of(options);
+    rule.relative = 0;
+    rule.chord = 1;
+    check_limits(rule);
+    rule.chord = infinity;
+    for (size_t i = 0; i < chords.size(); ++i) {
+        if (!(chords[i] > 0)) {
+            fail(Status::tolerance, "chords[%zu] = %s, expected > 0", i, Number(chords[i]).text);
+        }
+        if (std::isinf(chords[i]) && !is_limited(rule)) {
+            fail(Status::tolerance, "chords[%zu] = %s, expected a finite one without another limit", i,
+                 Number(chords[i]).text);
+        }
+    }
+    return rule;
+}
+
+// Of an array: all NULL.
+void require_outs(int64_t count, nurbs_mesh **out) {
+    check_length(count, "count");
+    if (count > 0) {
+        require(out, "out");
+        std::fill_n(out, count, nullptr);
+    }
+}
+
+template <class Shape>
+void give_levels(const Shape &shape, int64_t points, std::span<const double> chords,
+                 const nurbs_mesh_options *options, nurbs_mesh **out) {
+    const mesh::MeshRule rule = rule_of_levels(options, chords);
+    const std::vector<mesh::MeshPtr> meshes =
+        mesh::meshes_of(shape, rule, {chords, usual_work_for_meshes + work_for_a_point * points});
+    std::vector<std::unique_ptr<nurbs_mesh>> handles;
+    for (const mesh::MeshPtr &own : meshes) {
+        handles.push_back(std::make_unique<nurbs_mesh>(nurbs_mesh{own}));
+    }
+    for (size_t i = 0; i < handles.size(); ++i) {
+        out[i] = handles[i].release();
+    }
+}
+
+// Without meshes after wrong wishes, too.
+template <class Body>
+nurbs_status watched_levels(int64_t count, nurbs_mesh **out, const nurbs_call_options *call, Body &&body) {
+    if (out != nullptr && count > 0) {
+        std::fill_n(out, count, nullptr);
+    }
+    return watched(call, body);
+}
+
+std::span<const double> checked_chords(int64_t count, const double *chords) {
+    if (count > 0) {
+        require(chords, "chords");
+    }
+    return {chords, static_cast<size_t>(count)};
+}
+
 } // namespace
 
 nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int64_t struct_size) {
@@ -84,6 +157,7 @@ nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int64_t struct
         options->relative_chord = usual.relative;
         options->longest = usual.longest;
         options->angle = usual.angle;
+        options->minimum_angle = usual.least_angle;
     });
 }
 
@@ -127,6 +201,56 @@ nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nurbs_mesh_op
     return watched(call, out, [&] { return nurbs_mesh_model(model, options, out); });
 }
 
+nurbs_status nurbs_mesh_surface_levels(const nurbs *g, int64_t count, const double *chords,
+                                       const nurbs_mesh_options *options, nurbs_mesh **out) {
+    return guard([&] {
+        require_outs(count, out);
+        const Spline &surface = surface_of(g);
+        check_dimension(surface, 2, 3);
+        give_levels(surface, surface.point_count(), checked_chords(count, chords), options, out);
+    });
+}
+
+nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t count, const double *chords,
+                                            const nurbs_mesh_options *options, const nurbs_call_options *call,
+                                            nurbs_mesh **out) {
+    return watched_levels(count, out, call,
+                          [&] { return nurbs_mesh_surface_levels(g, count, chords, options, out); });
+}
+
+nurbs_status nurbs_mesh_face_levels(const nurbs_face *face, int64_t count, const double *chords,
+                                    const nurbs_mesh_options *options, nurbs_mesh **out) {
+    return guard([&] {
+        require_outs(count, out);
+        require(face, "face");
+        give_levels(face->face, face->face->surface()->point_count(), checked_chords(count, chords), options,
+                    out);
+    });
+}
+
+nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64_t count, const double *chords,
+                                         const nurbs_mesh_options *options, const nurbs_call_options *call,
+                                         nurbs_mesh **out) {
+    return watched_levels(count, out, call,
+                          [&] { return nurbs_mesh_face_levels(face, count, chords, options, out); });
+}
+
+nurbs_status nurbs_mesh_model_levels(const nurbs_model *model, int64_t count, const double *chords,
+                                     const nurbs_mesh_options *options, nurbs_mesh **out) {
+    return guard([&] {
+        require_outs(count, out);
+        const model::Model &own = model_of(model);
+        give_levels(own, points_of(own), checked_chords(count, chords), options, out);
+    });
+}
+
+nurbs_status nurbs_mesh_model_levels_with(const nurbs_model *model, int64_t count, const double *chords,
+                                          const nurbs_mesh_options *options, const nurbs_call_options *call,
+                                          nurbs_mesh **out) {
+    return watched_levels(count, out, call,
+                          [&] { return nurbs_mesh_model_levels(model, count, chords, options, out); });
+}
+
 nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
                                nurbs_mesh **out) {
     return guard([&] {
@@ -135,8 +259,10 @@ nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options
         mesh::check_volume(*g->spline);
         check_length(limit, "limit");
         const mesh::MeshRule rule = rule_of(options);
-        if (rule.angle > 0) {
-            fail(Status::angle, "options: angle = %s, expected 0 for a volume", Number(rule.angle).text);
+        if (rule.angle > 0 || rule.least_angle > 0) {
+            fail(Status::angle, "options: %s = %s, expected 0 for a volume",
+                 rule.angle > 0 ? "angle" : "minimum_angle",
+                 Number(rule.angle > 0 ? rule.angle : rule.least_angle).text);
         }
         *out = new nurbs_mesh{mesh::mesh_of_volume(g->spline, rule, limit == 0 ? usual_hexahedra : limit)};
     });

@@ -8233,6 +8233,7 @@ typedef struct nurbs_mesh_options {
     double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; 1e-3 */
     double longest;        /**< length of sides of triangles, >= 0; 0: no limit; 0 */
     double angle;          /**< of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0 */
+    double minimum_angle;  /**< of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0 */
 } nurbs_mesh_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -8280,6 +8281,17 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * below 1e-7 is reached, and none at places that are singular, where the normal jumps inside of a polynomial piece:
  * triangles there become as short as 1e-5 of the size of the surface. In the plane there is no angle to keep.
  *
+ * **Small angles** of the triangles themselves, as they are in space: with `minimum_angle` vertices are added inside, and
+ * sides flipped, until no triangle has a smaller one (Delaunay refinement: Chew 1993, Ruppert 1995, Shewchuk 2002). What is
+ * given stays: points at the border do not move, and sides at the border are not divided, since they belong to edges. So a
+ * triangle does not count if a corner of it is at the border or at a pole, or if the border or sides at a pole come into
+ * the circle through its corners, in the middle of which its new vertex would be; nor do triangles between two sides of the
+ * border that meet at a smaller angle. All others have no smaller angle where the mesh is `reached`, and those that do not
+ * count are made better where they can be. Seams and lines at which there may be a crease are divided, but not crossed.
+ * Distances are proven of the triangles that there are in the end. There are as many as squares would be in place of
+ * long and thin triangles, and few more; it ends at a multiple of that number, which is not enough where lengths of the
+ * surface change a lot within a triangle, as where it is crumpled: a smaller `chord` helps. Quads are what is left of cells.
+ *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
  * given there is one of about two million triangles, and more for many control points.
@@ -8290,7 +8302,8 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * \param[out] out the new mesh, of one face and no edges.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OPTIONS; _TOLERANCE if chord is not > 0, if
  *   relative_chord is not finite or < 0, or if there is no limit at all, _LENGTH if longest is not finite or < 0,
- *   _ANGLE if angle is not from 0 to pi, _OVERFLOW if there are 2^31 vertices or more.
+ *   _ANGLE if angle is not from 0 to pi, or minimum_angle not from 0 to pi / 6, _OVERFLOW if there are 2^31 vertices or
+ *   more.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface(const nurbs *g, const nurbs_mesh_options *options,
                                           nurbs_mesh **out);
@@ -8352,6 +8365,76 @@ NURBS_API nurbs_status nurbs_mesh_model(const nurbs_model *model, const nurbs_me
 NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nurbs_mesh_options *options,
                                              const nurbs_call_options *call, nurbs_mesh **out);
 
+/** \brief Meshes of a whole surface for several distances, as programs that draw want them: each is as
+ * nurbs_mesh_surface() makes it with `chord` = chords[i] and `relative_chord` = 0, bit for bit, unless it comes to a
+ * limit of work. Points of one mesh need not be points of another one. One mesh may stand for two equal distances.
+ *
+ * What does not depend on the distance is found once: cells that several meshes have before they are cut further, and
+ * curves in space under edges. What takes most of the time is the proof of every triangle, which no other mesh has. So
+ * four meshes, each for half the distance of the one before, take about as long as four calls for a surface; for
+ * faces and models, whose cells are looked at whenever edges get more vertices, a tenth less or so.
+ * \param[in] g a surface of dimension 2 or 3.
+ * \param[in] count number of distances, >= 0.
+ * \param[in] chords [count], in any order: the largest distances, each > 0; infinite for no limit, if there is another one.
+ * \param[in] options or NULL for the defaults: all other limits. `chord` and `relative_chord` are not looked at.
+ * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \return as for nurbs_mesh_surface(), and NURBS_ERROR_COUNT if count is < 0.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_surface_levels(const nurbs *g, int64_t count, const double *chords,
+                                                 const nurbs_mesh_options *options, nurbs_mesh **out);
+
+/** \brief nurbs_mesh_surface_levels() as a call that can be watched and ended. A limit of work is one of all meshes
+ * together, the coarsest of which is made first.
+ * \param[in] g,count,chords,options as for nurbs_mesh_surface_levels().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \return as for nurbs_mesh_surface_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t count, const double *chords,
+                                                      const nurbs_mesh_options *options,
+                                                      const nurbs_call_options *call, nurbs_mesh **out);
+
+/** \brief Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
+ * \param[in] face a face of a surface of dimension 2 or 3.
+ * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
+ * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \return as for nurbs_mesh_face(), and NURBS_ERROR_COUNT if count is < 0.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_face_levels(const nurbs_face *face, int64_t count, const double *chords,
+                                              const nurbs_mesh_options *options, nurbs_mesh **out);
+
+/** \brief nurbs_mesh_face_levels() as a call that can be watched and ended; the limit of work is as for
+ * nurbs_mesh_surface_levels_with().
+ * \param[in] face,count,chords,options as for nurbs_mesh_face_levels().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \return as for nurbs_mesh_face_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64_t count,
+                                                   const double *chords, const nurbs_mesh_options *options,
+                                                   const nurbs_call_options *call, nurbs_mesh **out);
+
+/** \brief Meshes of all faces of a model for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_model().
+ * Each of the meshes of a solid is closed.
+ * \param[in] model a model.
+ * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
+ * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \return as for nurbs_mesh_model(), and NURBS_ERROR_COUNT if count is < 0.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_model_levels(const nurbs_model *model, int64_t count, const double *chords,
+                                               const nurbs_mesh_options *options, nurbs_mesh **out);
+
+/** \brief nurbs_mesh_model_levels() as a call that can be watched and ended; the limit of work is as for
+ * nurbs_mesh_surface_levels_with().
+ * \param[in] model,count,chords,options as for nurbs_mesh_model_levels().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \return as for nurbs_mesh_model_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_mesh_model_levels_with(const nurbs_model *model, int64_t count,
+                                                    const double *chords, const nurbs_mesh_options *options,
+                                                    const nurbs_call_options *call, nurbs_mesh **out);
+
 /** \brief Hexahedra in place of a volume in space, on a grid of lines along its axes.
  *
  * Each hexahedron is the trilinear map between its eight corners. **Distances are proven**: no point of the volume is
@@ -8382,7 +8465,7 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  * \param[in] limit most hexahedra, 0 for 2^20: lines are farther apart than asked for rather than that there are more,
  *   and `reached` of nurbs_mesh_bound() is 0; but there is one for each polynomial piece at least.
  * \param[out] out the new mesh.
- * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE if angle is not 0; _NOT_REPRESENTABLE
+ * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE if angle or minimum_angle is not 0; _NOT_REPRESENTABLE
  *   if the control points of a side overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,

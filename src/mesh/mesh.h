@@ -21,8 +21,9 @@ struct MeshRule {
     double chord = infinity; // the largest distance, both ways
     double relative =
         0; // the same as a share of the largest side of the box of all control points; 0: no limit
-    double longest = 0; // side of a triangle; 0: no limit
-    double angle = 0;   // between the normals at the corners of a triangle; 0: no limit
+    double longest = 0;     // side of a triangle; 0: no limit
+    double angle = 0;       // between the normals at the corners of a triangle; 0: no limit
+    double least_angle = 0; // of triangles inside; 0: no limit
 };
 
 // Where a face has a point: on a border of faces, at a crease or a seam a point has several.

@@ -7,6 +7,9 @@
 #include "model/from_faces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace nrb::mesh {
 
@@ -198,6 +201,48 @@ bool ModelMesher::change_edges(std::vector<bool> &old) {
     return any;
 }
 
+void check_surfaces(const model::Model &model) {
+    for (const model::ModelFace &face : model.faces) {
+        check_surface(*face.face->surface());
+    }
+}
+
+// Of the work that is left for this distance and smaller ones: triangles are as many as what they are near to is large.
+double share_of(double chord, double rest) noexcept {
+    return std::isfinite(1 / chord) && rest > 0 ? 1 / chord / rest : 0.5;
+}
+
+// Calls make(chord), from coarse to fine, so that what is kept is what all have.
+template <class Make>
+std::vector<MeshPtr> level_by_level(const Levels &levels, Make &&make) {
+    std::vector<size_t> order(levels.chords.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::ranges::stable_sort(order, std::greater<>(), [&](size_t i) { return levels.chords[i]; });
+    double rest = 0;
+    for (const double chord : levels.chords) {
+        rest += 1 / chord;
+    }
+    std::vector<MeshPtr> meshes(order.size());
+    for (size_t i = 0; i < order.size(); ++i) {
+        const double chord = levels.chords[order[i]];
+        if (i > 0 && chord == levels.chords[order[i - 1]]) {
+            meshes[order[i]] = meshes[order[i - 1]];
+            continue;
+        }
+        const Phase phase(share_of(chord, rest));
+        const UsualLimit usual(levels.usual_work);
+        const LimitedSearch limited;
+        meshes[order[i]] = make(chord);
+        rest -= 1 / chord;
+    }
+    return meshes;
+}
+
+MeshRule with_chord(MeshRule rule, double chord) {
+    rule.chord = chord;
+    return rule;
+}
+
 } // namespace
 
 MeshPtr mesh_of(const Spline &surface, const MeshRule &rule) {
@@ -215,12 +260,22 @@ MeshPtr mesh_of(const face::FacePtr &face, const MeshRule &rule) {
 }
 
 MeshPtr mesh_of(const model::Model &model, const MeshRule &rule) {
-    for (const model::ModelFace &face : model.faces) {
-        check_surface(*face.face->surface());
-    }
+    check_surfaces(model);
     Mesh mesh = ModelMesher(model, settled(model, rule)).mesh();
     label(model, mesh);
     return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+std::vector<MeshPtr> meshes_of(const Spline &surface, const MeshRule &rule, const Levels &levels) {
+    return level_by_level(levels, [&](double chord) { return mesh_of(surface, with_chord(rule, chord)); });
+}
+
+std::vector<MeshPtr> meshes_of(const face::FacePtr &face, const MeshRule &rule, const Levels &levels) {
+    return meshes_of(model::model_of_faces({face}, 0), rule, levels);
+}
+
+std::vector<MeshPtr> meshes_of(const model::Model &model, const MeshRule &rule, const Levels &levels) {
+    return level_by_level(levels, [&](double chord) { return mesh_of(model, with_chord(rule, chord)); });
 }
 
 } // namespace nrb::mesh

@@ -379,6 +379,28 @@ static void angles(void) {
     nurbs_destroy(g);
 }
 
+/* Twelve strips of a tube, as long as forty of them are wide. */
+static void no_small_angles(void) {
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_surface_cylinder(NULL, NULL, NULL, 1, 20, 0, 2 * acos(-1.0), NURBS_ARC_QUARTERS, &g));
+    nurbs_mesh_options options = options_of(0.05, 0, 0);
+    CHECK(options.minimum_angle == 0);
+    nurbs_mesh *plain = NULL, *mesh = NULL;
+    CHECK_OK(nurbs_mesh_surface(g, &options, &plain));
+    options.minimum_angle = 0.5;
+    CHECK_OK(nurbs_mesh_surface(g, &options, &mesh));
+    double from_shape = -1, from_mesh = -1;
+    int32_t reached = -1;
+    CHECK_OK(nurbs_mesh_bound(mesh, &from_shape, &from_mesh, &reached));
+    CHECK(reached == 1 && from_shape <= 0.05 && from_mesh <= 0.05);
+    CHECK(counts_of(mesh).triangles > 5 * counts_of(plain).triangles);
+    CHECK_INT(free_sides(mesh, NULL), free_sides(plain, NULL));
+    CHECK_INT(euler(mesh, NULL), 0);
+    nurbs_mesh_destroy(plain);
+    nurbs_mesh_destroy(mesh);
+    nurbs_destroy(g);
+}
+
 static void single_precision(void) {
     nurbs *g = plane();
     nurbs_mesh *mesh = surface_mesh(g, 1);
@@ -485,6 +507,12 @@ static void limits_refused(void) {
         options.angle = bad_angles[i];
         CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_ANGLE, "angle");
     }
+    const double bad_minima[] = {-1e-9, NAN, INFINITY, 0.53};
+    for (int i = 0; i < 4; ++i) {
+        options = options_of(1, 0, 0);
+        options.minimum_angle = bad_minima[i];
+        CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_ANGLE, "minimum_angle");
+    }
     options = options_of(1, 0, 0);
     options.struct_size = 8;
     CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_OPTIONS, "struct_size = 8");
@@ -570,6 +598,7 @@ int main(void) {
     a_half_ball();
     quads();
     angles();
+    no_small_angles();
     single_precision();
     watched();
     limits_refused();

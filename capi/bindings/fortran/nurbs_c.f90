@@ -204,6 +204,7 @@ module nurbs_c
         real(c_double) :: relative_chord  ! the same as a share of the extent, >= 0; 0: no limit; 1e-3
         real(c_double) :: longest  ! length of sides of triangles, >= 0; 0: no limit; 0
         real(c_double) :: angle  ! of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0
+        real(c_double) :: minimum_angle  ! of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0
     end type nurbs_mesh_options
 
     !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
@@ -4592,6 +4593,74 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_model_with
+        !> Meshes of a whole surface for several distances, as programs that draw want them: each is as
+        !> nurbs_mesh_surface() makes it with `chord` = chords[i] and `relative_chord` = 0, bit for bit,
+        !> unless it comes to a limit of work.
+        function nurbs_mesh_surface_levels(g, count, chords, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: chords(*)
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_surface_levels
+        !> nurbs_mesh_surface_levels() as a call that can be watched and ended.
+        function nurbs_mesh_surface_levels_with(g, count, chords, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: chords(*)
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_surface_levels_with
+        !> Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
+        function nurbs_mesh_face_levels(face, count, chords, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: chords(*)
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_face_levels
+        !> nurbs_mesh_face_levels() as a call that can be watched and ended; the limit of work is as for
+        !> nurbs_mesh_surface_levels_with().
+        function nurbs_mesh_face_levels_with(face, count, chords, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: chords(*)
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_face_levels_with
+        !> Meshes of all faces of a model for several distances: nurbs_mesh_surface_levels() of
+        !> nurbs_mesh_model().
+        function nurbs_mesh_model_levels(model, count, chords, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: chords(*)
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_model_levels
+        !> nurbs_mesh_model_levels() as a call that can be watched and ended; the limit of work is as for
+        !> nurbs_mesh_surface_levels_with().
+        function nurbs_mesh_model_levels_with(model, count, chords, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: model
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: chords(*)
+            type(nurbs_mesh_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out(*)
+            integer(c_int32_t) :: r
+        end function nurbs_mesh_model_levels_with
         !> Hexahedra in place of a volume in space, on a grid of lines along its axes.
         function nurbs_mesh_volume(g, options, limit, out) bind(c) result(r)
             import

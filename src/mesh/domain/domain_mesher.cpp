@@ -48,8 +48,12 @@ DomainMesh DomainMesher::run() {
         make_strip();
         sites_.evaluate();
         prove();
-        if (round_ == most_rounds || work_ended() || !improve() ||
-            (domain_.border_grows && (is_weak() || !united_.empty() || !touched_.empty()))) {
+        const bool ends = round_ == most_rounds || work_ended() || !improve();
+        const bool again = domain_.border_grows && (is_weak() || !united_.empty() || !touched_.empty());
+        if (ends && !again) {
+            keep_least_angle();
+        }
+        if (ends || again) {
             return output();
         }
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What makes the mesh of a domain: making and proving in domain_mesher.cpp, judging and dividing in domain_rounds.cpp, the result in
-// domain_output.cpp.
+// What makes the mesh of a domain: making and proving in domain_mesher.cpp, judging and dividing in domain_rounds.cpp, angles in
+// domain_angles.cpp, the result in domain_output.cpp.
 #pragma once
 
+#include "mesh/domain/angle_refinement.h"
 #include "mesh/domain/domain_mesh.h"
 #include "mesh/domain/triangle_pool.h"
 
@@ -73,6 +74,10 @@ private:
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
     [[nodiscard]] bool improve();
+    void keep_least_angle();
+    [[nodiscard]] AngleRefinement refinement();
+    void take(AngleRefinement &refinement);
+    bool divide_far(AngleRefinement &refinement);
     [[nodiscard]] bool is_whole() const;
     [[nodiscard]] std::vector<std::array<int32_t, 3>> all_points() const;
     [[nodiscard]] DomainMesh output();
@@ -96,6 +101,7 @@ private:
     std::vector<std::array<int32_t, 2>> united_;      // points of the border
     std::vector<std::pair<int32_t, double>> touched_; // segments
     std::map<int32_t, int> weak_;                     // these, and into how many parts they are to be divided
+    bool has_small_angles_ = false;                   // that count
 };
 
 } // namespace nrb::mesh

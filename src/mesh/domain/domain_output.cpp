@@ -101,7 +101,7 @@ DomainMesh DomainMesher::output() {
     const bool whole = crossed_.empty() && !result.triangles.empty() &&
                        (!drops || have_all_dropped(all_points())) && is_whole();
     const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
-    result.reached = whole && !over && as_asked;
+    result.reached = whole && !over && as_asked && !has_small_angles_;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
     result.united = united_;
     result.touched = touched_;

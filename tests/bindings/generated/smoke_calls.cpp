@@ -991,6 +991,18 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("mesh_surface without small angles");
+        n::MeshOptions options;
+        options.chord = 10.0;
+        options.relative_chord = 0.0;
+        options.minimum_angle = 0.4;
+        const auto found = n::Mesh::of_surface(in.surface, options);
+        show("out", found);
+    }
+    by_hand("mesh_surface_levels");
+    by_hand("mesh_face_levels");
+    by_hand("mesh_model_levels");
+    {
         begin("mesh_volume");
         n::MeshOptions options;
         options.chord = 0.1;
@@ -1463,6 +1475,18 @@ void data(const Inputs &in) {
         const auto found = n::Mesh::of_model(in.model, options, watched());
         show("out", found);
     }
+    {
+        begin("mesh_surface_with without small angles");
+        n::MeshOptions options;
+        options.chord = 10.0;
+        options.relative_chord = 0.0;
+        options.minimum_angle = 0.4;
+        const auto found = n::Mesh::of_surface(in.surface, options, watched());
+        show("out", found);
+    }
+    by_hand("mesh_surface_levels_with");
+    by_hand("mesh_face_levels_with");
+    by_hand("mesh_model_levels_with");
     {
         begin("mesh_volume_with");
         n::MeshOptions options;

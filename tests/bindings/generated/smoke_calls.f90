@@ -1945,6 +1945,20 @@ contains
             call found%of_model(model=model, options=options_given)
             call show('out', found)
         end block
+        call begin('mesh_surface without small angles')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 10.0d0
+            options_given%relative_chord = 0.0d0
+            options_given%minimum_angle = 0.4d0
+            call found%of_surface(g=surface, options=options_given)
+            call show('out', found)
+        end block
+        call by_hand('mesh_surface_levels')
+        call by_hand('mesh_face_levels')
+        call by_hand('mesh_model_levels')
         call begin('mesh_volume')
         block
             type(nurbs_mesh_options) :: options_given
@@ -2684,6 +2698,21 @@ contains
             call found%of_model(model=model, options=options_given, call=watching)
             call show('out', found)
         end block
+        call begin('mesh_surface_with without small angles')
+        block
+            type(nurbs_mesh_options) :: options_given
+            type(nurbs_call) :: watching
+            type(nurbs_mesh) :: found
+            call default_mesh_options(options_given)
+            options_given%chord = 10.0d0
+            options_given%relative_chord = 0.0d0
+            options_given%minimum_angle = 0.4d0
+            call found%of_surface(g=surface, options=options_given, call=watching)
+            call show('out', found)
+        end block
+        call by_hand('mesh_surface_levels_with')
+        call by_hand('mesh_face_levels_with')
+        call by_hand('mesh_model_levels_with')
         call begin('mesh_volume_with')
         block
             type(nurbs_mesh_options) :: options_given

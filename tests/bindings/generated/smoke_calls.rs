@@ -1632,6 +1632,22 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("mesh_surface without small angles");
+    {
+        let found = Mesh::of_surface(
+            &given.surface,
+            Some(
+                &nurbs::MeshOptions::new()?
+                    .chord(10.0)
+                    .relative_chord(0.0)
+                    .minimum_angle(0.4),
+            ),
+        )?;
+        show("out", &found);
+    }
+    by_hand("mesh_surface_levels");
+    by_hand("mesh_face_levels");
+    by_hand("mesh_model_levels");
     begin("mesh_volume");
     {
         let found = Mesh::of_volume(
@@ -2329,6 +2345,23 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("mesh_surface_with without small angles");
+    {
+        let found = Mesh::of_surface_with(
+            &given.surface,
+            Some(
+                &nurbs::MeshOptions::new()?
+                    .chord(10.0)
+                    .relative_chord(0.0)
+                    .minimum_angle(0.4),
+            ),
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    by_hand("mesh_surface_levels_with");
+    by_hand("mesh_face_levels_with");
+    by_hand("mesh_model_levels_with");
     begin("mesh_volume_with");
     {
         let found = Mesh::of_volume_with(

@@ -385,6 +385,8 @@ pub struct nurbs_mesh_options {
     pub longest: f64,
     /// of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0
     pub angle: f64,
+    /// of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0
+    pub minimum_angle: f64,
 }
 
 /// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
@@ -5465,6 +5467,74 @@ extern "C" {
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_model_with(
         model: *const nurbs_model,
+        options: *const nurbs_mesh_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// Meshes of a whole surface for several distances, as programs that draw want them: each is as
+    /// nurbs_mesh_surface() makes it with `chord` = chords\[i\] and `relative_chord` = 0, bit for bit, unless
+    /// it comes to a limit of work.
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_surface_levels(
+        g: *const nurbs,
+        count: i64,
+        chords: *const f64,
+        options: *const nurbs_mesh_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_surface_levels() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_surface_levels_with(
+        g: *const nurbs,
+        count: i64,
+        chords: *const f64,
+        options: *const nurbs_mesh_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_face_levels(
+        face: *const nurbs_face,
+        count: i64,
+        chords: *const f64,
+        options: *const nurbs_mesh_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_face_levels() as a call that can be watched and ended; the limit of work is as for
+    /// nurbs_mesh_surface_levels_with().
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_face_levels_with(
+        face: *const nurbs_face,
+        count: i64,
+        chords: *const f64,
+        options: *const nurbs_mesh_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// Meshes of all faces of a model for several distances: nurbs_mesh_surface_levels() of
+    /// nurbs_mesh_model().
+    ///
+    /// May be null: `options`.
+    pub fn nurbs_mesh_model_levels(
+        model: *const nurbs_model,
+        count: i64,
+        chords: *const f64,
+        options: *const nurbs_mesh_options,
+        out: *mut *mut nurbs_mesh,
+    ) -> nurbs_status;
+    /// nurbs_mesh_model_levels() as a call that can be watched and ended; the limit of work is as for
+    /// nurbs_mesh_surface_levels_with().
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_mesh_model_levels_with(
+        model: *const nurbs_model,
+        count: i64,
+        chords: *const f64,
         options: *const nurbs_mesh_options,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,

@@ -1047,6 +1047,30 @@ const Call group[] = {
          options.relative_chord = 0;
          return nurbs_mesh_model(in.model, &options, &o.mesh);
      }, true},
+    {"mesh_surface without small angles",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 10;
+         options.relative_chord = 0;
+         options.minimum_angle = 0.4;
+         return nurbs_mesh_surface(in.surface, &options, &o.mesh);
+     }},
+    {"mesh_surface_levels",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double chords[] = {1};
+         return nurbs_mesh_surface_levels(in.surface, 1, chords, nullptr, &o.mesh);
+     }},
+    {"mesh_face_levels",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double chords[] = {1};
+         return nurbs_mesh_face_levels(in.face, 1, chords, nullptr, &o.mesh);
+     }, true},
+    {"mesh_model_levels",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double chords[] = {1};
+         return nurbs_mesh_model_levels(in.model, 1, chords, nullptr, &o.mesh);
+     }, true},
     {"mesh_volume",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_mesh_options options;
@@ -1742,6 +1766,38 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_mesh_model_with(in.model, &options, &call, &o.mesh);
+     }, true},
+    {"mesh_surface_with without small angles",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.chord = 10;
+         options.relative_chord = 0;
+         options.minimum_angle = 0.4;
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_surface_with(in.surface, &options, &call, &o.mesh);
+     }},
+    {"mesh_surface_levels_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double chords[] = {1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_surface_levels_with(in.surface, 1, chords, nullptr, &call, &o.mesh);
+     }},
+    {"mesh_face_levels_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double chords[] = {1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_face_levels_with(in.face, 1, chords, nullptr, &call, &o.mesh);
+     }, true},
+    {"mesh_model_levels_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double chords[] = {1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_mesh_model_levels_with(in.model, 1, chords, nullptr, &call, &o.mesh);
      }, true},
     {"mesh_volume_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

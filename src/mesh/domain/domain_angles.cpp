@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/domain/domain_mesher.h"
+
+#include "base/watch.h"
+
+#include <algorithm>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Rounds in which triangles that are better shaped, and therefore elsewhere, are proven and divided.
+constexpr int most_proofs = 12;
+
+} // namespace
+
+AngleRefinement DomainMesher::refinement() {
+    AngleRefinement result(
+        cells_, sites_, {rule_.least_angle, grid_.unscaled(least_), [this](int32_t from, int32_t to) {
+                             const bool turned =
+                                 angle_ > 0 && length(sites_.normal(from) - sites_.normal(to)) > most_apart_;
+                             const double size = length(sites_.position(from) - sites_.position(to));
+                             return !turned && !(longest_ > 0 && size > longest_);
+                         }});
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (triangles_.has(i)) {
+            NetTriangle triangle{triangles_[i].sites};
+            triangle.source = static_cast<int32_t>(i);
+            for (size_t k = 0; k < 3; ++k) {
+                triangle.sides[k].border = triangles_[i].border[k];
+            }
+            result.add(triangle);
+        }
+    }
+    result.join();
+    return result;
+}
+
+// In place of those that are no more, which were cells and are none.
+void DomainMesher::take(AngleRefinement &refinement) {
+    for (const int32_t source : refinement.net().dropped()) {
+        const auto at = static_cast<size_t>(source);
+        if (const int32_t cell = triangles_[at].cell; cell >= 0) {
+            states_[static_cast<size_t>(cell)].places = 0;
+        }
+        triangles_.remove({at, 1});
+    }
+    refinement.clear_dropped();
+    const SiteNet &net = refinement.net();
+    for (int32_t t = 0; t < net.size(); ++t) {
+        if (net[t].source < 0) {
+            SiteTriangle triangle{net[t].sites};
+            for (size_t k = 0; k < 3; ++k) {
+                triangle.border[k] = net[t].sides[k].border;
+                triangle.fixed[k] = net[t].sides[k].stays;
+            }
+            refinement.set_source(t, static_cast<int32_t>(triangles_.size()));
+            triangles_.add(triangle, mesh_triangle(triangle));
+        }
+    }
+}
+
+// What is over the limits. Returns whether there is something new.
+bool DomainMesher::divide_far(AngleRefinement &refinement) {
+    bool any = false;
+    const int32_t count = refinement.net().size();
+    for (int32_t t = 0; t < count; ++t) {
+        const int32_t source = refinement.net()[t].source;
+        const auto i = static_cast<size_t>(source);
+        if (source < 0 || !is_to_divide(i)) {
+            continue;
+        }
+        const AngleRefinement::Divided divided = refinement.divide(t, least_split(i));
+        any = any || divided.done;
+        if (divided.border >= 0) {
+            int &parts = weak_.try_emplace(divided.border, 2).first->second;
+            parts = std::max(parts, parts_for(i));
+        }
+    }
+    return any;
+}
+
+// The proof is that of all other triangles: wherever new vertices made it worse, there are more of them, and angles are looked at again.
+void DomainMesher::keep_least_angle() {
+    if (!(rule_.least_angle > 0)) {
+        return;
+    }
+    AngleRefinement refinement = this->refinement();
+    for (int round = 0;; ++round) {
+        refinement.run();
+        take(refinement);
+        sites_.evaluate();
+        prove();
+        if (round == most_proofs || work_ended() || !divide_far(refinement)) {
+            break;
+        }
+    }
+    for (int32_t t = 0; t < refinement.net().size(); ++t) {
+        has_small_angles_ = has_small_angles_ || refinement.fails(t);
+    }
+}
+
+} // namespace nrb::mesh
