@@ -212,7 +212,7 @@ double share_of(double chord, double rest) noexcept {
     return std::isfinite(1 / chord) && rest > 0 ? 1 / chord / rest : 0.5;
 }
 
-// Calls make(chord), from coarse to fine, so that what is kept is what all have.
+// Calls make(chord), from coarse to fine: a limit of work is for the coarse ones first.
 template <class Make>
 std::vector<MeshPtr> level_by_level(const Levels &levels, Make &&make) {
     std::vector<size_t> order(levels.chords.size());

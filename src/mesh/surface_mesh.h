@@ -20,8 +20,7 @@ struct Levels {
     int64_t usual_work;
 };
 
-// A mesh for each distance, the same, bit for bit, as by itself: they share what does not depend on distances, which are the cells that
-// several trees have, and the curves under edges. Each ends at its usual limit with what there is by then.
+// A mesh for each distance, the same, bit for bit, as by itself. Each ends at its usual limit with what there is by then.
 std::vector<MeshPtr> meshes_of(const Spline &surface, const MeshRule &rule, const Levels &levels);
 std::vector<MeshPtr> meshes_of(const face::FacePtr &face, const MeshRule &rule, const Levels &levels);
 std::vector<MeshPtr> meshes_of(const model::Model &model, const MeshRule &rule, const Levels &levels);
