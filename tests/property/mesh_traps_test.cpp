@@ -201,7 +201,7 @@ TEST(MeshTraps, strips_without_triangles_are_told) {
 TEST(MeshTraps, work_that_ends_makes_all_of_a_mesh_coarser) {
     Random random(7);
     const Ground ground = faces::wavy(random);
-    double before = infinity;
+    double before = HUGE_VAL;
     for (const int64_t work : {3000000, 12000000, 48000000}) {
         const Mesh mesh = mesh_within(ground.surface.get(), 1e-9, work);
         EXPECT_EQ(mesh.reached, 0);

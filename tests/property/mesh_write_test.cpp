@@ -56,7 +56,7 @@ Soup read_glb(const std::string &file) {
     Soup soup = glb.triangles();
     for (Triangle &t : soup) {
         for (size_t k = 0; k < 3; ++k) {
-            for (Point *x : {&t.corners[k], &t.normals[k]}) {
+            for (mesh_files::Point *x : {&t.corners[k], &t.normals[k]}) {
                 *x = {(*x)[0] / metres, -(*x)[2] / metres, (*x)[1] / metres};
             }
         }
@@ -89,7 +89,7 @@ std::vector<File> files_of(const nurbs_mesh *mesh) {
 Soup triangles_of(const nurbs_mesh *mesh) {
     int64_t points = 0, triangles = 0;
     require_ok(nurbs_mesh_counts(mesh, &points, nullptr, &triangles, nullptr, nullptr, nullptr));
-    std::vector<Point> xyz(static_cast<size_t>(points));
+    std::vector<mesh_files::Point> xyz(static_cast<size_t>(points));
     std::vector<std::array<int64_t, 3>> corners(static_cast<size_t>(triangles));
     require_ok(nurbs_mesh_points(mesh, points, xyz[0].data(), nullptr));
     require_ok(nurbs_mesh_triangles(mesh, NURBS_MESH_WELDED, triangles, corners[0].data(), nullptr));
@@ -104,14 +104,14 @@ Soup triangles_of(const nurbs_mesh *mesh) {
     return soup;
 }
 
-double distance(const Point &a, const Point &b) {
+double distance(const mesh_files::Point &a, const mesh_files::Point &b) {
     return std::sqrt(dot(minus(a, b), minus(a, b)));
 }
 
 double size_of(const Soup &soup) {
     double most = 0;
     for (const Triangle &t : soup) {
-        for (const Point &x : t.corners) {
+        for (const mesh_files::Point &x : t.corners) {
             most = std::max({most, std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
         }
     }
@@ -157,8 +157,9 @@ void expect_outside(const std::vector<File> &files, double enclosed, double tole
         EXPECT_NEAR(volume(file.soup), enclosed, tolerance);
         EXPECT_EQ(std::string(file.name) == "GLB" ? 0 : open_sides(file.soup), 0); // products may round apart
         for (const Triangle &t : file.soup) {
-            const Point across = cross(minus(t.corners[1], t.corners[0]), minus(t.corners[2], t.corners[0]));
-            for (const Point &normal : t.normals) {
+            const mesh_files::Point across =
+                cross(minus(t.corners[1], t.corners[0]), minus(t.corners[2], t.corners[0]));
+            for (const mesh_files::Point &normal : t.normals) {
                 EXPECT_GT(dot(normal, across), 0);
                 EXPECT_NEAR(dot(normal, normal), 1, 1e-6);
             }
