@@ -14,6 +14,9 @@ namespace {
 
 using Piece = BorderStrip::Piece;
 
+// A flip may make another fin.
+constexpr int most_passes = 8;
+
 class FinFlips {
 public:
     FinFlips(const Sites &sites, std::vector<Piece> &triangles) : sites_(sites), triangles_(triangles) {
@@ -22,10 +25,23 @@ public:
         }
     }
 
-    // The side opposite of a corner, if what is beyond it is none of the points of the triangle.
-    bool flip_beyond(size_t triangle, size_t corner);
+    // Whether any of them could be.
+    bool open(const std::vector<std::array<size_t, 2>> &fins) {
+        bool any = false;
+        for (const auto &[one, other] : fins) {
+            for (size_t k = 0; k < 6; ++k) {
+                if (flip_beyond(k < 3 ? one : other, k % 3)) {
+                    any = true;
+                    break;
+                }
+            }
+        }
+        return any;
+    }
 
 private:
+    // The side opposite of a corner, if what is beyond it is none of the points of the triangle.
+    bool flip_beyond(size_t triangle, size_t corner);
     void add_sides(size_t i) {
         for (size_t k = 0; k < 3; ++k) {
             opposite_[{triangles_[i].sites[(k + 1) % 3], triangles_[i].sites[(k + 2) % 3]}] = {i, k};
@@ -168,16 +184,8 @@ private:
 void open_fins(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
                std::vector<std::array<double, 2>> &divided) {
     SideSplits(cells, sites, triangles, divided).split_all();
-    const auto fins = fins_of(sites, triangles);
-    if (fins.empty()) {
-        return;
-    }
     FinFlips flips(sites, triangles);
-    for (const auto &[one, other] : fins) {
-        bool done = false;
-        for (size_t k = 0; k < 6 && !done; ++k) {
-            done = flips.flip_beyond(k < 3 ? one : other, k % 3);
-        }
+    for (int i = 0; i < most_passes && flips.open(fins_of(sites, triangles)); ++i) {
     }
 }
 
