@@ -180,7 +180,7 @@ void EdgeUses::fix(int64_t number, const face::BorderPieces &border, const LineP
 }
 
 // Unless a place is there but for rounding, as where a curve jumps past several lines.
-void EdgeUses::fix_at(EdgeUse &use, double param, const face::Point2 &place) {
+void EdgeUses::fix_at(EdgeUse &use, double param, const face::Point2 &place) const {
     const Interval domain = curve_of(use).axis(0).domain();
     const double room = least_share * (domain.upper - domain.lower);
     const auto is_there = [&](const FixedPlace &own) { return std::abs(own.curve - param) <= room; };

@@ -153,7 +153,8 @@ private:
     }
     [[nodiscard]] std::optional<size_t> doubtful_side(const Piece &triangle) const {
         const std::array<size_t, 3> sides{0, 1, 2};
-        const auto found = std::ranges::find_if(sides, [&](size_t k) { return is_doubtful(triangle, k); });
+        const auto *const found =
+            std::ranges::find_if(sides, [&](size_t k) { return is_doubtful(triangle, k); });
         return found == sides.end() ? std::nullopt : std::optional(*found);
     }
     [[nodiscard]] bool is_pole(int32_t site) const { return cells_.pole_at(sites_[site].param) >= 0; }
