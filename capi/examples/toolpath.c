@@ -284,6 +284,15 @@ static double number(const char *text) {
     return x;
 }
 
+/* The index of a face that is counted from 1. */
+static int64_t face_index(const char *text) {
+    const double x = number(text);
+    if (x != floor(x) || x > 1e9) {
+        REFUSE("%s is no number of a face", text);
+    }
+    return (int64_t)x - 1;
+}
+
 int main(int argc, char **argv) {
     static gallery picture;
     tool t = {4, 0.2, 0.04};
@@ -301,7 +310,7 @@ int main(int argc, char **argv) {
             REFUSE("scallops and chords have to be less than half of the radius");
         }
     }
-    p = argc == 8 ? read_part(argv[6], (int64_t)number(argv[7]) - 1) : make_mould();
+    p = argc == 8 ? read_part(argv[6], face_index(argv[7])) : make_mould();
     check_hollows(&p, &t);
     table = fopen(argv[1], "w");
     if (table == NULL) {

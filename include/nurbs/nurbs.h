@@ -8919,8 +8919,8 @@ NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const 
  * - **STL**, binary or text: the triangles, in single precision, with their normals. Triangles of which two corners
  *   are one point in single precision are left out: what was closed stays closed. Names and colours are lost.
  * - **OBJ**: for each instance of a part an object with its name, with the points that its faces share (as
- *   NURBS_MESH_WELDED has them), and normals for each face; for each face a group with its name. Blanks in
- *   names become '_'. Colours are names of materials, such as "colour_ff8000", which no file defines.
+ *   NURBS_MESH_WELDED has them), and normals for each face; for each face a group with its name. Blanks, '#',
+ *   backslashes and what is no text become '_'. Colours are names of materials, "colour_ff8000", not defined.
  * - **PLY**: vertices of faces with their points in double precision, normals, the number of their face
  *   (`face_number`, 0-based), and red, green and blue if any face has a colour.
  * - **GLB**: a node for each use of a part, in the order of nurbs_model_instances() and with names and placements,
@@ -8939,8 +8939,8 @@ NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const 
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, also of a mesh that has no triangles, _OVERLAP, _OPTIONS, _FORMAT
  *   for any other format; _SIZE if cap is neither 0 nor enough; _MATRIX for placements without an inverse, and in
  *   GLB for those that are no similarities; _NOT_REPRESENTABLE for coordinates that overflow in the precision of
- *   the file, and in STL if no triangle is left; _TOO_LARGE where a file would have more than its format counts:
- *   2^32 bytes of GLB, 2^31 vertices of PLY, 2^32 triangles of STL, or a million instances.
+ *   the file, in GLB also of placements, and in STL if no triangle is left; _TOO_LARGE where a file would have more
+ *   than its format counts: 2^32 bytes of GLB, 2^31 vertices of PLY, 2^32 triangles of STL, or a million instances.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_write(const nurbs_mesh *mesh, int32_t format,
                                         const nurbs_write_options *options, int64_t cap, void *bytes,

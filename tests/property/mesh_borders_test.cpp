@@ -325,6 +325,21 @@ Face beside(const Ground &ground, double off, std::vector<Handle> &keep) {
 
 } // namespace
 
+// Polygons of two borders that are nearer to each other than the chord cross, until they have enough sides.
+TEST(MeshBorders, rings_much_thinner_than_the_chord) {
+    const Ground ground = faces::plane();
+    for (const double gap : {1e-3, 1e-4, 1e-6}) {
+        const Handle outer = circle({0.5, 0.5}, 0.4), inner = circle({0.5, 0.5}, 0.4 - gap);
+        const Face face = faces::face_of(ground.surface.get(), {{outer.get()}, {inner.get()}});
+        const Mesh mesh = mesh_of(face.get(), 1e-2);
+        EXPECT_EQ(mesh.reached, 1) << gap;
+        EXPECT_LE(std::max(mesh.from_shape, mesh.from_mesh), 1e-2) << gap;
+        EXPECT_EQ(euler(mesh, sides_of(mesh)), 0) << gap;
+        expect_whole(mesh);
+        EXPECT_LT(mesh.triangles.size(), 10 / std::sqrt(gap)) << gap;
+    }
+}
+
 // Points are on the edges, and the distance of these from the curves is told.
 TEST(MeshBorders, curves_off_their_edges) {
     const Ground ground = faces::plane();
@@ -332,7 +347,8 @@ TEST(MeshBorders, curves_off_their_edges) {
     const Face face = beside(ground, 1e-3, keep);
     const Mesh coarse = mesh_of(face.get(), 1e-2), fine = mesh_of(face.get(), 1e-4);
     EXPECT_EQ(coarse.reached, 1);
-    EXPECT_EQ(fine.reached, 0); // nothing else can be proven
+    EXPECT_EQ(fine.reached, 0);             // nothing else can be proven
+    EXPECT_LT(fine.triangles.size(), 100U); // parts would be as far from the surface
     for (const Mesh *mesh : {&coarse, &fine}) {
         EXPECT_GE(mesh->from_shape, 1e-3 * (1 - 1e-9));
         EXPECT_LE(mesh->from_shape, 4e-3);

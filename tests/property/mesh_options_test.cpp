@@ -89,6 +89,47 @@ int64_t expect_quads(const Mesh &mesh) {
     return left;
 }
 
+// Open, around one axis or both, with control points a little off a plane, a tube or a ring; where the degree is 0, or a knot occurs
+// often, it jumps.
+SplineData any_surface(Random &random) {
+    Recipe recipe;
+    recipe.weights = random.chance(30) ? Weights::ones : Weights::none;
+    for (int k = 0; k < 2; ++k) {
+        AxisRecipe axis{random.whole(0, 3), KnotForm::clamped, Spacing::integers, Placement::origin,
+                        random.whole(2, 4)};
+        axis.form = random.chance(33)                      ? KnotForm::clamped
+                    : axis.degree > 0 && random.chance(50) ? KnotForm::periodic
+                                                           : KnotForm::unclamped;
+        recipe.axes.push_back(axis);
+    }
+    SplineData data = random_spline(random, recipe);
+    std::array<int64_t, 2> distinct{};
+    std::array<bool, 2> around{};
+    for (size_t k = 0; k < 2; ++k) {
+        around[k] = (data.flags & NURBS_ON_AXIS(k, NURBS_PERIODIC)) != 0;
+        distinct[k] = data.counts[k] - (around[k] ? data.degrees[k] : 0);
+    }
+    Vec noise(static_cast<size_t>(distinct[0] * distinct[1]));
+    std::ranges::generate(noise, [&] { return random.between(-0.2, 0.2); });
+    data.points.clear();
+    for (int64_t i = 0; i < data.counts[0]; ++i) {
+        for (int64_t j = 0; j < data.counts[1]; ++j) {
+            const int64_t u = i % distinct[0], v = j % distinct[1];
+            const double off = noise[static_cast<size_t>(u * distinct[1] + v)];
+            const double a = 2 * pi * static_cast<double>(u) / static_cast<double>(distinct[0]),
+                         b = 2 * pi * static_cast<double>(v) / static_cast<double>(distinct[1]);
+            const Point place = around[0] && around[1] ? Point{(4 + (1 + off) * std::cos(b)) * std::cos(a),
+                                                               (4 + (1 + off) * std::cos(b)) * std::sin(a),
+                                                               (1 + off) * std::sin(b)}
+                                : around[0] ? Point{(2 + off) * std::cos(a), (2 + off) * std::sin(a), b}
+                                : around[1] ? Point{(2 + off) * std::cos(b), (2 + off) * std::sin(b), a}
+                                            : Point{a, b, off};
+            data.points.insert(data.points.end(), place.begin(), place.end());
+        }
+    }
+    return data;
+}
+
 double enough(double angle) {
     return angle * (1 + 1e-12);
 }
@@ -192,6 +233,23 @@ TEST(MeshOptions, quads_and_the_other_triangles_are_all_of_them) {
     }
     const faces::Ground flat = faces::plane();
     EXPECT_EQ(expect_quads(mesh_of(flat.surface.get(), 0.01)), 0);
+}
+
+// Unclamped, periodic, of degree 0.
+TEST(MeshOptions, angles_and_quads_of_any_form_and_degree) {
+    int64_t reached = 0, all = 0;
+    for_each_case(21, 40, [&](Random &random, uint64_t seed) {
+        SCOPED_TRACE(seed);
+        const Handle g = create(any_surface(random));
+        const Mesh mesh = mesh_of(g.get(), INFINITY, 0.25);
+        ++all;
+        if (mesh.reached == 1) {
+            ++reached;
+            EXPECT_LE(largest_angle(mesh), enough(0.25));
+        }
+        expect_quads(mesh);
+    });
+    EXPECT_GT(reached, of_whole_run(3 * all / 4));
 }
 
 } // namespace mesh_options_test

@@ -211,7 +211,7 @@ TEST(MeshTraps, work_that_ends_makes_all_of_a_mesh_coarser) {
         // One for that distance is no smaller than a third.
         const Mesh other = mesh_of(ground.surface.get(), mesh.from_shape);
         EXPECT_LE(triangles, 3 * static_cast<double>(other.triangles.size() / 3));
-        EXPECT_GE(triangles, 1e-4 * static_cast<double>(work));
+        EXPECT_GE(triangles, 1e-5 * static_cast<double>(work));
     }
 }
 

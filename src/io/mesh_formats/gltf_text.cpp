@@ -103,6 +103,10 @@ private:
                  static_cast<long long>(use));
         }
         const Vector3 shift = mesh_.factor() * m.shift;
+        if (!std::isfinite(largest(shift))) {
+            fail(Status::not_representable, "the placement of use %lld overflows in the unit of the file",
+                 static_cast<long long>(use));
+        }
         return {m.x.x, m.x.y, m.x.z, 0, m.y.x,   m.y.y,   m.y.z,   0,
                 m.z.x, m.z.y, m.z.z, 0, shift.x, shift.y, shift.z, 1};
     }

@@ -43,9 +43,15 @@ std::string json_text(std::string_view name) {
 }
 
 std::string one_word(std::string_view name) {
-    std::string word(name);
-    std::ranges::replace_if(
-        word, [](char c) { return c == ' ' || is_control(c); }, '_');
+    constexpr std::string_view others = " #\\";
+    std::string word;
+    while (!name.empty()) {
+        const size_t length = step::utf8_length(name);
+        const bool plain =
+            length > 0 && !is_control(name.front()) && others.find(name.front()) == std::string_view::npos;
+        word += plain ? name.substr(0, length) : std::string_view("_");
+        name.remove_prefix(std::max<size_t>(length, 1));
+    }
     return word;
 }
 

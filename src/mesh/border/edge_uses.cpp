@@ -14,6 +14,9 @@ namespace nrb::mesh {
 
 namespace {
 
+// Of a domain: what is nearer is one place but for rounding.
+constexpr double least_share = 0x1p-36;
+
 // The break of an axis that a parameter is near.
 double at_break(const KnotVector &axis, double t, double room) noexcept {
     const auto knots = axis.knots();
@@ -158,6 +161,9 @@ void EdgeUses::add_fixed(int64_t number) {
         for (last = first; last < all.size() && all[last].loop == all[first].loop; ++last) {
         }
         const auto loop = std::span(all).subspan(first, last - first);
+        for (const face::TrimPiece &piece : loop) {
+            fix_jump(number, border, piece);
+        }
         for (const LinePassage &passage : passages_of(face(number), loop)) {
             if (passage.piece->range.lower == passage.piece->range.upper) {
                 fix_behind(number, border, passage);
@@ -170,8 +176,30 @@ void EdgeUses::add_fixed(int64_t number) {
 
 void EdgeUses::fix(int64_t number, const face::BorderPieces &border, const LinePassage &passage) {
     const face::BorderPlace place = border.place_of(*passage.piece, passage.place);
+    fix_at(uses_[at(number, place.loop, place.index)], place.param, passage.at);
+}
+
+// Unless a place is there but for rounding, as where a curve jumps past several lines.
+void EdgeUses::fix_at(EdgeUse &use, double param, const face::Point2 &place) const {
+    const Interval domain = curve_of(use).axis(0).domain();
+    const double room = least_share * (domain.upper - domain.lower);
+    const auto is_there = [&](const FixedPlace &own) { return std::abs(own.curve - param) <= room; };
+    if (std::ranges::none_of(use.fixed, is_there)) {
+        use.fixed.push_back({param, use.pairing->on_edge(param), place});
+    }
+}
+
+// Where a curve jumps, as along a pole that its edge passes, both sides are at one vertex.
+void EdgeUses::fix_jump(int64_t number, const face::BorderPieces &border, const face::TrimPiece &piece) {
+    if (piece.range.lower != piece.range.upper) {
+        return;
+    }
+    const face::BorderPlace place = border.place_of(piece, 0);
     EdgeUse &use = uses_[at(number, place.loop, place.index)];
-    use.fixed.push_back({place.param, use.pairing->on_edge(place.param), passage.at});
+    const Interval domain = curve_of(use).axis(0).domain();
+    if (domain.lower < place.param && place.param < domain.upper) {
+        fix_at(use, place.param, piece.start);
+    }
 }
 
 // On the segment behind a curve, if it is one that is far from the next.
@@ -190,7 +218,7 @@ void EdgeUses::fix_behind(int64_t number, const face::BorderPieces &border, cons
 void EdgeUses::align_fixed(size_t line) {
     const KnotVector &axis = curve(line).axis(0);
     const Interval domain = axis.domain();
-    const double room = 0x1p-36 * (domain.upper - domain.lower);
+    const double room = least_share * (domain.upper - domain.lower);
     std::vector<FixedUse> all;
     for (const size_t use : users_[line]) {
         for (FixedPlace &fixed : uses_[use].fixed) {

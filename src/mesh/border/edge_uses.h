@@ -78,6 +78,8 @@ private:
     void add_gap(size_t own, size_t next);
     void add_fixed(int64_t number);
     void fix(int64_t number, const face::BorderPieces &border, const LinePassage &passage);
+    void fix_at(EdgeUse &use, double param, const face::Point2 &place) const;
+    void fix_jump(int64_t number, const face::BorderPieces &border, const face::TrimPiece &piece);
     void fix_behind(int64_t number, const face::BorderPieces &border, const LinePassage &passage);
 
     const model::Model &model_;

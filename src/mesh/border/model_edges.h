@@ -50,8 +50,8 @@ public:
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[uses_.at(face, loop, index)].line);
     }
-    // A further vertex of a polyline, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
-    std::vector<int64_t> add_vertex(int64_t line, double param);
+    // A further vertex of the polyline of a number, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
+    std::vector<int64_t> add_vertex(int64_t number, double param);
     // The first point in place of the second one, which a face cannot tell from it; the faces that have this one.
     std::vector<int64_t> unite(int32_t first, int32_t second);
 

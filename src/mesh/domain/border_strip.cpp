@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace nrb::mesh {
 
@@ -75,7 +76,21 @@ std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
             result.push_back({first, border[i].point});
         }
     }
+    unite_at_poles(result);
     return result;
+}
+
+// However far apart they are in the domain.
+void BorderStrip::unite_at_poles(std::vector<std::array<int32_t, 2>> &united) const {
+    std::map<int32_t, int32_t> first; // of the poles
+    for (const BorderPoint &own : domain_.border.points) {
+        if (const int32_t pole = cells_.pole_at(own.param); pole >= 0) {
+            const auto [known, fresh] = first.try_emplace(cells_.table().point_of(pole), own.point);
+            if (known->second != own.point) {
+                united.push_back({known->second, own.point});
+            }
+        }
+    }
 }
 
 // On a seam there may be segments both ways.

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] std::vector<int32_t> crossed() const;
     // Segments of the border on which other places are, and where: shares of them.
     [[nodiscard]] std::vector<std::pair<int32_t, double>> touched() const;
-    // Points of the border that cannot be told apart in the domain.
+    // Points of the border that cannot be told apart in the domain, or are at one pole.
     [[nodiscard]] std::vector<std::array<int32_t, 2>> united() const;
 
 private:
@@ -38,6 +38,7 @@ private:
         double inside = 0; // the area of the fattest triangle, by its middle
     };
     [[nodiscard]] Vote vote_of(const Strip::Component &component) const;
+    void unite_at_poles(std::vector<std::array<int32_t, 2>> &united) const;
     [[nodiscard]] double along(const std::array<double, 2> &one,
                                const std::array<double, 2> &other) const noexcept;
     [[nodiscard]] double left_of(const StripTriangle &triangle) const noexcept;

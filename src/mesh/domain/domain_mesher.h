@@ -53,9 +53,12 @@ private:
     };
     [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
     [[nodiscard]] bool is_large(size_t triangle) const noexcept {
-        const bool far = !(distances(triangle).most() <= chord_);
-        return far || (longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_));
+        return !(distances(triangle).most() <= chord_) || is_long(triangle);
     }
+    [[nodiscard]] bool is_long(size_t triangle) const noexcept {
+        return longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_);
+    }
+    [[nodiscard]] bool is_held(size_t triangle) const noexcept;
     [[nodiscard]] bool is_over(size_t triangle) const {
         return is_large(triangle) || is_turned(triangles_[triangle]);
     }

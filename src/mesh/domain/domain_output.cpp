@@ -105,8 +105,8 @@ DomainMesh DomainMesher::output() {
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
     result.united = united_;
     result.touched = touched_;
-    for (const int32_t segment : crossed_) {
-        weak_.try_emplace(segment, 2);
+    for (const int32_t segment : crossed_) { // in parts of which many no longer cross
+        weak_.try_emplace(segment, 4);
     }
     result.weak.assign(weak_.begin(), weak_.end());
     return result;

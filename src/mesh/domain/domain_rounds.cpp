@@ -56,10 +56,20 @@ double DomainMesher::turn_over(const SiteTriangle &triangle) const {
     return triangle.cell < 0 ? 0 : turn_of(cells_.tree().box(triangle.cell), least_).both;
 }
 
+// Whether a corner on an edge is so far from the surface that parts would be as far as the triangle is, by a factor.
+bool DomainMesher::is_held(size_t triangle) const noexcept {
+    constexpr double factor = 2;
+    double off = 0;
+    for (const int32_t site : triangles_[triangle].sites) {
+        off = std::max(off, length(sites_.point(sites_[site].point) - sites_.position(site)));
+    }
+    return off > chord_ && distances(triangle).most() <= factor * off;
+}
+
 // Where the bound of a cell sees no turn, parts of it would not do better.
 bool DomainMesher::is_to_divide(size_t triangle) const {
     if (is_large(triangle)) {
-        return true;
+        return is_long(triangle) || !is_held(triangle);
     }
     const SiteTriangle own = triangles_[triangle];
     return is_turned(own) && (own.cell < 0 ? round_ < most_angle_rounds

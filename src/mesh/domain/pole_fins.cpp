@@ -14,6 +14,9 @@ namespace {
 
 using Piece = BorderStrip::Piece;
 
+// A flip may make another fin.
+constexpr int most_passes = 8;
+
 class FinFlips {
 public:
     FinFlips(const Sites &sites, std::vector<Piece> &triangles) : sites_(sites), triangles_(triangles) {
@@ -22,10 +25,23 @@ public:
         }
     }
 
-    // The side opposite of a corner, if what is beyond it is none of the points of the triangle.
-    bool flip_beyond(size_t triangle, size_t corner);
+    // Whether any of them could be.
+    bool open(const std::vector<std::array<size_t, 2>> &fins) {
+        bool any = false;
+        for (const auto &[one, other] : fins) {
+            for (size_t k = 0; k < 6; ++k) {
+                if (flip_beyond(k < 3 ? one : other, k % 3)) {
+                    any = true;
+                    break;
+                }
+            }
+        }
+        return any;
+    }
 
 private:
+    // The side opposite of a corner, if what is beyond it is none of the points of the triangle.
+    bool flip_beyond(size_t triangle, size_t corner);
     void add_sides(size_t i) {
         for (size_t k = 0; k < 3; ++k) {
             opposite_[{triangles_[i].sites[(k + 1) % 3], triangles_[i].sites[(k + 2) % 3]}] = {i, k};
@@ -137,7 +153,8 @@ private:
     }
     [[nodiscard]] std::optional<size_t> doubtful_side(const Piece &triangle) const {
         const std::array<size_t, 3> sides{0, 1, 2};
-        const auto found = std::ranges::find_if(sides, [&](size_t k) { return is_doubtful(triangle, k); });
+        const auto *const found =
+            std::ranges::find_if(sides, [&](size_t k) { return is_doubtful(triangle, k); });
         return found == sides.end() ? std::nullopt : std::optional(*found);
     }
     [[nodiscard]] bool is_pole(int32_t site) const { return cells_.pole_at(sites_[site].param) >= 0; }
@@ -168,16 +185,8 @@ private:
 void open_fins(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
                std::vector<std::array<double, 2>> &divided) {
     SideSplits(cells, sites, triangles, divided).split_all();
-    const auto fins = fins_of(sites, triangles);
-    if (fins.empty()) {
-        return;
-    }
     FinFlips flips(sites, triangles);
-    for (const auto &[one, other] : fins) {
-        bool done = false;
-        for (size_t k = 0; k < 6 && !done; ++k) {
-            done = flips.flip_beyond(k < 3 ? one : other, k % 3);
-        }
+    for (int i = 0; i < most_passes && flips.open(fins_of(sites, triangles)); ++i) {
     }
 }
 

@@ -100,9 +100,8 @@ void StripPlaces::add_walls() {
         const BorderSegment &segment = domain_.border.segments[i];
         walls_.push_back({segment.from, segment.to, static_cast<int32_t>(i)});
     }
-    const size_t first = walls_.size();
     add_staircase();
-    const std::set<Step> steps = steps_on_seams(first);
+    const std::set<Step> steps = steps_on_seams();
     for (size_t k = 0; k < 2; ++k) {
         const auto &ends = cells_.tree().block_ends(k);
         for (size_t i = 0; i < ends.size(); ++i) {
@@ -153,20 +152,36 @@ void StripPlaces::add_staircase() {
     }
 }
 
-// Sides of cells inside, from the wall on, that are on a seam: the axis and where they begin and end on it.
-std::set<StripPlaces::Step> StripPlaces::steps_on_seams(size_t first) const {
+// Sides of cells inside that are on a seam, on either side of it: the axis and where they begin and end on it.
+std::set<StripPlaces::Step> StripPlaces::steps_on_seams() const {
     std::set<Step> result;
-    for (size_t i = first; i < walls_.size(); ++i) {
-        const auto &a = points_[static_cast<size_t>(walls_[i].from)],
-                   &b = points_[static_cast<size_t>(walls_[i].to)];
-        for (size_t k = 0; k < 2; ++k) {
-            if (domain_.closed[k] && a[k] == b[k]) {
-                result.insert(
-                    {static_cast<double>(k), std::min(a[1 - k], b[1 - k]), std::max(a[1 - k], b[1 - k])});
+    std::vector<int32_t> border;
+    for (const Cell &cell : cells_.tree().cells()) {
+        if (cell.side != Side::inside || !touches_seam(cells_.tree().rectangle(cell))) {
+            continue;
+        }
+        cells_.table().border(cell, border);
+        for (size_t i = 0; i < border.size(); ++i) {
+            const auto a = cells_.param(border[i]), b = cells_.param(border[(i + 1) % border.size()]);
+            for (size_t k = 0; k < 2; ++k) {
+                if (a[k] == b[k] && is_on_seam(k, a[k])) {
+                    result.insert(
+                        {static_cast<double>(k), std::min(a[1 - k], b[1 - k]), std::max(a[1 - k], b[1 - k])});
+                }
             }
         }
     }
     return result;
+}
+
+bool StripPlaces::is_on_seam(size_t k, double t) const noexcept {
+    const auto &ends = cells_.tree().block_ends(k);
+    return domain_.closed[k] && (t == ends.front() || t == ends.back());
+}
+
+bool StripPlaces::touches_seam(const Rectangle &part) const noexcept {
+    return is_on_seam(0, part.lower[0]) || is_on_seam(0, part.upper[0]) || is_on_seam(1, part.lower[1]) ||
+           is_on_seam(1, part.upper[1]);
 }
 
 // A seam can be divided where no cell is on either side.

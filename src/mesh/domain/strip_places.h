@@ -39,7 +39,9 @@ private:
     void add_walls();
     void add_staircase();
     using Step = std::array<double, 3>; // an axis, and an interval
-    [[nodiscard]] std::set<Step> steps_on_seams(size_t first) const;
+    [[nodiscard]] std::set<Step> steps_on_seams() const;
+    [[nodiscard]] bool is_on_seam(size_t k, double t) const noexcept;
+    [[nodiscard]] bool touches_seam(const Rectangle &part) const noexcept;
     void add_line_walls(size_t k, double t, bool passable, const std::set<Step> &steps);
     [[nodiscard]] int32_t point_at(int32_t place) const;
     [[nodiscard]] bool is_shared(int32_t place) const;

@@ -138,6 +138,19 @@ TEST(MeshFormats, obj_has_names_and_common_points) {
     EXPECT_EQ(obj.materials[1], "colour_ff8000");
 }
 
+// A line goes on behind a backslash, and ends before a comment; programs stop at bytes that are no text.
+TEST(MeshFormats, any_name_is_one_word_of_obj) {
+    mesh::Mesh mesh = two_parts();
+    mesh.faces[0].name = "bolt #1\\";
+    mesh.faces[1].name = "B\xe4r\r\n\x7f";
+    mesh.faces[2].name = "b\xc3\xa4r";
+    const Obj obj = read_obj(written(mesh, MeshFormat::obj));
+    ASSERT_EQ(obj.groups.size(), 4U + 3 * 8);
+    EXPECT_EQ(obj.groups[0], "bolt__1_");
+    EXPECT_EQ(obj.groups[1], "B_r___");
+    EXPECT_EQ(obj.groups[2], "b\xc3\xa4r");
+}
+
 TEST(MeshFormats, ply_and_vtu_have_colours_of_faces) {
     const std::array<int, 3> orange{255, 128, 0}, grey{204, 204, 204};
     for (const Soup &soup : {read_ply(written(two_parts(), MeshFormat::ply)),
@@ -248,6 +261,15 @@ TEST(MeshFormats, what_formats_cannot_hold_is_refused) {
     EXPECT_EQ(refusal(mesh, MeshFormat::ply), Status::ok);
     mesh.uses[1].placement.fill(0);
     EXPECT_EQ(refusal(mesh, MeshFormat::ply), Status::matrix);
+    mesh = {}; // moved far away and back
+    add_tetrahedron(mesh, 1, {0, 0, 0});
+    mesh.parts.resize(2);
+    mesh.uses = {{-1, 0, model::Use{}.placement, ""}, {0, 1, model::Use{}.placement, ""}};
+    mesh.uses[0].placement[3] = 1e305;
+    mesh.uses[1].placement[3] = -1e305;
+    mesh.metres_per_unit = 1;
+    EXPECT_EQ(refusal(mesh, MeshFormat::ply, 1e-4), Status::ok);
+    EXPECT_EQ(refusal(mesh, MeshFormat::glb, 1e-4), Status::not_representable);
     mesh = two_parts();
     mesh.triangles.clear();
     for (const auto format : {MeshFormat::stl, MeshFormat::stl_text, MeshFormat::obj, MeshFormat::ply,
