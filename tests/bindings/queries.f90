@@ -321,7 +321,7 @@ contains
         call expect(status == NURBS_ERROR_FLAGS, 'a flag that there is not')
         call mesh_levels(ball, [1d-1, 1d-2], levels, options)
         call levels(2)%counts(triangles=points)
-        call expect(size(levels) == 2 .and. points == triangles, 'two levels')
+        call expect(size(levels) == 2 .and. points > 100 .and. points < triangles, 'two levels')
         call mesh_levels(ball, [1d-1, 0d0], levels, status=status)
         call expect(status == NURBS_ERROR_TOLERANCE .and. .not. allocated(levels), 'no distance of 0')
         options%minimum_angle = 4d-1
