@@ -224,12 +224,13 @@ static void pin_cloud_options(void) {
 
 static void pin_mesh_options(void) {
     nurbs_mesh_options options;
-    PIN(sizeof(nurbs_mesh_options), 40);
+    PIN(sizeof(nurbs_mesh_options), 48);
     PIN(offsetof(nurbs_mesh_options, struct_size), 0);
     PIN(offsetof(nurbs_mesh_options, chord), 8);
     PIN(offsetof(nurbs_mesh_options, relative_chord), 16);
     PIN(offsetof(nurbs_mesh_options, longest), 24);
     PIN(offsetof(nurbs_mesh_options, angle), 32);
+    PIN(offsetof(nurbs_mesh_options, minimum_angle), 40);
     if (nurbs_mesh_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
         fprintf(stderr, "the library does not know the options of a mesh of this size\n");
         ++failures;
