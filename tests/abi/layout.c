@@ -236,9 +236,9 @@ static void pin_mesh_options(void) {
         ++failures;
         return;
     }
-    PIN((size_t)options.struct_size, 40);
+    PIN((size_t)options.struct_size, 48);
     if (options.chord < 1e308 || options.relative_chord != 1e-3 || options.longest != 0 ||
-        options.angle != 0) {
+        options.angle != 0 || options.minimum_angle != 0) {
         fprintf(stderr, "the limits of meshes are others by default\n");
         ++failures;
     }
