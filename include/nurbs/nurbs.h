@@ -8372,8 +8372,8 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  *
  * What does not depend on the distance is found once: cells that several meshes have before they are cut further, and
  * curves in space under edges. What takes most of the time is the proof of every triangle, which no other mesh has. So
- * four meshes, each for half the distance of the one before, take about as long as four calls for a surface; for
- * faces and models, whose cells are looked at whenever edges get more vertices, a tenth less or so.
+ * four meshes, each for half the distance of the one before, take from a tenth less than four calls, for trimmed faces
+ * whose cells are looked at again whenever edges get more vertices, to about as long as these.
  * \param[in] g a surface of dimension 2 or 3.
  * \param[in] count number of distances, >= 0.
  * \param[in] chords [count], in any order: the largest distances, each > 0; infinite for no limit, if there is another one.
