@@ -8368,7 +8368,8 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
 
 /** \brief Meshes of a whole surface for several distances, as programs that draw want them: each is as
  * nurbs_mesh_surface() makes it with `chord` = chords[i] and `relative_chord` = 0, bit for bit, unless it comes to a
- * limit of work. Points of one mesh need not be points of another one. One mesh may stand for two equal distances.
+ * limit of work. Points of one mesh need not be points of another one. One mesh may stand for two equal distances. On
+ * failure all handles are NULL.
  *
  * What takes most of the time is the proof of every triangle, which no other mesh has, so that several meshes take
  * about as long as as many calls. Halving the distance doubles the number of triangles: four such meshes take twice
@@ -8377,7 +8378,7 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  * \param[in] count number of distances, >= 0.
  * \param[in] chords [count], in any order: the largest distances, each > 0; infinite for no limit, if there is another one.
  * \param[in] options or NULL for the defaults: all other limits. `chord` and `relative_chord` are not looked at.
- * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_surface(), and NURBS_ERROR_COUNT if count is < 0.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface_levels(const nurbs *g, int64_t count, const double *chords,
@@ -8387,7 +8388,7 @@ NURBS_API nurbs_status nurbs_mesh_surface_levels(const nurbs *g, int64_t count, 
  * together, the coarsest of which is made first.
  * \param[in] g,count,chords,options as for nurbs_mesh_surface_levels().
  * \param[in] call or NULL: the wishes of the caller.
- * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_surface_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t count, const double *chords,
@@ -8397,7 +8398,7 @@ NURBS_API nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t co
 /** \brief Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
  * \param[in] face a face of a surface of dimension 2 or 3.
  * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
- * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_face(), and NURBS_ERROR_COUNT if count is < 0.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_face_levels(const nurbs_face *face, int64_t count, const double *chords,
@@ -8407,7 +8408,7 @@ NURBS_API nurbs_status nurbs_mesh_face_levels(const nurbs_face *face, int64_t co
  * nurbs_mesh_surface_levels_with().
  * \param[in] face,count,chords,options as for nurbs_mesh_face_levels().
  * \param[in] call or NULL: the wishes of the caller.
- * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_face_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64_t count,
@@ -8418,7 +8419,7 @@ NURBS_API nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64
  * Each of the meshes of a solid is closed.
  * \param[in] model a model.
  * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
- * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_model(), and NURBS_ERROR_COUNT if count is < 0.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_model_levels(const nurbs_model *model, int64_t count, const double *chords,
@@ -8428,7 +8429,7 @@ NURBS_API nurbs_status nurbs_mesh_model_levels(const nurbs_model *model, int64_t
  * nurbs_mesh_surface_levels_with().
  * \param[in] model,count,chords,options as for nurbs_mesh_model_levels().
  * \param[in] call or NULL: the wishes of the caller.
- * \param[out] out [count]: the new meshes, in the order of chords; all NULL on failure.
+ * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_model_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_model_levels_with(const nurbs_model *model, int64_t count,

@@ -50,6 +50,7 @@
 #include <nurbs/cpp/handles.hpp>
 #include <nurbs/cpp/intersections.hpp>
 #include <nurbs/cpp/knots.hpp>
+#include <nurbs/cpp/levels.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/measure.hpp>

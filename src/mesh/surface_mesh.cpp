@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
+#include <utility>
 
 namespace nrb::mesh {
 
@@ -217,7 +217,7 @@ template <class Make>
 std::vector<MeshPtr> level_by_level(const Levels &levels, Make &&make) {
     std::vector<size_t> order(levels.chords.size());
     std::iota(order.begin(), order.end(), size_t{0});
-    std::ranges::stable_sort(order, std::greater<>(), [&](size_t i) { return levels.chords[i]; });
+    std::ranges::sort(order, {}, [&](size_t i) { return std::pair(-levels.chords[i], i); });
     double rest = 0;
     for (const double chord : levels.chords) {
         rest += 1 / chord;

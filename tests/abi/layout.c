@@ -224,20 +224,21 @@ static void pin_cloud_options(void) {
 
 static void pin_mesh_options(void) {
     nurbs_mesh_options options;
-    PIN(sizeof(nurbs_mesh_options), 40);
+    PIN(sizeof(nurbs_mesh_options), 48);
     PIN(offsetof(nurbs_mesh_options, struct_size), 0);
     PIN(offsetof(nurbs_mesh_options, chord), 8);
     PIN(offsetof(nurbs_mesh_options, relative_chord), 16);
     PIN(offsetof(nurbs_mesh_options, longest), 24);
     PIN(offsetof(nurbs_mesh_options, angle), 32);
+    PIN(offsetof(nurbs_mesh_options, minimum_angle), 40);
     if (nurbs_mesh_options_init(&options, (int64_t)sizeof options) != NURBS_OK) {
         fprintf(stderr, "the library does not know the options of a mesh of this size\n");
         ++failures;
         return;
     }
-    PIN((size_t)options.struct_size, 40);
+    PIN((size_t)options.struct_size, 48);
     if (options.chord < 1e308 || options.relative_chord != 1e-3 || options.longest != 0 ||
-        options.angle != 0) {
+        options.angle != 0 || options.minimum_angle != 0) {
         fprintf(stderr, "the limits of meshes are others by default\n");
         ++failures;
     }

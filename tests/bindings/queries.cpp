@@ -167,6 +167,13 @@ static void curve_shapes() {
     MeshOptions turns = limits;
     turns.angle = 0.1;
     EXPECT(Mesh(Mesh::of_surface(sphere({}, 1), turns)).counts().triangles > held.triangles);
+    const std::vector<Mesh> levels = mesh_levels(sphere({}, 1), {1e-1, 1e-2});
+    EXPECT(levels.size() == 2 && levels[0].counts().triangles < held.triangles &&
+           levels[1].counts().triangles == held.triangles);
+    EXPECT(status_of([] { (void)mesh_levels(sphere({}, 1), {1e-1, 0}); }) == Status::tolerance);
+    MeshOptions fat = limits;
+    fat.minimum_angle = 0.4;
+    EXPECT(Mesh(Mesh::of_surface(sphere({}, 1), fat)).bound().reached);
     const Spline block = extrude(floor_plane(), {0, 0, 1});
     const Mesh cells = Mesh::of_volume(block, limits, 5);
     const MeshHexahedra boxes = cells.hexahedra();

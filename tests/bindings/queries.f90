@@ -293,6 +293,7 @@ contains
 
     subroutine triangles_of_the_ball()
         type(nurbs_mesh) :: mesh, copy
+        type(nurbs_mesh), allocatable :: levels(:)
         type(nurbs_mesh_options) :: options
         real(c_double), allocatable :: xyz(:, :), normals(:, :), params(:, :)
         integer(c_int64_t), allocatable :: corners(:, :), at(:)
@@ -318,6 +319,15 @@ contains
         call expect(all(shape(corners) == [size(at), 4]) .and. minval(at) >= 1 .and. maxval(at) < triangles, 'quads')
         call copy%triangles(corners, flags=1, status=status)
         call expect(status == NURBS_ERROR_FLAGS, 'a flag that there is not')
+        call mesh_levels(ball, [1d-1, 1d-2], levels, options)
+        call levels(2)%counts(triangles=points)
+        call expect(size(levels) == 2 .and. points > 100 .and. points < triangles, 'two levels')
+        call mesh_levels(ball, [1d-1, 0d0], levels, status=status)
+        call expect(status == NURBS_ERROR_TOLERANCE .and. .not. allocated(levels), 'no distance of 0')
+        options%minimum_angle = 4d-1
+        call mesh%of_surface(ball, options)
+        call mesh%bound(reached=reached)
+        call expect(reached, 'no small angles')
     end subroutine triangles_of_the_ball
 
     subroutine cells_of_a_block()

@@ -367,6 +367,22 @@ class Meshes(unittest.TestCase):
         self.assertGreater(mesh.counts.triangles, cylinder.mesh(relative=1, angle=0.4).counts.triangles)
         self.assertRaises(nurbs.ArgumentError, cylinder.mesh, angle=4.0)
 
+    def test_for_several_distances(self):
+        ball = nurbs.sphere()
+        face = nurbs.Face(ball)
+        for shape in ball, face, nurbs.Model.create([face]):
+            fine, coarse = shape.mesh_levels([1e-2, 1e-1])
+            np.testing.assert_array_equal(fine.points, shape.mesh(1e-2, relative=0).points)
+            self.assertLess(coarse.counts.triangles, fine.counts.triangles)
+        self.assertEqual(ball.mesh_levels([]), [])
+        self.assertRaises(nurbs.ArgumentError, ball.mesh_levels, [1.0, 0.0])
+
+    def test_without_small_angles(self):
+        tube = nurbs.cylinder(1, 20)
+        plain, mesh = tube.mesh(0.05), tube.mesh(0.05, minimum_angle=0.5)
+        self.assertTrue(mesh.bound.reached and mesh.counts.triangles > 5 * plain.counts.triangles)
+        self.assertRaises(nurbs.ArgumentError, tube.mesh, minimum_angle=0.6)
+
     def test_quads(self):
         mesh = nurbs.torus(3, 1).mesh(1e-2)
         quads, points = mesh.quads, mesh.vertex_quads

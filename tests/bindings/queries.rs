@@ -181,6 +181,14 @@ fn curve_shapes() -> Result<()> {
     let pairs = floor.quads(0)?;
     assert!(pairs.corners.len() == 1 && pairs.triangles == [0]);
     assert_eq!(status_of(Mesh::of_surface(&floor_plane()?, Some(&limits.angle(4.)))), sys::NURBS_ERROR_ANGLE);
+    let mut call = nurbs::Call::new();
+    let levels = Mesh::of_surface_levels_with(&floor_plane()?, &[1e-1, 1e-3], Some(&limits), &mut call)?;
+    assert!(levels.len() == 2 && levels[1].counts()?.triangles == 2);
+    assert_eq!(status_of(Mesh::of_surface_levels(&floor_plane()?, &[1., -1.], None)), sys::NURBS_ERROR_TOLERANCE);
+    assert_eq!(
+        status_of(Mesh::of_surface(&floor_plane()?, Some(&limits.minimum_angle(0.6)))),
+        sys::NURBS_ERROR_ANGLE
+    );
     let block = floor_plane()?.extrude(&[0., 0., 1.])?;
     let cells = Mesh::of_volume(&block, Some(&limits), 5)?;
     let boxes = cells.hexahedra()?;

@@ -35,7 +35,9 @@ def is_number(parameter):
 def shape_problem(parameter):
     if parameter.pointers == 0 or parameter.name == "path":
         return "a shape for what is no array" if parameter.shape else None
-    if parameter.base in manual.handles and not (parameter.pointers == 2 and parameter.is_const):
+    if parameter.base in manual.handles and not parameter.is_const and parameter.pointers == 2:
+        return None  # a new one, or with a shape an array of these
+    if parameter.base in manual.handles and parameter.pointers < 2:
         return "a shape for a handle" if parameter.shape else None
     if parameter.base in structs and parameter.pointers == 1:
         return "a shape for a struct" if parameter.shape else None

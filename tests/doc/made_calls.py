@@ -20,6 +20,11 @@ ELEMENTS = {"degrees": 2, "counts": 3, "distinct_counts": 2, "multiplicities": 3
 AMOUNTS = ((1, 1), (3, 6), (9, 9), (6, 6), (3, 4))
 
 
+def new_handles(value=None):
+    """Where one goes, or an array of them."""
+    return ctypes.cast((ctypes.c_void_p * 64)(*[value] * 64), ctypes.POINTER(ctypes.c_void_p))
+
+
 def knots(degree, count):
     return [0.0] * degree + [i / (count - degree) for i in range(count - degree + 1)] + [1.0] * degree
 
@@ -121,13 +126,13 @@ class Border:
             if entry.pointers == 1:
                 return spline.handle
             several = (ctypes.c_void_p * 16)(*[spline.handle.value] * 16)
-            return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
+            return several if entry.is_const else new_handles()
         if entry.base in self.handles:
             one = self.handles[entry.base]
             several = (ctypes.c_void_p * 16)(*[one.value] * 16)
             if entry.pointers == 1:
                 return one
-            return several if entry.is_const else ctypes.pointer(ctypes.c_void_p())
+            return several if entry.is_const else new_handles()
         if entry.base in slots.INTEGERS:
             return (slots.INTEGERS[entry.base] * ROOM)(*[ELEMENTS.get(entry.name, 1)] * 64)
         if entry.base in ("double", "float"):

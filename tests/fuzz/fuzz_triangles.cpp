@@ -40,11 +40,13 @@ nurbs_mesh_options any_options(Input &in, double size) {
         options.relative_chord = in.anything();
         options.longest = in.anything();
         options.angle = in.anything();
+        options.minimum_angle = in.anything();
     } else if (in.coin()) {
         options.chord = std::ldexp(size + 1e-300, -in.below(7));
         options.relative_chord = in.coin() ? 0 : 0.1;
         options.longest = in.coin() ? 0 : size * (0.05 + in.unit());
         options.angle = in.coin() ? 0 : 0.2 + in.unit();
+        options.minimum_angle = in.coin() ? 0 : in.unit() / 2;
     }
     return options;
 }
@@ -289,6 +291,30 @@ Face any_face(Input &in, const nurbs *g) {
     return Face(face);
 }
 
+// All or none; without a limit of work that is reached, each as by itself. levels(plain, chords, meshes), single(options, mesh).
+template <class Levels, class Single>
+void mesh_levels(Input &in, const nurbs_mesh_options *options, double size, Levels &&levels,
+                 Single &&single) {
+    const double chords[] = {std::ldexp(size, -in.below(7)), in.rarely() ? in.anything() : size};
+    std::array<nurbs_mesh *, 2> made{};
+    const bool done = FUZZ_OK(levels(in.rarely() && options == nullptr, chords, made.data()));
+    const Mesh first(made[0]), second(made[1]);
+    FUZZ_REQUIRE((first != nullptr) == done && (second != nullptr) == done);
+    if (!done || arrays_of(first.get()).reached == 0 || arrays_of(first.get()).triangles > 1000) {
+        return;
+    }
+    check(first.get());
+    nurbs_mesh_options own{};
+    FUZZ_REQUIRE(nurbs_mesh_options_init(&own, sizeof own) == NURBS_OK);
+    own = options == nullptr ? own : *options;
+    own.chord = chords[0];
+    own.relative_chord = 0;
+    nurbs_mesh *alone = nullptr;
+    FUZZ_REQUIRE(single(&own, &alone) == NURBS_OK);
+    const Mesh other(alone);
+    FUZZ_REQUIRE(arrays_of(alone).reached == 1);
+}
+
 void mesh_faces(Input &in, const nurbs *g, const nurbs_mesh_options *options,
                 const nurbs_call_options *call) {
     const Face face = any_face(in, g);
@@ -302,12 +328,34 @@ void mesh_faces(Input &in, const nurbs *g, const nurbs_mesh_options *options,
     if (const Mesh own(mesh); own) {
         FUZZ_REQUIRE(check(own.get()).faces == 1);
     }
+    if (in.rarely()) {
+        mesh_levels(
+            in, options, 1,
+            [&](bool bare, const double *chords, nurbs_mesh **out) {
+                return bare ? nurbs_mesh_face_levels(face.get(), 2, chords, options, out)
+                            : nurbs_mesh_face_levels_with(face.get(), 2, chords, options, call, out);
+            },
+            [&](const nurbs_mesh_options *own, nurbs_mesh **out) {
+                return nurbs_mesh_face(face.get(), own, out);
+            });
+    }
     const nurbs_face *faces[] = {face.get(), face.get()};
     nurbs_model *model = nullptr;
     if (in.coin() || !FUZZ_OK(nurbs_model_create(2, faces, 0, &model))) { // of faces in the plane
         return;
     }
     const Model parts(model);
+    if (in.rarely()) {
+        mesh_levels(
+            in, options, 1,
+            [&](bool bare, const double *chords, nurbs_mesh **out) {
+                return bare ? nurbs_mesh_model_levels(model, 2, chords, options, out)
+                            : nurbs_mesh_model_levels_with(model, 2, chords, options, call, out);
+            },
+            [&](const nurbs_mesh_options *own, nurbs_mesh **out) {
+                return nurbs_mesh_model(model, own, out);
+            });
+    }
     mesh = nullptr;
     FUZZ_OK(plain && options == nullptr ? nurbs_mesh_model(model, options, &mesh)
                                         : nurbs_mesh_model_with(model, options, call, &mesh));
@@ -348,6 +396,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         }
     } else {
         FUZZ_REQUIRE(mesh == nullptr);
+    }
+    if (in.rarely()) {
+        mesh_levels(
+            in, options, s.size(),
+            [&](bool bare, const double *chords, nurbs_mesh **out) {
+                return bare ? nurbs_mesh_surface_levels(g.get(), 2, chords, options, out)
+                            : nurbs_mesh_surface_levels_with(g.get(), 2, chords, options, &call, out);
+            },
+            [&](const nurbs_mesh_options *own, nurbs_mesh **out) {
+                return nurbs_mesh_surface(g.get(), own, out);
+            });
     }
     if (s.axes() == 2 && in.coin()) { // half of the time would be theirs
         mesh_faces(in, g.get(), options, &call);

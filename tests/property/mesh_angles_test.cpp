@@ -181,7 +181,7 @@ TEST(MeshAngles, triangles_of_surfaces_of_any_form_have_no_small_angles) {
 
 // Periodic, with steps of degree 0, with poles, folded and crumpled: whatever comes of the angles, all else holds.
 TEST(MeshAngles, surfaces_of_any_kind_stay_whole_and_near) {
-    for_each_case(17, 24, [](Random &random, uint64_t seed) {
+    for_each_case(17, 12, [](Random &random, uint64_t seed) {
         SCOPED_TRACE(seed);
         Recipe recipe = random_recipe(random, 2, 4);
         recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
@@ -196,7 +196,8 @@ TEST(MeshAngles, surfaces_of_any_kind_stay_whole_and_near) {
             return nurbs_mesh_surface_with(shape, options, &call, out);
         };
         const double chord = 0.1 * (upper - lower);
-        const Mesh plain = refined(g.get(), chord, 0, make), mesh = refined(g.get(), chord, 0.3, make);
+        // Without anything to do, but with cells at the same places.
+        const Mesh plain = refined(g.get(), chord, 1e-9, make), mesh = refined(g.get(), chord, 0.3, make);
         EXPECT_EQ(free_sides(sides_of(mesh)), free_sides(sides_of(plain)));
         EXPECT_EQ(euler(mesh, sides_of(mesh)), euler(plain, sides_of(plain)));
         if (mesh.reached == 1) {

@@ -59,6 +59,7 @@ module nurbs
     use nurbs_edits
     use nurbs_deformations
     use nurbs_segments
+    use nurbs_levels
     implicit none
     public
 end module nurbs

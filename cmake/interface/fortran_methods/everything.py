@@ -38,6 +38,7 @@ WATCHED = """\
 """
 WATCHED_USE = "    use nurbs_calls, only: nurbs_call, nurbs_progress\n"
 TAIL = """\
+    use nurbs_levels
     implicit none
     public
 end module nurbs
@@ -48,6 +49,7 @@ ALL = """\
 ! All modules in the order in which a compiler needs them, for programs that are built without CMake.
 """
 BY_HAND = ["constants", "c", "calls", "support", "handles"]
+BY_HAND_BEHIND = ["levels"]
 
 
 def module(modules, notice, watched):
@@ -70,5 +72,5 @@ def only(module):
 
 def includes(modules, notice, watched):
     by_hand = [name for name in BY_HAND if watched or name != "calls"]
-    names = [f"nurbs_{name}" for name in (*by_hand, *(module.name for module in modules))] + ["nurbs"]
+    names = [f"nurbs_{name}" for name in (*by_hand, *(module.name for module in modules), *BY_HAND_BEHIND)] + ["nurbs"]
     return ALL.format(notice=notice) + "".join(f"include '{name}.f90'\n" for name in names)

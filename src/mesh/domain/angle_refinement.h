@@ -20,6 +20,8 @@
 
 namespace nrb::mesh {
 
+// Judging and the order of things are in angle_refinement.cpp, where vertices are wanted in angle_places.cpp, and what makes them in
+// angle_steps.cpp.
 class AngleRefinement {
 public:
     struct Rule {
@@ -52,6 +54,8 @@ public:
     [[nodiscard]] bool fails(int32_t triangle) const;
 
 private:
+    // Angles are aimed at by so much more than asked for, so that rounding does not count.
+    static constexpr double room = 1 + 1e-6;
     // Shares of the corners of a triangle, of the sum 1.
     using Shares = std::array<double, 3>;
     struct Place {

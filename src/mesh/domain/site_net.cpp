@@ -39,7 +39,8 @@ void SiteNet::join(const std::vector<int32_t> &points) {
         }
         std::ranges::sort(open, {}, &Directed::ends);
         const auto find = [&](const std::array<int32_t, 2> &ends) -> const Directed * {
-            const auto [first, last] = std::ranges::equal_range(open, ends, {}, &Directed::ends);
+            const auto first = std::ranges::lower_bound(open, ends, {}, &Directed::ends),
+                       last = std::ranges::upper_bound(open, ends, {}, &Directed::ends);
             return last - first == 1 ? &*first : nullptr;
         };
         for (const Directed &own : open) {

@@ -6,11 +6,11 @@ from __future__ import annotations
 import ctypes
 import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, NamedTuple, NoReturn, Optional, SupportsIndex, Type, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, NoReturn, Optional, SupportsIndex, Type, TypeVar, Union
 
 import numpy
 
-from ._arrays import addresses
+from ._arrays import addresses, vector
 from ._base import SplineBase
 from ._calls import watched
 from ._library import call, get, lib
@@ -19,6 +19,8 @@ from ._write import MESH_SUFFIXES, file_bytes, to_file
 from .constants import NURBS_FORMAT_STL, NURBS_MESH_WELDED
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from ._arrays import Floats, Int32s, Int64s, Shape, Singles
     from ._calls import Progress
 
@@ -138,7 +140,15 @@ class BezierCellPoints(NamedTuple):
 
 class _Options(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_int64), ("chord", ctypes.c_double), ("relative_chord", ctypes.c_double),
-                ("longest", ctypes.c_double), ("angle", ctypes.c_double)]
+                ("longest", ctypes.c_double), ("angle", ctypes.c_double), ("minimum_angle", ctypes.c_double)]
+
+
+def _options(chord: float, relative: float, longest: float, angle: float, minimum_angle: float) -> Any:
+    options: Any = _Options()
+    call(lib.nurbs_mesh_options_init, ctypes.byref(options), ctypes.sizeof(options))
+    options.chord, options.relative_chord, options.longest = chord, relative, longest
+    options.angle, options.minimum_angle = angle, minimum_angle
+    return options
 
 
 class Mesh:
@@ -170,11 +180,23 @@ class Mesh:
 
     @classmethod
     def _of(cls: Type[_Mesh], function: Any, shape: Any, chord: float, relative: float, longest: float,
-            angle: float, *more: Any) -> _Mesh:
-        options: Any = _Options()
-        call(lib.nurbs_mesh_options_init, ctypes.byref(options), ctypes.sizeof(options))
-        options.chord, options.relative_chord, options.longest, options.angle = chord, relative, longest, angle
+            angle: float, minimum_angle: float, *more: Any) -> _Mesh:
+        options = _options(chord, relative, longest, angle, minimum_angle)
         return cls._made(function, shape, ctypes.byref(options), *more)
+
+    @classmethod
+    def _levels(cls: Type[_Mesh], function: Any, shape: Any, chords: ArrayLike, longest: float, angle: float,
+                minimum_angle: float) -> List[_Mesh]:
+        """The meshes that a function makes for each distance."""
+        own = vector(chords)
+        options = _options(math.inf, 0.0, longest, angle, minimum_angle)
+        meshes, handles = [cls.__new__(cls) for _ in own], (ctypes.c_void_p * len(own))()
+        try:
+            call(function, shape, len(own), own.ctypes.data, ctypes.byref(options), handles)
+        finally:  # an interrupt may come after the call
+            for mesh, handle in zip(meshes, handles):
+                mesh.__dict__["_handle"] = handle
+        return meshes
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a Mesh does not change: {name} cannot be set")
@@ -376,20 +398,27 @@ class Meshes(SplineBase):
         call(function, *given, count.value, params.ctypes.data, points.ctypes.data, *ends)
         return CurvePolyline(params, points, bound.value, bool(reached.value))
 
-    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0, *,
-             progress: Progress = None, work: Optional[int] = None) -> Mesh:
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0,
+             minimum_angle: float = 0.0, *, progress: Progress = None, work: Optional[int] = None) -> Mesh:
         """Triangles in place of a surface of dimension 2 or 3, proven to be within `chord` of it, both ways, and within the
         share `relative` of its extent (the longest side of the box of the control points) unless that is 0; with sides no
         longer than `longest` and normals at corners of a triangle no more than `angle` (in radians) apart, unless these are
-        0."""
-        return Mesh._of(watched(lib.nurbs_mesh_surface, progress, work), self._handle, chord, relative, longest, angle)
+        0. Triangles inside, whose circles do not come to the border, have no angle below `minimum_angle`, at most pi / 6."""
+        return Mesh._of(watched(lib.nurbs_mesh_surface, progress, work), self._handle, chord, relative, longest, angle,
+                        minimum_angle)
+
+    def mesh_levels(self, chords: ArrayLike, longest: float = 0.0, angle: float = 0.0, minimum_angle: float = 0.0, *,
+                    progress: Progress = None, work: Optional[int] = None) -> List[Mesh]:
+        """A mesh for each of the distances, in their order: each as mesh(chord, relative=0, ...) makes it."""
+        return Mesh._levels(watched(lib.nurbs_mesh_surface_levels, progress, work), self._handle, chords, longest, angle,
+                            minimum_angle)
 
     def mesh_volume(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, limit: int = 0, *,
                     progress: Progress = None, work: Optional[int] = None) -> Mesh:
         """Hexahedra in place of a volume, on a grid of lines along its axes, with limits as for mesh(); at most `limit` of them
         (0: 2^20), or one for each polynomial piece."""
         return Mesh._of(watched(lib.nurbs_mesh_volume, progress, work), self._handle, chord, relative, longest, 0.0,
-                        limit)
+                        0.0, limit)
 
     def bezier_cells(self) -> BezierCells:
         """The polynomial pieces as Bezier cells in the order of VTK, by places in bezier_cell_points()."""

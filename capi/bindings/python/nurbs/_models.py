@@ -546,11 +546,18 @@ class Model:
 
     # --- Meshes ---
 
-    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0, *,
-             progress: Progress = None, work: Optional[int] = None) -> Mesh:
+    def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0,
+             minimum_angle: float = 0.0, *, progress: Progress = None, work: Optional[int] = None) -> Mesh:
         """Triangles in place of all faces, in the coordinates of their parts, with common points along common edges; the limits
         are those of Spline.mesh()."""
-        return Mesh._of(watched(lib.nurbs_mesh_model, progress, work), self._handle, chord, relative, longest, angle)
+        return Mesh._of(watched(lib.nurbs_mesh_model, progress, work), self._handle, chord, relative, longest, angle,
+                        minimum_angle)
+
+    def mesh_levels(self, chords: ArrayLike, longest: float = 0.0, angle: float = 0.0, minimum_angle: float = 0.0, *,
+                    progress: Progress = None, work: Optional[int] = None) -> List[Mesh]:
+        """A mesh for each of the distances, in their order: each as mesh(chord, relative=0, ...) makes it."""
+        return Mesh._levels(watched(lib.nurbs_mesh_model_levels, progress, work), self._handle, chords, longest, angle,
+                            minimum_angle)
 
     def plot(self, ax: Any = None, *, color: Any = None, edges: bool = True, alpha: float = 1.0,
              relative: float = 1e-3) -> Any:

@@ -3,7 +3,10 @@
 
 use crate::call::Call;
 use crate::error::{check, Result};
+use crate::face::Face;
 use crate::list::{bytes_of, write_options_pointer, WriteOptions};
+use crate::model::Model;
+use crate::spline::Spline;
 use crate::sys;
 use std::fmt;
 use std::ptr::{null_mut, NonNull};
@@ -35,6 +38,11 @@ impl MeshOptions {
     /// Length of sides of triangles; 0 for no limit.
     pub fn longest(mut self, length: f64) -> MeshOptions {
         self.raw.longest = length;
+        self
+    }
+    /// The least angle of triangles inside, in radians, at most pi / 6; 0 for no limit.
+    pub fn minimum_angle(mut self, radians: f64) -> MeshOptions {
+        self.raw.minimum_angle = radians;
         self
     }
     /// Angle between the normals at corners of triangles, in radians, at most pi; 0 for no limit.
@@ -106,6 +114,87 @@ impl Mesh {
         let settings = write_options_pointer(options);
         bytes_of(|cap, bytes, length| unsafe {
             sys::nurbs_mesh_write_with(self.raw(), format, settings, cap, bytes, length, call.options())
+        })
+    }
+
+    /// What `call` makes of so many distances.
+    fn levels(
+        chords: &[f64],
+        call: impl FnOnce(i64, *const f64, *mut *mut sys::nurbs_mesh) -> i32,
+    ) -> Result<Vec<Mesh>> {
+        let mut out = vec![null_mut(); chords.len()];
+        check(call(chords.len() as i64, chords.as_ptr(), out.as_mut_ptr()))?;
+        let own = |handle| Mesh {
+            handle: NonNull::new(handle).expect("the library returned success without a mesh"),
+        };
+        Ok(out.into_iter().map(own).collect())
+    }
+
+    /// Meshes of a whole surface, one for each of the distances, in their order: each as `of_surface` makes it with that
+    /// `chord`, and no `relative_chord`.
+    pub fn of_surface_levels(g: &Spline, chords: &[f64], options: Option<&MeshOptions>) -> Result<Vec<Mesh>> {
+        let settings = mesh_options_pointer(options);
+        Mesh::levels(chords, |count, own, out| unsafe {
+            sys::nurbs_mesh_surface_levels(g.raw(), count, own, settings, out)
+        })
+    }
+
+    /// The same as `of_surface_levels`; it can be watched and stopped.
+    pub fn of_surface_levels_with(
+        g: &Spline,
+        chords: &[f64],
+        options: Option<&MeshOptions>,
+        call: &mut Call,
+    ) -> Result<Vec<Mesh>> {
+        let settings = mesh_options_pointer(options);
+        Mesh::levels(chords, |count, own, out| unsafe {
+            sys::nurbs_mesh_surface_levels_with(g.raw(), count, own, settings, call.options(), out)
+        })
+    }
+
+    /// The same of a trimmed face: `of_face`.
+    pub fn of_face_levels(face: &Face, chords: &[f64], options: Option<&MeshOptions>) -> Result<Vec<Mesh>> {
+        let settings = mesh_options_pointer(options);
+        Mesh::levels(chords, |count, own, out| unsafe {
+            sys::nurbs_mesh_face_levels(face.raw(), count, own, settings, out)
+        })
+    }
+
+    /// The same as `of_face_levels`; it can be watched and stopped.
+    pub fn of_face_levels_with(
+        face: &Face,
+        chords: &[f64],
+        options: Option<&MeshOptions>,
+        call: &mut Call,
+    ) -> Result<Vec<Mesh>> {
+        let settings = mesh_options_pointer(options);
+        Mesh::levels(chords, |count, own, out| unsafe {
+            sys::nurbs_mesh_face_levels_with(face.raw(), count, own, settings, call.options(), out)
+        })
+    }
+
+    /// The same of all faces of a model: `of_model`.
+    pub fn of_model_levels(
+        model: &Model,
+        chords: &[f64],
+        options: Option<&MeshOptions>,
+    ) -> Result<Vec<Mesh>> {
+        let settings = mesh_options_pointer(options);
+        Mesh::levels(chords, |count, own, out| unsafe {
+            sys::nurbs_mesh_model_levels(model.raw(), count, own, settings, out)
+        })
+    }
+
+    /// The same as `of_model_levels`; it can be watched and stopped.
+    pub fn of_model_levels_with(
+        model: &Model,
+        chords: &[f64],
+        options: Option<&MeshOptions>,
+        call: &mut Call,
+    ) -> Result<Vec<Mesh>> {
+        let settings = mesh_options_pointer(options);
+        Mesh::levels(chords, |count, own, out| unsafe {
+            sys::nurbs_mesh_model_levels_with(model.raw(), count, own, settings, call.options(), out)
         })
     }
 

@@ -1059,17 +1059,26 @@ const Call group[] = {
     {"mesh_surface_levels",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double chords[] = {1};
-         return nurbs_mesh_surface_levels(in.surface, 1, chords, nullptr, &o.mesh);
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.longest = 10;
+         return nurbs_mesh_surface_levels(in.surface, 1, chords, &options, &o.mesh);
      }},
     {"mesh_face_levels",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double chords[] = {1};
-         return nurbs_mesh_face_levels(in.face, 1, chords, nullptr, &o.mesh);
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.longest = 10;
+         return nurbs_mesh_face_levels(in.face, 1, chords, &options, &o.mesh);
      }, true},
     {"mesh_model_levels",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double chords[] = {1};
-         return nurbs_mesh_model_levels(in.model, 1, chords, nullptr, &o.mesh);
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.longest = 10;
+         return nurbs_mesh_model_levels(in.model, 1, chords, &options, &o.mesh);
      }, true},
     {"mesh_volume",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1781,23 +1790,32 @@ const Call group[] = {
     {"mesh_surface_levels_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double chords[] = {1};
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.longest = 10;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_mesh_surface_levels_with(in.surface, 1, chords, nullptr, &call, &o.mesh);
+         return nurbs_mesh_surface_levels_with(in.surface, 1, chords, &options, &call, &o.mesh);
      }},
     {"mesh_face_levels_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double chords[] = {1};
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.longest = 10;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_mesh_face_levels_with(in.face, 1, chords, nullptr, &call, &o.mesh);
+         return nurbs_mesh_face_levels_with(in.face, 1, chords, &options, &call, &o.mesh);
      }, true},
     {"mesh_model_levels_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double chords[] = {1};
+         nurbs_mesh_options options;
+         (void)nurbs_mesh_options_init(&options, sizeof options);
+         options.longest = 10;
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_mesh_model_levels_with(in.model, 1, chords, nullptr, &call, &o.mesh);
+         return nurbs_mesh_model_levels_with(in.model, 1, chords, &options, &call, &o.mesh);
      }, true},
     {"mesh_volume_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
