@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/arrangement.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "refine/parts/cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+std::vector<ClosedLoop> as_closed(std::span<const ArrangedLoop> loops) {
+    std::vector<ClosedLoop> result;
+    for (const ArrangedLoop &loop : loops) {
+        result.push_back({loop.placed, {}});
+    }
+    return result;
+}
+
+// In units of about a period. Solvers and places have the rounding of the largest parameters.
+double near_of(const Covering &covering, double tolerance) {
+    constexpr double rounding = 0x1p-38;
+    double share = 1;
+    for (const int k : {0, 1}) {
+        const Interval domain = covering.domain(k);
+        share =
+            std::max(share, std::max(std::abs(domain.lower), std::abs(domain.upper)) / covering.period(k));
+    }
+    const double given = covering.extent() > 0 ? tolerance / covering.extent() : 0;
+    return std::max(rounding * share, given);
+}
+
+void add_to(PassedSums &sums, int32_t owner, int value) {
+    const auto at = std::ranges::lower_bound(sums, owner, {}, &PassedSum::loop);
+    if (at == sums.end() || at->loop != owner) {
+        sums.insert(at, {owner, value});
+    } else if ((at->value += value) == 0) {
+        sums.erase(at);
+    }
+}
+
+} // namespace
+
+Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop> loops, double tolerance)
+    : loops_(loops.begin(), loops.end()), near_(near_of(covering, tolerance)),
+      hits_(covering, as_closed(loops), near_), cuts_(hits_, near_) {
+    set_edges();
+    set_pieces(covering);
+}
+
+// What pairs join, each with its direction along the first of them.
+void Arrangement::set_edges() {
+    const auto &all = cuts_.edges();
+    std::vector<std::vector<Member>> beside(all.size());
+    for (const EdgePair &pair : cuts_.pairs()) {
+        beside[pair.a].push_back({pair.b, pair.against});
+        beside[pair.b].push_back({pair.a, pair.against});
+    }
+    std::vector<bool> taken(all.size(), false);
+    for (size_t first = 0; first < all.size(); ++first) {
+        if (taken[first]) {
+            continue;
+        }
+        Edge edge{all[first].from, all[first].to, {{first, false}}, {}};
+        taken[first] = true;
+        for (size_t i = 0; i < edge.members.size(); ++i) {
+            const Member from = edge.members[i];
+            for (const Member &next : beside[from.cut]) {
+                if (!taken[next.cut]) {
+                    taken[next.cut] = true;
+                    edge.members.push_back({next.cut, next.against != from.against});
+                }
+            }
+        }
+        add_steps(edge);
+        edges_.push_back(std::move(edge));
+    }
+}
+
+void Arrangement::add_steps(Edge &edge) const {
+    for (const Member &member : edge.members) {
+        const size_t curve = cuts_.edges()[member.cut].curve;
+        const auto loop = static_cast<size_t>(hits_.curves()[curve].loop);
+        add_to(edge.steps, loops_[loop].owner, member.against ? -1 : 1);
+    }
+}
+
+void Arrangement::set_pieces(const Covering &covering) {
+    FoldedPieces folded;
+    Steps steps(std::ssize(edges_));
+    for (size_t i = 0; i < edges_.size(); ++i) {
+        const CutEdge &cut = cuts_.edges()[edges_[i].members.front().cut];
+        const PlacedCurve &whole = curve(cut);
+        const SplinePtr part = refine::restrict_axis(whole.curve, 0, cut.range.lower, cut.range.upper);
+        first_pieces_.push_back(folded.pieces.all().size());
+        append_between({part, whole.shift}, static_cast<int32_t>(i), nodes()[cut.from], nodes()[cut.to],
+                       folded.pieces);
+        steps.next();
+    }
+    first_pieces_.push_back(folded.pieces.all().size());
+    columns_.emplace(std::move(folded), covering);
+}
+
+Arrangement::Sides Arrangement::sides(size_t edge) const {
+    const std::optional<PassedSums> passed = columns_->sums_left_of(static_cast<int32_t>(edge));
+    if (!passed) {
+        fail_undecided(nodes()[edges_[edge].from]);
+    }
+    Sides result;
+    for (const PassedSum &sum : *passed) {
+        for (const PassedSum &step : edges_[static_cast<size_t>(sum.loop)].steps) {
+            add_to(result.left, step.loop, sum.value * step.value);
+        }
+    }
+    result.right = result.left;
+    for (const PassedSum &step : edges_[edge].steps) {
+        add_to(result.right, step.loop, -step.value);
+    }
+    return result;
+}
+
+void Arrangement::fail_undecided(const Point2 &x) const {
+    fail(Status::not_converged, "curves come undecidably near each other at (%s, %s)", Number(x[0]).text,
+         Number(x[1]).text);
+}
+
+} // namespace nrb::face

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/regions.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "bounds/box.h"
+#include "eval/curve_point.h"
+#include "face/arrange/parts.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace nrb::face {
+
+namespace {
+
+using Inside = std::function<bool(const PassedSums &)>;
+
+// The plane z = 0 over a square, with the coordinates as parameters.
+SplinePtr plane_over(const Interval &x, const Interval &y) {
+    std::vector<double> points;
+    for (const double u : {x.lower, x.upper}) {
+        for (const double v : {y.lower, y.upper}) {
+            points.insert(points.end(), {u, v, 0});
+        }
+    }
+    const auto axis = [](const Interval &range) {
+        return std::make_shared<const KnotVector>(
+            1, std::vector<double>{range.lower, range.lower, range.upper, range.upper});
+    };
+    return make_result({axis(x), axis(y)}, 3, Form::polynomial, std::move(points));
+}
+
+// A square, so that distances count alike along both axes, around a box.
+SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
+    const double size = std::max(upper[0] - lower[0], upper[1] - lower[1]);
+    if (!(size > 0)) {
+        fail(Status::orientation, "the curves enclose nothing: all of them are one point");
+    }
+    std::array<Interval, 2> sides;
+    for (size_t k = 0; k < 2; ++k) {
+        const double beyond = (size - (upper[k] - lower[k])) / 2;
+        sides[k] = {lower[k] - beyond, upper[k] + beyond};
+    }
+    return plane_over(sides[0], sides[1]);
+}
+
+bool is_region_plane(const Spline &surface) {
+    if (surface.dim() != 3 || surface.rational() || surface.count(0) != 2 || surface.count(1) != 2) {
+        return false;
+    }
+    const Interval x = surface.axis(0).domain(), y = surface.axis(1).domain();
+    const auto expected = plane_over(x, y);
+    return std::ranges::equal(surface.points(), expected->points());
+}
+
+bool are_equal(const Spline &a, const Spline &b) {
+    const auto equal_axes = [&](int k) {
+        return a.axis(k).degree() == b.axis(k).degree() &&
+               std::ranges::equal(a.axis(k).knots(), b.axis(k).knots());
+    };
+    return a.dim() == b.dim() && a.form() == b.form() && equal_axes(0) && equal_axes(1) &&
+           std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
+}
+
+// The region of the places that are inside by the values of owners.
+class RegionMaker {
+public:
+    RegionMaker(SplinePtr surface, double tolerance)
+        : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance) {}
+
+    [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
+    void check_open() const {
+        for (const int k : {0, 1}) {
+            if (covering_.closed(k)) {
+                fail(Status::incompatible, "the surface closes up along axis %d", k);
+            }
+        }
+    }
+    void add(const Loop &loop, int32_t owner) {
+        loops_.push_back({placed(*surface_, covering_, loop, tolerance_), owner});
+    }
+    // The largest distance of ends, rounded up.
+    [[nodiscard]] double gap_of(const Loop &loop) const {
+        double largest = 0;
+        for (size_t i = 0; i < loop.size(); ++i) {
+            Point2 end, start;
+            eval::end_point(*loop[i].curve, true, end.data());
+            eval::end_point(*loop[(i + 1) % loop.size()].curve, false, start.data());
+            largest = std::max(largest, end == start ? 0 : gap_between(*surface_, covering_, end, start));
+        }
+        return largest * (1 + 0x1p-20);
+    }
+
+    [[nodiscard]] std::vector<FacePtr> make(const Inside &inside) const {
+        std::vector<FacePtr> faces;
+        if (loops_.empty()) {
+            return faces;
+        }
+        const Arrangement arrangement(covering_, loops_, tolerance_);
+        for (const PartLoops &part : parts_within(arrangement, border_of(arrangement, inside))) {
+            faces.push_back(face_of(arrangement, part));
+        }
+        return faces;
+    }
+
+private:
+    // What is inside to its left only.
+    static std::vector<DirectedEdge> border_of(const Arrangement &arrangement, const Inside &inside) {
+        std::vector<DirectedEdge> border;
+        for (size_t i = 0; i < arrangement.edges().size(); ++i) {
+            if (!arrangement.edges()[i].steps.empty()) {
+                const auto [left, right] = arrangement.sides(i);
+                const bool in_left = inside(left);
+                if (in_left != inside(right)) {
+                    border.push_back({i, !in_left});
+                }
+            }
+        }
+        return border;
+    }
+    [[nodiscard]] FacePtr face_of(const Arrangement &arrangement, const PartLoops &part) const {
+        FaceParts parts{surface_, {}, tolerance_, true};
+        for (const EdgeLoop &loop : part) {
+            parts.loops.push_back(loop_of(arrangement, loop));
+            parts.tolerance = std::max(parts.tolerance, gap_of(parts.loops.back()));
+        }
+        return std::make_shared<const Face>(std::move(parts), nullptr);
+    }
+    SplinePtr surface_;
+    double tolerance_;
+    Covering covering_;
+    std::vector<ArrangedLoop> loops_;
+};
+
+int value_of(const PassedSums &values) noexcept {
+    return values.empty() ? 0 : values.front().value;
+}
+
+Inside inside_by(FillRule rule) {
+    switch (rule) {
+    case FillRule::even_odd:
+        return [](const PassedSums &values) { return value_of(values) % 2 != 0; };
+    case FillRule::positive:
+        return [](const PassedSums &values) { return value_of(values) > 0; };
+    default:
+        return [](const PassedSums &values) { return value_of(values) != 0; };
+    }
+}
+
+// Values of a have the owner 0, those of b the owner 1. Faces in one of them are inside of it as often as they cover a place.
+Inside inside_by(RegionRule rule) {
+    const auto holds = [](const PassedSums &values, int32_t owner) {
+        return std::ranges::find(values, owner, &PassedSum::loop) != values.end();
+    };
+    switch (rule) {
+    case RegionRule::both:
+        return [=](const PassedSums &values) { return holds(values, 0) && holds(values, 1); };
+    case RegionRule::difference:
+        return [=](const PassedSums &values) { return holds(values, 0) && !holds(values, 1); };
+    case RegionRule::one:
+        return [=](const PassedSums &values) { return holds(values, 0) != holds(values, 1); };
+    default:
+        return [=](const PassedSums &values) { return holds(values, 0) || holds(values, 1); };
+    }
+}
+
+SplinePtr plane_of(std::span<const std::vector<SplinePtr>> loops) {
+    Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
+    for (const std::vector<SplinePtr> &loop : loops) {
+        for (const SplinePtr &curve : loop) {
+            const bounds::Box box = bounds::bounding_box(*curve, whole_domain(*curve), 0x1p-20);
+            for (size_t k = 0; k < 2; ++k) {
+                lower[k] = std::min(lower[k], box.lower[k]);
+                upper[k] = std::max(upper[k], box.upper[k]);
+            }
+        }
+    }
+    return plane_around(lower, upper);
+}
+
+void check_curves(std::span<const std::vector<SplinePtr>> loops) {
+    for (size_t i = 0; i < loops.size(); ++i) {
+        for (size_t j = 0; j < loops[i].size(); ++j) {
+            check_curve(*loops[i][j], i, j);
+        }
+    }
+}
+
+// That of all faces, or a plane over all of theirs.
+class CommonSurface {
+public:
+    void add(const Face &face, const char *name, size_t number) {
+        const SplinePtr &own = face.surface();
+        if (surface_ == nullptr) {
+            surface_ = own;
+        } else if (surface_ != own && !are_equal(*surface_, *own)) {
+            if (!is_region_plane(*surface_) || !is_region_plane(*own)) {
+                fail(Status::incompatible, "%s[%zu] is of another surface than those before it", name,
+                     number);
+            }
+            Point2 lower, upper;
+            for (const int k : {0, 1}) {
+                const Interval a = surface_->axis(k).domain(), b = own->axis(k).domain();
+                lower[static_cast<size_t>(k)] = std::min(a.lower, b.lower);
+                upper[static_cast<size_t>(k)] = std::max(a.upper, b.upper);
+            }
+            surface_ = plane_around(lower, upper);
+        }
+        if (face.has_gaps()) {
+            fail(Status::gap, "%s[%zu] has gaps larger than its tolerance", name, number);
+        }
+        tolerance_ = std::max(tolerance_, face.tolerance());
+    }
+
+    [[nodiscard]] const SplinePtr &get() const noexcept { return surface_; }
+    [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+
+private:
+    SplinePtr surface_;
+    double tolerance_ = 0;
+};
+
+} // namespace
+
+std::vector<FacePtr> region_of(std::span<const std::vector<SplinePtr>> loops, FillRule rule,
+                               double tolerance) {
+    if (loops.empty()) {
+        return {};
+    }
+    constexpr double rounding = 0x1p-44; // of the size of all: ends so near are one
+    check_curves(loops);
+    RegionMaker maker(plane_of(loops), tolerance);
+    for (size_t i = 0; i < loops.size(); ++i) {
+        Loop loop;
+        for (const SplinePtr &curve : loops[i]) {
+            loop.push_back({curve, nullptr});
+        }
+        const double gap = maker.gap_of(loop);
+        if (gap > tolerance + rounding * maker.extent()) {
+            fail(Status::gap, "loop %zu has a gap of %s, larger than the tolerance %s", i, Number(gap).text,
+                 Number(tolerance).text);
+        }
+        maker.add(loop, 0);
+    }
+    return maker.make(inside_by(rule));
+}
+
+std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePtr> b, RegionRule rule,
+                              double tolerance) {
+    CommonSurface common;
+    const auto for_each = [&](auto &&visit) {
+        for (size_t i = 0; i < a.size(); ++i) {
+            visit(*a[i], "a", i, 0);
+        }
+        for (size_t i = 0; i < b.size(); ++i) {
+            visit(*b[i], "b", i, 1);
+        }
+    };
+    for_each([&](const Face &face, const char *name, size_t i, int32_t) { common.add(face, name, i); });
+    if (common.get() == nullptr) {
+        return {};
+    }
+    RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()));
+    maker.check_open();
+    for_each([&](const Face &face, const char *, size_t, int32_t owner) {
+        for (const Loop &loop : face.loops()) {
+            maker.add(loop, owner);
+        }
+    });
+    return maker.make(inside_by(rule));
+}
+
+} // namespace nrb::face
