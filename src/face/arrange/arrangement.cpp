@@ -34,15 +34,6 @@ double near_of(const Covering &covering, double tolerance) {
     return std::max(rounding * share, given);
 }
 
-void add_to(PassedSums &sums, int32_t owner, int value) {
-    const auto at = std::ranges::lower_bound(sums, owner, {}, &PassedSum::loop);
-    if (at == sums.end() || at->loop != owner) {
-        sums.insert(at, {owner, value});
-    } else if ((at->value += value) == 0) {
-        sums.erase(at);
-    }
-}
-
 } // namespace
 
 Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop> loops, double tolerance)
@@ -82,11 +73,14 @@ void Arrangement::set_edges() {
 }
 
 void Arrangement::add_steps(Edge &edge) const {
+    PassedSums steps;
     for (const Member &member : edge.members) {
         const size_t curve = cuts_.edges()[member.cut].curve;
         const auto loop = static_cast<size_t>(hits_.curves()[curve].loop);
-        add_to(edge.steps, loops_[loop].owner, member.against ? -1 : 1);
+        steps.push_back({loops_[loop].owner, member.against ? -1 : 1});
     }
+    edge.steps = summed(std::move(steps));
+    std::erase_if(edge.steps, [](const PassedSum &step) { return step.value == 0; });
 }
 
 void Arrangement::set_pieces(const Covering &covering) {
@@ -103,24 +97,6 @@ void Arrangement::set_pieces(const Covering &covering) {
     }
     first_pieces_.push_back(folded.pieces.all().size());
     columns_.emplace(std::move(folded), covering);
-}
-
-Arrangement::Sides Arrangement::sides(size_t edge) const {
-    const std::optional<PassedSums> passed = columns_->sums_left_of(static_cast<int32_t>(edge));
-    if (!passed) {
-        fail_undecided(nodes()[edges_[edge].from]);
-    }
-    Sides result;
-    for (const PassedSum &sum : *passed) {
-        for (const PassedSum &step : edges_[static_cast<size_t>(sum.loop)].steps) {
-            add_to(result.left, step.loop, sum.value * step.value);
-        }
-    }
-    result.right = result.left;
-    for (const PassedSum &step : edges_[edge].steps) {
-        add_to(result.right, step.loop, -step.value);
-    }
-    return result;
 }
 
 void Arrangement::fail_undecided(const Point2 &x) const {

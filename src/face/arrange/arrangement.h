@@ -61,12 +61,6 @@ public:
         return std::span(columns_->pieces().all())
             .subspan(first_pieces_[edge], first_pieces_[edge + 1] - first_pieces_[edge]);
     }
-    // The values of owners beside an edge, without those that are 0. Throws Status::not_converged where rounding would have to
-    // decide them.
-    struct Sides {
-        PassedSums left, right;
-    };
-    [[nodiscard]] Sides sides(size_t edge) const;
     // In units of about a period.
     [[nodiscard]] double near() const noexcept { return near_; }
     [[noreturn]] void fail_undecided(const Point2 &x) const;

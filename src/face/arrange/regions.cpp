@@ -5,7 +5,9 @@
 #include "base/numbers.h"
 #include "bounds/box.h"
 #include "eval/curve_point.h"
+#include "face/arrange/edge_sides.h"
 #include "face/arrange/parts.h"
+#include "refine/forms/transform.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -33,7 +35,13 @@ SplinePtr plane_over(const Interval &x, const Interval &y) {
     return make_result({axis(x), axis(y)}, 3, Form::polynomial, std::move(points));
 }
 
-// A square, so that distances count alike along both axes, around a box.
+// In the plane z = 0.
+SplinePtr lifted(const Spline &curve) {
+    const double matrix[] = {1, 0, 0, 1, 0, 0}, move[] = {0, 0, 0};
+    return refine::transform(curve, {3, 2, matrix}, move);
+}
+
+// A square, so that distances count alike along both axes, around a box, with some room.
 SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
     const double size = std::max(upper[0] - lower[0], upper[1] - lower[1]);
     if (!(size > 0)) {
@@ -41,7 +49,7 @@ SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
     }
     std::array<Interval, 2> sides;
     for (size_t k = 0; k < 2; ++k) {
-        const double beyond = (size - (upper[k] - lower[k])) / 2;
+        const double beyond = (size - (upper[k] - lower[k])) / 2 + size / 32;
         sides[k] = {lower[k] - beyond, upper[k] + beyond};
     }
     return plane_over(sides[0], sides[1]);
@@ -69,7 +77,8 @@ bool are_equal(const Spline &a, const Spline &b) {
 class RegionMaker {
 public:
     RegionMaker(SplinePtr surface, double tolerance)
-        : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance) {}
+        : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance),
+          is_plane_(is_region_plane(*surface_)) {}
 
     [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
     void check_open() const {
@@ -112,7 +121,7 @@ private:
         std::vector<DirectedEdge> border;
         for (size_t i = 0; i < arrangement.edges().size(); ++i) {
             if (!arrangement.edges()[i].steps.empty()) {
-                const auto [left, right] = arrangement.sides(i);
+                const auto [left, right] = values_beside(arrangement, i);
                 const bool in_left = inside(left);
                 if (in_left != inside(right)) {
                     border.push_back({i, !in_left});
@@ -125,6 +134,9 @@ private:
         FaceParts parts{surface_, {}, tolerance_, true};
         for (const EdgeLoop &loop : part) {
             parts.loops.push_back(loop_of(arrangement, loop));
+            for (Coedge &coedge : parts.loops.back()) {
+                coedge.edge = is_plane_ ? lifted(*coedge.curve) : nullptr;
+            }
             parts.tolerance = std::max(parts.tolerance, gap_of(parts.loops.back()));
         }
         return std::make_shared<const Face>(std::move(parts), nullptr);
@@ -132,6 +144,7 @@ private:
     SplinePtr surface_;
     double tolerance_;
     Covering covering_;
+    bool is_plane_; // z = 0: edges are those of the parameters
     std::vector<ArrangedLoop> loops_;
 };
 

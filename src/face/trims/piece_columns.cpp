@@ -18,6 +18,19 @@ constexpr int most_probes = 16;
 
 } // namespace
 
+PassedSums summed(PassedSums sums) {
+    std::sort(sums.begin(), sums.end(),
+              [](const PassedSum &a, const PassedSum &b) { return a.loop < b.loop; });
+    PassedSums result;
+    for (const PassedSum &sum : sums) {
+        if (result.empty() || result.back().loop != sum.loop) {
+            result.push_back({sum.loop, 0});
+        }
+        result.back().value += sum.value;
+    }
+    return result;
+}
+
 PieceColumns::PieceColumns(FoldedPieces folded, const Covering &covering)
     : pieces_(std::move(folded.pieces)), passages_(std::move(folded.passages)), covering_(&covering) {
     fill_buckets();
@@ -73,16 +86,7 @@ std::optional<PassedSums> PieceColumns::sums(const Point2 &x, size_t except) con
     if (walk(x, except, [&](int32_t loop, int value) { passed.push_back({loop, value}); })) {
         return std::nullopt;
     }
-    std::sort(passed.begin(), passed.end(),
-              [](const PassedSum &a, const PassedSum &b) { return a.loop < b.loop; });
-    PassedSums result;
-    for (const PassedSum &sum : passed) {
-        if (result.empty() || result.back().loop != sum.loop) {
-            result.push_back({sum.loop, 0});
-        }
-        result.back().value += sum.value;
-    }
-    return result;
+    return summed(std::move(passed));
 }
 
 // None where another piece is as near, along axis k, as rounding may move both: by that it may lie on the wrong side.

@@ -1,0 +1,153 @@
+// Regions of the plane: areas add up exactly, the laws of sets hold, places are where both regions say, whatever curves cross,
+// touch, or have in common.
+#include "property/regions.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace regions_test {
+
+using namespace support;
+using namespace support::regions;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// With spikes, or crossing itself where it goes around more than once.
+Handle random_star(Random &random, const Point &center, double size) {
+    const int corners = random.whole(5, 17), turns = random.chance(30) ? 2 : 1;
+    const double start = random.between(0, 2 * pi);
+    std::vector<Point> points;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = start + 2 * pi * turns * i / corners, far = size * random.between(0.2, 1);
+        points.push_back({center[0] + far * std::cos(angle), center[1] + far * std::sin(angle)});
+    }
+    return polygon(points);
+}
+
+// Whose control points are those of a star.
+Handle random_smooth(Random &random, const Point &center, double size) {
+    SplineData data{{3}, {0}, {{}}, 2, {}, {}};
+    const int spans = random.whole(5, 11);
+    const double start = random.between(0, 2 * pi);
+    std::vector<Point> points;
+    for (int i = 0; i < spans; ++i) {
+        const double angle = start + 2 * pi * i / spans, far = size * random.between(0.3, 1.2);
+        points.push_back({center[0] + far * std::cos(angle), center[1] + far * std::sin(angle)});
+    }
+    data.counts[0] = spans + 3;
+    for (int i = 0; i < spans + 7; ++i) {
+        data.knots[0].push_back(i - 3);
+    }
+    for (int i = 0; i < spans + 3; ++i) {
+        const Point &x = points[static_cast<size_t>(i % spans)];
+        data.points.insert(data.points.end(), x.begin(), x.end());
+    }
+    return create(data);
+}
+
+Curves random_curves(Random &random) {
+    Curves curves;
+    for (int i = random.whole(1, 3); i > 0; --i) {
+        const Point center{random.between(-1, 1), random.between(-1, 1)};
+        const double size = random.between(0.3, 1.5);
+        switch (random.whole(0, 3)) {
+        case 0:
+            curves.push_back(circle(center[0], center[1], size));
+            break;
+        case 1:
+            curves.push_back(random_smooth(random, center, size));
+            break;
+        default:
+            curves.push_back(random_star(random, center, size));
+        }
+    }
+    return curves;
+}
+
+// On a coarse grid, so that corners and sides coincide.
+Curves random_blocks(Random &random) {
+    Curves curves;
+    for (int i = random.whole(1, 4); i > 0; --i) {
+        const int left = random.whole(0, 5), low = random.whole(0, 5);
+        const int right = left + random.whole(1, 4), high = low + random.whole(1, 4);
+        curves.push_back(random.chance(80)
+                             ? rectangle(left, low, right, high)
+                             : polygon({{1.0 * left, 1.0 * low}, {1.0 * right, 1.0 * low}, {1.0 * left, 1.0 * high}}));
+    }
+    return curves;
+}
+
+Vec random_places(Random &random, int count, double low, double high) {
+    Vec places;
+    for (int i = 0; i < 2 * count; ++i) {
+        places.push_back(random.between(low, high));
+    }
+    return places;
+}
+
+bool holds(int32_t rule, bool in_a, bool in_b) {
+    switch (rule) {
+    case NURBS_REGION_UNION:
+        return in_a || in_b;
+    case NURBS_REGION_INTERSECTION:
+        return in_a && in_b;
+    case NURBS_REGION_DIFFERENCE:
+        return in_a && !in_b;
+    default:
+        return in_a != in_b;
+    }
+}
+
+constexpr std::array rules{NURBS_REGION_UNION, NURBS_REGION_INTERSECTION, NURBS_REGION_DIFFERENCE,
+                           NURBS_REGION_EITHER};
+
+void expect_places(const Model &a, const Model &b, const Vec &places) {
+    const std::vector<int32_t> in_a = sides_of(a, places), in_b = sides_of(b, places);
+    for (const int32_t rule : rules) {
+        const std::vector<int32_t> found = sides_of(combine(rule, a, b), places);
+        for (size_t i = 0; i < found.size(); ++i) {
+            if (in_a[i] != 0 && in_b[i] != 0 && found[i] != 0) {
+                ASSERT_EQ(found[i] > 0, holds(rule, in_a[i] > 0, in_b[i] > 0))
+                    << "rule " << rule << " at " << places[2 * i] << ", " << places[2 * i + 1];
+            }
+        }
+    }
+}
+
+void expect_areas(const Model &a, const Model &b) {
+    const double of_a = area_of(a), of_b = area_of(b), all = area_of(combine(NURBS_REGION_UNION, a, b)),
+                 common = area_of(combine(NURBS_REGION_INTERSECTION, a, b));
+    const double size = of_a + of_b;
+    EXPECT_NEAR(of_a + of_b, all + common, 1e-9 * size);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_DIFFERENCE, a, b)), of_a - common, 1e-9 * size);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_DIFFERENCE, b, a)), of_b - common, 1e-9 * size);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_EITHER, a, b)), all - common, 1e-9 * size);
+}
+
+} // namespace
+
+TEST(Regions, PlacesAreWhereBothSay) {
+    for_each_case(8100, 60, [](Random &random, uint64_t) {
+        const Model a = region(random_curves(random)), b = region(random_curves(random));
+        expect_places(a, b, random_places(random, 1000, -2.5, 2.5));
+    });
+}
+
+TEST(Regions, AreasAddUp) {
+    for_each_case(8200, 60, [](Random &random, uint64_t) {
+        expect_areas(region(random_curves(random)), region(random_curves(random)));
+    });
+}
+
+TEST(Regions, SidesInCommon) {
+    for_each_case(8300, 200, [](Random &random, uint64_t) {
+        const Model a = region(random_blocks(random)), b = region(random_blocks(random));
+        expect_areas(a, b);
+        expect_places(a, b, random_places(random, 200, -0.5, 9.5));
+    });
+}
+
+} // namespace regions_test
