@@ -13,7 +13,6 @@ namespace {
 struct Lead {
     DirectedEdge edge;
     const TrimPiece *piece;
-    Point2 near, far;
     int sector; // of eight: even ones are the directions of the axes
 };
 
@@ -21,23 +20,29 @@ int sign(double x) noexcept {
     return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
-// From 0, the direction of axis 0, counterclockwise.
-int sector_of(const Point2 &from, const Point2 &to) noexcept {
+// From 0, the direction of axis 0, counterclockwise. What rounding sets off an axis is on it.
+int sector_of(const Point2 &step, const Point2 &room) noexcept {
     constexpr std::array<std::array<int, 3>, 3> sectors{{{5, 4, 3}, {6, 0, 2}, {7, 0, 1}}};
-    return sectors[static_cast<size_t>(sign(to[0] - from[0]) + 1)]
-                  [static_cast<size_t>(sign(to[1] - from[1]) + 1)];
+    const bool upright = std::abs(step[0]) <= room[0] && std::abs(step[1]) > room[1],
+               level = std::abs(step[1]) <= room[1] && std::abs(step[0]) > room[0];
+    const int u = upright ? 0 : sign(step[0]), v = level ? 0 : sign(step[1]);
+    return sectors[static_cast<size_t>(u + 1)][static_cast<size_t>(v + 1)];
 }
 
 class Leads {
 public:
-    explicit Leads(const Arrangement &arrangement) : arrangement_(arrangement) {}
+    explicit Leads(const Arrangement &arrangement) : arrangement_(arrangement) {
+        for (size_t k = 0; k < 2; ++k) {
+            room_[k] = 4 * arrangement.columns().room()[k];
+        }
+    }
 
     // The first piece that leads farther from the node than rounding moves it.
     [[nodiscard]] Lead lead(DirectedEdge edge) const {
         const auto pieces = arrangement_.pieces(edge.edge);
         const Point2 &node = arrangement_.nodes()[arrangement_.from(edge)];
         constexpr double far_enough = 4;
-        Lead best{edge, nullptr, {}, {}, 0};
+        Lead best{edge, nullptr, 0};
         double farthest = -1;
         for (size_t i = 0; i < pieces.size(); ++i) {
             const TrimPiece &piece = pieces[edge.back ? pieces.size() - 1 - i : i];
@@ -45,7 +50,7 @@ public:
                          far = edge.back ? piece.start : piece.end;
             const double away = arrangement_.hits().distance(node, far);
             if (away > farthest) {
-                best = {edge, &piece, near, far, sector_of(near, far)};
+                best = {edge, &piece, sector_of({far[0] - near[0], far[1] - near[1]}, room_)};
                 farthest = away;
             }
             if (away > far_enough * arrangement_.near()) {
@@ -57,6 +62,7 @@ public:
 
 private:
     const Arrangement &arrangement_;
+    Point2 room_{};
 };
 
 } // namespace
