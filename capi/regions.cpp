@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/tolerance.h"
 #include "face/arrange/regions.h"
+#include "face/arrange/split.h"
 #include "model/from_faces.h"
 
 #include <cmath>
@@ -45,6 +46,19 @@ SplinePtr region_curve(const nurbs *const *curves, int64_t i) {
     check_kind(*curves[i]->spline, 1, "curves", i);
     check_dimension(*curves[i]->spline, 2, 2, "curves", i);
     return curves[i]->spline;
+}
+
+std::vector<SplinePtr> region_curves(int64_t count, const nurbs *const *curves) {
+    check_length(count, "count");
+    checked_array(count, "curves");
+    if (count > 0) {
+        require(curves, "curves");
+    }
+    std::vector<SplinePtr> result;
+    for (int64_t i = 0; i < count; ++i) {
+        result.push_back(region_curve(curves, i));
+    }
+    return result;
 }
 
 std::vector<std::vector<SplinePtr>> region_loops(int64_t loops, const int64_t *sizes,
@@ -110,4 +124,21 @@ nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, const nurb
                                        const nurbs_call_options *call, nurbs_model **out) {
     return watched(call, out,
                    [&] { return nurbs_region_combine(rule, count_a, a, count_b, b, tolerance, out); });
+}
+
+nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs *const *curves,
+                              double tolerance, nurbs_model **out) {
+    return guard([&] {
+        require_out(out);
+        const face::Face &own = face_of(face);
+        check_dimension(*own.surface(), 3, 3, "the surface");
+        const std::vector<SplinePtr> given = region_curves(count, curves);
+        check_finite_tolerance(tolerance);
+        give(model::model_of_faces(face::split(own, given, tolerance), 0), out);
+    });
+}
+
+nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t count, const nurbs *const *curves,
+                                   double tolerance, const nurbs_call_options *call, nurbs_model **out) {
+    return watched(call, out, [&] { return nurbs_face_split(face, count, curves, tolerance, out); });
 }

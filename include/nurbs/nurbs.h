@@ -8255,6 +8255,38 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
                                                  int64_t count_b, const nurbs_face *const *b,
                                                  double tolerance, const nurbs_call_options *call,
                                                  nurbs_model **out);
+
+/** \brief The parts of a face that curves in the domain of its surface divide it into: what is cut with them, or along
+ * curves where it meets other shapes. With no curves these are the parts that the face consists of.
+ *
+ * Curves may cross the border and each other, run along them, and close. What of them lies outside of the face has no
+ * effect, nor has what ends inside without dividing anything, as far as it has the same part on both sides.
+ *
+ * Parts to both sides of a curve have a common edge in space with a common key, and nodes are its ends, bit for bit: the
+ * result is closed along all of its cuts without being sewn. Coedges that no curve cuts keep the edges in space and keys that
+ * they were given; edges of others are made (nurbs_face_edge()), with keys above those of the face.
+ * \param[in] face a face of a surface of dimension 3 that closes up along no axis.
+ * \param[in] count number of curves.
+ * \param[in] curves [count] curves of dimension 2 in the domain of the surface, with positive weights.
+ * \param[in] tolerance the largest distance in space that counts as none, >= 0, as far as parameters move points evenly over
+ *   the surface; at least that of the face is.
+ * \param[out] out the new model of the parts, its unit left open.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
+ *   _INCOMPATIBLE if the surface closes up, _GAP if loops have larger gaps than the tolerance of the face, _NOT_CONVERGED
+ *   where rounding would have to decide.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs *const *curves,
+                                        double tolerance, nurbs_model **out);
+
+/** \brief nurbs_face_split() as a call that can be watched and ended.
+ * \param[in] face,count,curves,tolerance as for nurbs_face_split().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_face_split(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t count,
+                                             const nurbs *const *curves, double tolerance,
+                                             const nurbs_call_options *call, nurbs_model **out);
 /** @} */
 
 /** \defgroup mesh Meshes

@@ -150,4 +150,69 @@ TEST(Regions, SidesInCommon) {
     });
 }
 
+namespace {
+
+Model split(const nurbs_face *face, const Curves &curves, double tolerance = 0) {
+    std::vector<const nurbs *> given;
+    for (const Handle &curve : curves) {
+        given.push_back(curve.get());
+    }
+    nurbs_model *model = nullptr;
+    require_ok(nurbs_face_split(face, std::ssize(given), given.data(), tolerance, &model));
+    return Model(model);
+}
+
+Handle segment(const Point &from, const Point &to) {
+    return create({{1}, {2}, {{0, 0, 1, 1}}, 2, {from[0], from[1], to[0], to[1]}, {}});
+}
+
+Handle line_through(Random &random) {
+    const double angle = random.between(0, pi), off = random.between(-1, 1);
+    const Point along{std::cos(angle), std::sin(angle)}, foot{-off * along[1], off * along[0]};
+    return segment({foot[0] - 4 * along[0], foot[1] - 4 * along[1]},
+                   {foot[0] + 4 * along[0], foot[1] + 4 * along[1]});
+}
+
+// Of the edges of a model: how many have one use, and two.
+std::array<int64_t, 3> uses_of(const Model &model) {
+    std::array<int64_t, 3> result{};
+    for (int64_t i = 0; i < models::counts_of(model.get()).edges; ++i) {
+        const auto uses = static_cast<size_t>(std::ssize(models::places_of(model.get(), i)));
+        ++result.at(uses);
+    }
+    return result;
+}
+
+} // namespace
+
+// Lines in general position divide a disk into 1 + lines + crossings inside of it; edges and nodes are those of a plane graph.
+TEST(Regions, LinesDivideADisk) {
+    for_each_case(8400, 60, [](Random &random, uint64_t) {
+        Curves disk, lines;
+        disk.push_back(circle(0, 0, 2));
+        const Model whole = region(disk);
+        for (int i = random.whole(0, 7); i > 0; --i) {
+            lines.push_back(line_through(random));
+        }
+        int64_t crossings = 0;
+        for (size_t i = 0; i < lines.size(); ++i) {
+            for (size_t j = 0; j < i; ++j) {
+                double at = -1;
+                int64_t count = 0;
+                require_ok(nurbs_curve_intersections(lines[i].get(), lines[j].get(), 0, 1, &at, nullptr, nullptr,
+                                                     nullptr, nullptr, &count, nullptr));
+                const Vec x = count == 0 ? Vec{9, 9} : eval(lines[i].get(), {at});
+                crossings += std::hypot(x[0], x[1]) < 2 ? 1 : 0;
+            }
+        }
+        const Model parts = split(models::face_of(whole.get(), 0).get(), lines);
+        const models::ModelCounts counts = models::counts_of(parts.get());
+        EXPECT_EQ(counts.faces, 1 + std::ssize(lines) + crossings);
+        EXPECT_EQ(counts.euler(), 1);
+        const auto uses = uses_of(parts);
+        EXPECT_EQ(uses[2], std::ssize(lines) + 2 * crossings);
+        EXPECT_NEAR(area_of(parts), 4 * pi, 1e-9);
+    });
+}
+
 } // namespace regions_test

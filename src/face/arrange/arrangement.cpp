@@ -36,6 +36,14 @@ double near_of(const Covering &covering, double tolerance) {
 
 } // namespace
 
+void check_open(const Covering &covering) {
+    for (const int k : {0, 1}) {
+        if (covering.closed(k)) {
+            fail(Status::incompatible, "the surface closes up along axis %d", k);
+        }
+    }
+}
+
 Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop> loops, double tolerance)
     : loops_(loops.begin(), loops.end()), near_(near_of(covering, tolerance)),
       hits_(covering, as_closed(loops), near_), cuts_(hits_, near_) {
@@ -97,6 +105,11 @@ void Arrangement::set_pieces(const Covering &covering) {
     }
     first_pieces_.push_back(folded.pieces.all().size());
     columns_.emplace(std::move(folded), covering);
+}
+
+double Arrangement::rounding() const noexcept {
+    constexpr double share = 0x1p-44;
+    return share / std::max(hits_.distance({0, 0}, {1, 0}), hits_.distance({0, 0}, {0, 1}));
 }
 
 void Arrangement::fail_undecided(const Point2 &x) const {

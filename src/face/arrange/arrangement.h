@@ -63,6 +63,8 @@ public:
     }
     // In units of about a period.
     [[nodiscard]] double near() const noexcept { return near_; }
+    // In those of the domain: how far from each other rounding alone sets places that are one.
+    [[nodiscard]] double rounding() const noexcept;
     [[noreturn]] void fail_undecided(const Point2 &x) const;
 
 private:
@@ -78,5 +80,8 @@ private:
     std::vector<size_t> first_pieces_;
     std::optional<PieceColumns> columns_;
 };
+
+// Throws Status::incompatible if an axis is closed.
+void check_open(const Covering &covering);
 
 } // namespace nrb::face

@@ -80,36 +80,19 @@ public:
         : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance),
           is_plane_(is_region_plane(*surface_)) {}
 
+    [[nodiscard]] double gap_of(const Loop &loop) const { return largest_gap(*surface_, covering_, loop); }
     [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
-    void check_open() const {
-        for (const int k : {0, 1}) {
-            if (covering_.closed(k)) {
-                fail(Status::incompatible, "the surface closes up along axis %d", k);
-            }
-        }
-    }
+    [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
     void add(const Loop &loop, int32_t owner) {
         loops_.push_back({placed(*surface_, covering_, loop, tolerance_), owner});
     }
-    // The largest distance of ends, rounded up.
-    [[nodiscard]] double gap_of(const Loop &loop) const {
-        double largest = 0;
-        for (size_t i = 0; i < loop.size(); ++i) {
-            Point2 end, start;
-            eval::end_point(*loop[i].curve, true, end.data());
-            eval::end_point(*loop[(i + 1) % loop.size()].curve, false, start.data());
-            largest = std::max(largest, end == start ? 0 : gap_between(*surface_, covering_, end, start));
-        }
-        return largest * (1 + 0x1p-20);
-    }
-
     [[nodiscard]] std::vector<FacePtr> make(const Inside &inside) const {
         std::vector<FacePtr> faces;
         if (loops_.empty()) {
             return faces;
         }
         const Arrangement arrangement(covering_, loops_, tolerance_);
-        for (const PartLoops &part : parts_within(arrangement, border_of(arrangement, inside))) {
+        for (const PartLoops &part : PartsWithin(arrangement, border_of(arrangement, inside)).list()) {
             faces.push_back(face_of(arrangement, part));
         }
         return faces;
@@ -133,11 +116,12 @@ private:
     [[nodiscard]] FacePtr face_of(const Arrangement &arrangement, const PartLoops &part) const {
         FaceParts parts{surface_, {}, tolerance_, true};
         for (const EdgeLoop &loop : part) {
-            parts.loops.push_back(loop_of(arrangement, loop));
-            for (Coedge &coedge : parts.loops.back()) {
-                coedge.edge = is_plane_ ? lifted(*coedge.curve) : nullptr;
+            Loop &own = parts.loops.emplace_back();
+            for (const Run &run : runs_of(arrangement, loop, RunRule::longest)) {
+                own.push_back({curve_of(arrangement, run), nullptr});
+                own.back().edge = is_plane_ ? lifted(*own.back().curve) : nullptr;
             }
-            parts.tolerance = std::max(parts.tolerance, gap_of(parts.loops.back()));
+            parts.tolerance = std::max(parts.tolerance, largest_gap(*surface_, covering_, own));
         }
         return std::make_shared<const Face>(std::move(parts), nullptr);
     }
@@ -277,7 +261,7 @@ std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePt
         return {};
     }
     RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()));
-    maker.check_open();
+    check_open(maker.covering());
     for_each([&](const Face &face, const char *, size_t, int32_t owner) {
         for (const Loop &loop : face.loops()) {
             maker.add(loop, owner);

@@ -6,8 +6,10 @@
 #include "refine/parts/cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace nrb::face {
@@ -80,39 +82,40 @@ private:
     std::vector<size_t> next_;
 };
 
-// A part of a curve that edges one after the other run over.
-struct Run {
-    size_t first, last; // of the cuts, as the loop runs
-    bool back;
-};
-
 class Runs {
 public:
-    explicit Runs(const Arrangement &arrangement) : arrangement_(arrangement) {}
+    Runs(const Arrangement &arrangement, RunRule rule, const std::vector<bool> &ends)
+        : arrangement_(arrangement), rule_(rule), ends_(ends) {}
 
     [[nodiscard]] std::vector<Run> of(const EdgeLoop &loop) const {
         std::vector<Run> runs;
         for (const DirectedEdge edge : loop) {
-            if (runs.empty() || !extend(runs.back(), edge)) {
-                const auto &first = arrangement_.edges()[edge.edge].members.front();
-                runs.push_back({first.cut, first.cut, edge.back});
+            if (runs.empty() || ends_at(edge) || !extend(runs.back(), edge)) {
+                const size_t cut = arrangement_.edges()[edge.edge].members.front().cut;
+                runs.push_back({cut, cut, edge.back});
             }
         }
-        if (runs.size() > 1 && follows(runs.back().last, runs.front().first, runs.front().back) &&
-            runs.back().back == runs.front().back) {
-            runs.front().first = runs.back().first;
+        const Run &last = runs.back(), &first = runs.front();
+        if (runs.size() > 1 && !ends_at(loop.front()) && last.back == first.back &&
+            follows(last.last, first.first, first.back)) {
+            runs.front().first = last.first;
             runs.pop_back();
         }
         return runs;
     }
 
 private:
+    [[nodiscard]] bool ends_at(DirectedEdge edge) const {
+        return rule_ == RunRule::shared && ends_[arrangement_.from(edge)];
+    }
     [[nodiscard]] bool follows(size_t cut, size_t next, bool back) const {
         const auto &cuts = arrangement_.cuts().edges();
         return (back ? next + 1 == cut : next == cut + 1) && cuts[cut].curve == cuts[next].curve;
     }
     bool extend(Run &run, DirectedEdge edge) const {
-        for (const Arrangement::Member &member : arrangement_.edges()[edge.edge].members) {
+        const auto &members = arrangement_.edges()[edge.edge].members;
+        for (const Arrangement::Member &member :
+             std::span(members).first(rule_ == RunRule::shared ? 1 : members.size())) {
             const bool back = member.against != edge.back;
             if (back == run.back && follows(run.last, member.cut, back)) {
                 run.last = member.cut;
@@ -123,51 +126,17 @@ private:
     }
 
     const Arrangement &arrangement_;
+    RunRule rule_;
+    const std::vector<bool> &ends_;
 };
 
-// With another end of a clamped curve.
-SplinePtr with_end(const SplinePtr &curve, bool upper, const Point2 &end) {
-    std::vector<double> points(curve->points().begin(), curve->points().end());
-    std::vector<double> weights(curve->weights().begin(), curve->weights().end());
-    const auto width = static_cast<size_t>(curve->stored_width());
-    const size_t at = upper ? points.size() - width : 0;
-    const double weight = curve->form() == Form::homogeneous ? points[at + width - 1] : 1;
-    for (size_t k = 0; k < 2; ++k) {
-        points[at + k] = end[k] * weight;
-    }
-    return make_result(curve->knot_vectors(), curve->dim(), curve->form(), std::move(points),
-                       std::move(weights));
-}
+// Of the cuts at the lower and upper end of a run.
+struct RunCuts {
+    const CutEdge &lower, &upper;
 
-class RunCurve {
-public:
-    explicit RunCurve(const Arrangement &arrangement) : arrangement_(arrangement) {}
-
-    [[nodiscard]] SplinePtr of(const Run &run) const {
-        const CutEdge &lower = arrangement_.cuts().edges()[run.back ? run.last : run.first],
-                      &upper = arrangement_.cuts().edges()[run.back ? run.first : run.last];
-        const SplinePtr &whole = arrangement_.curve(lower).curve;
-        const Interval domain = whole->axis(0).domain();
-        const bool from_start = lower.range.lower == domain.lower, to_end = upper.range.upper == domain.upper;
-        SplinePtr part = whole;
-        if (!from_start || !to_end) {
-            part = refine::cut_axis(whole, 0, lower.range.lower, upper.range.upper, {true, true});
-            part = from_start ? part : snapped(part, false, arrangement_.nodes()[lower.from]);
-            part = to_end ? part : snapped(part, true, arrangement_.nodes()[upper.to]);
-        }
-        return run.back ? refine::reverse(*part, 0, false) : part;
-    }
-
-private:
-    [[nodiscard]] SplinePtr snapped(const SplinePtr &part, bool upper, const Point2 &node) const {
-        constexpr double rounding = 0x1p-44;
-        const int64_t last = upper ? part->point_count() - 1 : 0;
-        const Point2 end{part->coordinate(last, 0), part->coordinate(last, 1)};
-        const bool is_near = arrangement_.hits().distance(end, node) <= rounding;
-        return is_near && end != node ? with_end(part, upper, node) : part;
-    }
-
-    const Arrangement &arrangement_;
+    RunCuts(const Arrangement &arrangement, const Run &run)
+        : lower(arrangement.cuts().edges()[run.back ? run.last : run.first]),
+          upper(arrangement.cuts().edges()[run.back ? run.first : run.last]) {}
 };
 
 } // namespace
@@ -207,13 +176,50 @@ std::vector<EdgeLoop> simple_loops(const Arrangement &arrangement, const EdgeLoo
     return result;
 }
 
-Loop loop_of(const Arrangement &arrangement, const EdgeLoop &loop) {
-    const RunCurve curves(arrangement);
-    Loop result;
-    for (const Run &run : Runs(arrangement).of(loop)) {
-        result.push_back({curves.of(run), nullptr});
+std::vector<Run> runs_of(const Arrangement &arrangement, const EdgeLoop &loop, RunRule rule,
+                         const std::vector<bool> &ends) {
+    return Runs(arrangement, rule, ends).of(loop);
+}
+
+bool is_whole(const Arrangement &arrangement, const Run &run) {
+    const RunCuts cuts(arrangement, run);
+    const Interval domain = arrangement.curve(cuts.lower).curve->axis(0).domain();
+    return cuts.lower.range.lower == domain.lower && cuts.upper.range.upper == domain.upper;
+}
+
+SplinePtr curve_of(const Arrangement &arrangement, const Run &run) {
+    const RunCuts cuts(arrangement, run);
+    const SplinePtr &whole = arrangement.curve(cuts.lower).curve;
+    const Interval domain = whole->axis(0).domain();
+    SplinePtr part = whole;
+    if (!is_whole(arrangement, run)) {
+        const Interval range{cuts.lower.range.lower, cuts.upper.range.upper};
+        part = refine::cut_axis(whole, 0, range.lower, range.upper, {true, true});
+        const auto ended = [&](bool upper, size_t node) {
+            return with_end(part, upper, arrangement.nodes()[node], arrangement.rounding());
+        };
+        part = range.lower == domain.lower ? part : ended(false, cuts.lower.from);
+        part = range.upper == domain.upper ? part : ended(true, cuts.upper.to);
     }
-    return result;
+    return run.back ? refine::reverse(*part, 0, false) : part;
+}
+
+SplinePtr with_end(const SplinePtr &curve, bool upper, std::span<const double> end, double within) {
+    const auto width = static_cast<size_t>(curve->stored_width());
+    const int64_t last = upper ? curve->point_count() - 1 : 0;
+    const double weight = curve->form() == Form::homogeneous ? curve->weight(last) : 1;
+    std::vector<double> points(curve->points().begin(), curve->points().end());
+    double farthest = 0;
+    for (size_t k = 0; k < end.size(); ++k) {
+        farthest = std::max(farthest, std::abs(curve->coordinate(last, static_cast<int>(k)) - end[k]));
+        points[static_cast<size_t>(last) * width + k] = end[k] * weight;
+    }
+    if (farthest == 0 || farthest > within) {
+        return curve;
+    }
+    std::vector<double> weights(curve->weights().begin(), curve->weights().end());
+    return make_result(curve->knot_vectors(), curve->dim(), curve->form(), std::move(points),
+                       std::move(weights));
 }
 
 } // namespace nrb::face

@@ -4,6 +4,7 @@
 
 #include "face/arrange/arrangement.h"
 
+#include <span>
 #include <vector>
 
 namespace nrb::face {
@@ -17,8 +18,26 @@ std::vector<EdgeLoop> ways_around(const Arrangement &arrangement, const std::vec
 // A loop cut where it comes to a node again.
 std::vector<EdgeLoop> simple_loops(const Arrangement &arrangement, const EdgeLoop &loop);
 
-// The curves of a loop: exact parts of those that were given, as long as they follow one another on one of these. Ends of parts
-// are nodes bit for bit, if they are so to rounding.
-Loop loop_of(const Arrangement &arrangement, const EdgeLoop &loop);
+// A part of a curve that edges one after the other run over.
+struct Run {
+    size_t first, last; // of the cuts, as the loop runs
+    bool back;
+};
+
+// Where runs end besides where curves do.
+enum class RunRule {
+    longest, // nowhere: of edges that run along each other any one may go on
+    shared,  // at marked nodes, so that a loop on the other side has the same runs
+};
+std::vector<Run> runs_of(const Arrangement &arrangement, const EdgeLoop &loop, RunRule rule,
+                         const std::vector<bool> &ends = {});
+
+// The exact part of the curve that was given. Its ends are nodes bit for bit, if they are so to rounding.
+SplinePtr curve_of(const Arrangement &arrangement, const Run &run);
+// Whether that is all of it.
+bool is_whole(const Arrangement &arrangement, const Run &run);
+
+// A clamped curve with another end, if that is no farther away than that.
+SplinePtr with_end(const SplinePtr &curve, bool upper, std::span<const double> end, double within);
 
 } // namespace nrb::face
