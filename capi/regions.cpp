@@ -61,37 +61,13 @@ std::vector<SplinePtr> region_curves(int64_t count, const nurbs *const *curves) 
     return result;
 }
 
-std::vector<std::vector<SplinePtr>> region_loops(int64_t loops, const int64_t *sizes,
-                                                 const nurbs *const *curves) {
-    check_length(loops, "loops");
-    checked_array(loops, "sizes");
-    if (loops > 0) {
-        require(curves, "curves");
-    }
-    std::vector<std::vector<SplinePtr>> result;
-    int64_t next = 0;
-    for (int64_t i = 0; i < loops; ++i) {
-        const int64_t size = sizes == nullptr ? 1 : sizes[i];
-        if (size < 1) {
-            fail(Status::count, "sizes[%lld] = %lld, expected at least 1", static_cast<long long>(i),
-                 static_cast<long long>(size));
-        }
-        checked_array(checked_sum(next, size, "sizes"), "curves");
-        result.emplace_back();
-        for (const int64_t end = next + size; next < end; ++next) {
-            result.back().push_back(region_curve(curves, next));
-        }
-    }
-    return result;
-}
-
 } // namespace
 
-nurbs_status nurbs_region_create(int64_t loops, const int64_t *sizes, const nurbs *const *curves,
-                                 int32_t rule, double tolerance, nurbs_model **out) {
+nurbs_status nurbs_region_create(int64_t count, const nurbs *const *curves, int32_t rule, double tolerance,
+                                 nurbs_model **out) {
     return guard([&] {
         require_out(out);
-        const std::vector<std::vector<SplinePtr>> given = region_loops(loops, sizes, curves);
+        const std::vector<SplinePtr> given = region_curves(count, curves);
         check_rule(rule, NURBS_FILL_POSITIVE, "NURBS_FILL_");
         check_finite_tolerance(tolerance);
         const auto faces = face::region_of(given, static_cast<face::FillRule>(rule), tolerance);
@@ -99,11 +75,9 @@ nurbs_status nurbs_region_create(int64_t loops, const int64_t *sizes, const nurb
     });
 }
 
-nurbs_status nurbs_region_create_with(int64_t loops, const int64_t *sizes, const nurbs *const *curves,
-                                      int32_t rule, double tolerance, const nurbs_call_options *call,
-                                      nurbs_model **out) {
-    return watched(call, out,
-                   [&] { return nurbs_region_create(loops, sizes, curves, rule, tolerance, out); });
+nurbs_status nurbs_region_create_with(int64_t count, const nurbs *const *curves, int32_t rule,
+                                      double tolerance, const nurbs_call_options *call, nurbs_model **out) {
+    return watched(call, out, [&] { return nurbs_region_create(count, curves, rule, tolerance, out); });
 }
 
 nurbs_status nurbs_region_combine(int32_t rule, int64_t count_a, const nurbs_face *const *a, int64_t count_b,

@@ -8158,7 +8158,7 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * \code
  * const nurbs *curves[] = {outline, hole}; // closed curves of the plane
  * nurbs_model *plate = NULL, *rest = NULL;
- * nurbs_region_create(2, NULL, curves, NURBS_FILL_EVEN_ODD, 1e-9, &plate);
+ * nurbs_region_create(2, curves, NURBS_FILL_EVEN_ODD, 1e-9, &plate);
  * nurbs_face *face = NULL;
  * nurbs_model_face(plate, 0, NULL, NULL, NULL, NULL, &face);
  * nurbs_region_combine(NURBS_REGION_DIFFERENCE, 1, (const nurbs_face *const *)&face, 1, tools, 1e-9, &rest);
@@ -8199,29 +8199,28 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * fonts, paths of cutters. Its faces are of the plane z = 0 over a square around all curves, (u, v) being (x, y).
  *
  * Costs: n log n for n curves, those of pairs that come near each other, and of each edge a column of the plane.
- * \param[in] loops number of loops; 0: the empty region.
- * \param[in] sizes [loops] or NULL: number of curves of each loop, at least 1; NULL: every curve is a loop.
- * \param[in] curves [size] curves of dimension 2 with positive weights, loop by loop, size being the sum of the sizes; those of
- *   a loop begin where the one before ends, and the first where the last ends.
+ * \param[in] count number of curves; 0: the empty region.
+ * \param[in] curves [count] curves of dimension 2 with positive weights, one after the other: each begins where the one
+ *   before it ends, or begins a loop of its own where that one came back to where its loop began.
  * \param[in] rule one of the NURBS_FILL_ constants.
  * \param[in] tolerance the largest distance that counts as none, >= 0.
  * \param[out] out the new model, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
- *   _RULE for another rule, _GAP naming a loop whose curves do not meet, _ORIENTATION if all curves are one point,
- *   _NOT_CONVERGED where rounding would have to decide.
+ *   _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the one before it ends, or a loop that
+ *   does not close, _ORIENTATION if all curves are one point, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_region_create(int64_t loops, const int64_t *sizes, const nurbs *const *curves,
-                                           int32_t rule, double tolerance, nurbs_model **out);
+NURBS_API nurbs_status nurbs_region_create(int64_t count, const nurbs *const *curves, int32_t rule,
+                                           double tolerance, nurbs_model **out);
 
 /** \brief nurbs_region_create() as a call that can be watched and ended.
- * \param[in] loops,sizes,curves,rule,tolerance as for nurbs_region_create().
+ * \param[in] count,curves,rule,tolerance as for nurbs_region_create().
  * \param[in] call or NULL: the wishes of the caller.
  * \param[out] out the new model.
  * \return as for nurbs_region_create(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_region_create_with(int64_t loops, const int64_t *sizes,
-                                                const nurbs *const *curves, int32_t rule, double tolerance,
-                                                const nurbs_call_options *call, nurbs_model **out);
+NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *const *curves, int32_t rule,
+                                                double tolerance, const nurbs_call_options *call,
+                                                nurbs_model **out);
 
 /** \brief The union, intersection or difference of two regions. The faces of each may overlap: together they are what at
  * least one of them covers, so that the union of any number of faces is that of all of them with none. Borders that both
@@ -8272,8 +8271,8 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
  *   the surface; at least that of the face is.
  * \param[out] out the new model of the parts, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
- *   _INCOMPATIBLE if the surface closes up, _GAP if loops have larger gaps than the tolerance of the face, _NOT_CONVERGED
- *   where rounding would have to decide.
+ *   _INCOMPATIBLE if the surface closes up, _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance
+ *   of the face, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs *const *curves,
                                         double tolerance, nurbs_model **out);

@@ -20,6 +20,14 @@ namespace {
 // Curves that run over more copies of the domain than this, all together, are a mistake.
 constexpr double most_copies = 65536;
 
+void check_curve(const Spline &curve, size_t loop, size_t index) {
+    const Spline::WeightRange weights = curve.all_weights();
+    if (curve.rational() && !(weights.smallest > 0)) {
+        fail(Status::weight_sign, "curve %zu of loop %zu has the weight %s; its weights must be positive",
+             index, loop, Number(weights.smallest).text);
+    }
+}
+
 // How far curves may leave the domain along an axis: by as much as moves points by the tolerance, if they move evenly over the
 // size of the surface; along a closed one over copies of the domain, of which there may be so many.
 class Borders {

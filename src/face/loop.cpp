@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "face/loop.h"
 
-#include "base/error.h"
-#include "base/numbers.h"
 #include "build/polylines.h"
 #include "eval/curve_point.h"
 #include "refine/forms/parametrization.h"
@@ -83,14 +81,6 @@ Point2 next_begin(const Covering &covering, const Point2 &last, Covering::Pole b
 }
 
 } // namespace
-
-void check_curve(const Spline &curve, size_t loop, size_t index) {
-    const Spline::WeightRange weights = curve.all_weights();
-    if (curve.rational() && !(weights.smallest > 0)) {
-        fail(Status::weight_sign, "curve %zu of loop %zu has the weight %s; its weights must be positive",
-             index, loop, Number(weights.smallest).text);
-    }
-}
 
 PlacedLoop placed(const Spline &surface, const Covering &covering, const Loop &loop, double tolerance) {
     PlacedLoop result;

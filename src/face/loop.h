@@ -27,9 +27,6 @@ struct Coedge {
 };
 using Loop = std::vector<Coedge>;
 
-// Throws Status::weight_sign, naming the curve, for a weight that is not positive.
-void check_curve(const Spline &curve, size_t loop, size_t index);
-
 struct PlacedLoop {
     std::vector<PlacedCurve> curves;
     Point2 turn{0, 0}; // by which it comes back to its start: periods of closed axes

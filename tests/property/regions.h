@@ -48,7 +48,7 @@ inline nurbs_status try_region(const Curves &curves, int32_t rule, double tolera
     }
     nurbs_model *model = nullptr;
     const nurbs_status status =
-        nurbs_region_create(std::ssize(given), nullptr, given.data(), rule, tolerance, &model);
+        nurbs_region_create(std::ssize(given), given.data(), rule, tolerance, &model);
     out.reset(model);
     return status;
 }

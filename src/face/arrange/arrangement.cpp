@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/pairs/periods.h"
 #include "refine/parts/cut.h"
 
 #include <algorithm>
@@ -35,6 +36,19 @@ double near_of(const Covering &covering, double tolerance) {
 }
 
 } // namespace
+
+void check_border_curves(std::span<const SplinePtr> curves) {
+    for (size_t i = 0; i < curves.size(); ++i) {
+        const Spline::WeightRange weights = curves[i]->all_weights();
+        if (curves[i]->rational() && !(weights.smallest > 0)) {
+            fail(Status::weight_sign, "curves[%zu] has the weight %s; its weights must be positive", i,
+                 Number(weights.smallest).text);
+        }
+        if (const std::vector<double> jumps = intersect::jumps_of(*curves[i]); !jumps.empty()) {
+            fail(Status::gap, "curves[%zu] jumps at %s", i, Number(jumps.front()).text);
+        }
+    }
+}
 
 void check_open(const Covering &covering) {
     for (const int k : {0, 1}) {

@@ -81,6 +81,9 @@ private:
     std::optional<PieceColumns> columns_;
 };
 
+// Throws Status::weight_sign for a weight that is not positive, gap for a curve that jumps.
+void check_border_curves(std::span<const SplinePtr> curves);
+
 // Throws Status::incompatible if an axis is closed.
 void check_open(const Covering &covering);
 

@@ -80,7 +80,6 @@ public:
         : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance),
           is_plane_(is_region_plane(*surface_)) {}
 
-    [[nodiscard]] double gap_of(const Loop &loop) const { return largest_gap(*surface_, covering_, loop); }
     [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
     [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
     void add(const Loop &loop, int32_t owner) {
@@ -164,27 +163,56 @@ Inside inside_by(RegionRule rule) {
     }
 }
 
-SplinePtr plane_of(std::span<const std::vector<SplinePtr>> loops) {
+SplinePtr plane_of(std::span<const SplinePtr> curves) {
     Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
-    for (const std::vector<SplinePtr> &loop : loops) {
-        for (const SplinePtr &curve : loop) {
-            const bounds::Box box = bounds::bounding_box(*curve, whole_domain(*curve), 0x1p-20);
-            for (size_t k = 0; k < 2; ++k) {
-                lower[k] = std::min(lower[k], box.lower[k]);
-                upper[k] = std::max(upper[k], box.upper[k]);
-            }
+    for (const SplinePtr &curve : curves) {
+        const bounds::Box box = bounds::bounding_box(*curve, whole_domain(*curve), 0x1p-20);
+        for (size_t k = 0; k < 2; ++k) {
+            lower[k] = std::min(lower[k], box.lower[k]);
+            upper[k] = std::max(upper[k], box.upper[k]);
         }
     }
     return plane_around(lower, upper);
 }
 
-void check_curves(std::span<const std::vector<SplinePtr>> loops) {
-    for (size_t i = 0; i < loops.size(); ++i) {
-        for (size_t j = 0; j < loops[i].size(); ++j) {
-            check_curve(*loops[i][j], i, j);
+// Curves as loops that they make one after the other: one ends where it comes back to its start.
+class Chains {
+public:
+    Chains(std::span<const SplinePtr> curves, double near) : curves_(curves), near_(near) {}
+
+    [[nodiscard]] std::vector<Loop> loops() {
+        std::vector<Loop> loops;
+        size_t first = 0;
+        for (size_t i = 0; i < curves_.size(); ++i) {
+            if (first == i) {
+                loops.emplace_back();
+            } else if (gap(i - 1, i) > near_) {
+                fail(Status::gap, "curves[%zu] begins %s from where curves[%zu] ends", i,
+                     Number(gap(i - 1, i)).text, i - 1);
+            }
+            loops.back().push_back({curves_[i], nullptr});
+            first = gap(i, first) <= near_ ? i + 1 : first;
         }
+        if (first < curves_.size()) {
+            fail(Status::gap,
+                 "the last of the curves ends %s from where its loop begins, that of curves[%zu]",
+                 Number(gap(curves_.size() - 1, first)).text, first);
+        }
+        return loops;
     }
-}
+
+private:
+    // From the end of a curve to the start of another one.
+    [[nodiscard]] double gap(size_t a, size_t b) const {
+        Point2 end, start;
+        eval::end_point(*curves_[a], true, end.data());
+        eval::end_point(*curves_[b], false, start.data());
+        return std::hypot(end[0] - start[0], end[1] - start[1]);
+    }
+
+    std::span<const SplinePtr> curves_;
+    double near_;
+};
 
 // That of all faces, or a plane over all of theirs.
 class CommonSurface {
@@ -222,24 +250,14 @@ private:
 
 } // namespace
 
-std::vector<FacePtr> region_of(std::span<const std::vector<SplinePtr>> loops, FillRule rule,
-                               double tolerance) {
-    if (loops.empty()) {
+std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance) {
+    if (curves.empty()) {
         return {};
     }
     constexpr double rounding = 0x1p-44; // of the size of all: ends so near are one
-    check_curves(loops);
-    RegionMaker maker(plane_of(loops), tolerance);
-    for (size_t i = 0; i < loops.size(); ++i) {
-        Loop loop;
-        for (const SplinePtr &curve : loops[i]) {
-            loop.push_back({curve, nullptr});
-        }
-        const double gap = maker.gap_of(loop);
-        if (gap > tolerance + rounding * maker.extent()) {
-            fail(Status::gap, "loop %zu has a gap of %s, larger than the tolerance %s", i, Number(gap).text,
-                 Number(tolerance).text);
-        }
+    check_border_curves(curves);
+    RegionMaker maker(plane_of(curves), tolerance);
+    for (const Loop &loop : Chains(curves, tolerance + rounding * maker.extent()).loops()) {
         maker.add(loop, 0);
     }
     return maker.make(inside_by(rule));

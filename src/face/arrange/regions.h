@@ -23,10 +23,9 @@ enum class RegionRule : int32_t {
     one = 4,        // in a or in b and not in both: the symmetric difference
 };
 
-// Of curves one after the other, which close. Throws Status::gap naming a loop that does not close, weight_sign,
-// not_converged where rounding would have to decide.
-std::vector<FacePtr> region_of(std::span<const std::vector<SplinePtr>> loops, FillRule rule,
-                               double tolerance);
+// Of curves one after the other, which close where one comes back to the start of its loop. Throws Status::gap naming a curve
+// that jumps, or does not go on, weight_sign, not_converged where rounding would have to decide.
+std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance);
 
 // Faces in a are one region, however they overlap, and those in b. All are of one surface none of whose axes is closed, or
 // regions as region_of() makes them. Throws Status::incompatible otherwise, gap for a face with gaps; not_converged as above.

@@ -2,7 +2,6 @@
 #include "face/arrange/split.h"
 
 #include "base/error.h"
-#include "base/numbers.h"
 #include "face/arrange/edge_sides.h"
 #include "face/arrange/parts.h"
 #include "face/made/curve_under.h"
@@ -147,13 +146,7 @@ std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, 
     if (face.has_gaps()) {
         fail(Status::gap, "the face has gaps larger than its tolerance");
     }
-    for (size_t i = 0; i < curves.size(); ++i) {
-        const Spline::WeightRange weights = curves[i]->all_weights();
-        if (curves[i]->rational() && !(weights.smallest > 0)) {
-            fail(Status::weight_sign, "curves[%zu] has the weight %s; its weights must be positive", i,
-                 Number(weights.smallest).text);
-        }
-    }
+    check_border_curves(curves);
     std::vector<ArrangedLoop> loops;
     for (const Loop &loop : face.loops()) {
         loops.push_back({placed(*face.surface(), covering, loop, near), of_face});
