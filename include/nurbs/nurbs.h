@@ -8207,7 +8207,7 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * \param[out] out the new model, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
  *   _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the one before it ends, or a loop that
- *   does not close, _ORIENTATION if all curves are one point, _NOT_CONVERGED where rounding would have to decide.
+ *   does not close, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_region_create(int64_t count, const nurbs *const *curves, int32_t rule,
                                            double tolerance, nurbs_model **out);

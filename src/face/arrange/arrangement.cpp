@@ -99,7 +99,9 @@ void Arrangement::add_steps(Edge &edge) const {
     for (const Member &member : edge.members) {
         const size_t curve = cuts_.edges()[member.cut].curve;
         const auto loop = static_cast<size_t>(hits_.curves()[curve].loop);
-        steps.push_back({loops_[loop].owner, member.against ? -1 : 1});
+        if (loops_[loop].owner >= 0) {
+            steps.push_back({loops_[loop].owner, member.against ? -1 : 1});
+        }
     }
     edge.steps = summed(std::move(steps));
     std::erase_if(edge.steps, [](const PassedSum &step) { return step.value == 0; });

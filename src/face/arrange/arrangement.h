@@ -13,7 +13,7 @@ namespace nrb::face {
 
 struct ArrangedLoop {
     PlacedLoop placed;
-    int32_t owner = 0; // values are counted for each owner by itself
+    int32_t owner = 0; // values are counted for each owner by itself; negative: of curves that do not count
 };
 
 // An edge one way or the other.

@@ -22,9 +22,8 @@ constexpr double widest_node = 16;
 
 Cuts::Cuts(const LoopHits &hits, double near) : hits_(hits), near_(near) {
     add_marks();
-    sort_marks();
     add_marks_under_overlaps();
-    sort_marks();
+    marks_.assign(found_.begin(), found_.end());
     join_marks();
     add_edges();
     for (const LoopHit &hit : hits_.all()) {
@@ -43,34 +42,59 @@ void Cuts::add_marks() {
     for (const LoopHit &hit : hits_.all()) {
         add_marks(hit);
     }
+    for (const LoopHit &hit : hits_.all()) {
+        if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided) {
+            add_touch(hit);
+        }
+    }
 }
 
-// What is apart, if only by less than what is near, is no node. What is left open in a place is one.
+// What is apart, if only by less than what is near, is no node.
 void Cuts::add_marks(const LoopHit &hit) {
     if (hit.kind == HitKind::overlap) {
-        for (const Interval &pair :
-             {Interval{hit.range_a.lower, hit.against ? hit.range_b.upper : hit.range_b.lower},
-              Interval{hit.range_a.upper, hit.against ? hit.range_b.lower : hit.range_b.upper}}) {
-            add(hit.a, pair.lower);
-            add(hit.b, pair.upper);
-        }
-    } else if (hit.kind != HitKind::contact) {
-        if (hit.kind == HitKind::undecided &&
-            !(is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b))) {
-            fail_at(hit);
-        }
-        const Mark a{hit.a, at_knot(hit.a, hit.at_a)}, b{hit.b, at_knot(hit.b, hit.at_b)};
-        marks_.push_back(a);
-        marks_.push_back(b);
-        links_.emplace_back(a, b);
+        const Interval b = hit.against ? Interval{hit.range_b.upper, hit.range_b.lower} : hit.range_b;
+        add(hit.a, hit.range_a.lower);
+        add(hit.a, hit.range_a.upper);
+        add(hit.b, b.lower);
+        add(hit.b, b.upper);
+    } else if (hit.kind == HitKind::crossing) {
+        links_.emplace_back(add(hit.a, hit.at_a), add(hit.b, hit.at_b));
     }
+}
+
+// Curves that touch are as near as rounding along a whole range. In it one node has to stand for all of them, so that one that is
+// there already is taken, with the foot on the other curve. What is left open in a place is one of these.
+void Cuts::add_touch(const LoopHit &hit) {
+    if (hit.kind == HitKind::undecided && !(is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b))) {
+        fail_at(hit);
+    }
+    const Mark *on_a = mark_in(hit.a, hit.range_a, hit.at_a), *on_b = mark_in(hit.b, hit.range_b, hit.at_b);
+    const double at_a = on_a != nullptr ? on_a->at
+                        : on_b != nullptr
+                            ? hits_.foot(hit.a, moved(hits_.place(hit.b, on_b->at), hit.move), hit.range_a)
+                            : hit.at_a;
+    const double at_b = on_b != nullptr   ? on_b->at
+                        : on_a != nullptr ? hits_.foot(hit.b, beside(hit, at_a), hit.range_b)
+                                          : hit.at_b;
+    links_.emplace_back(add(hit.a, at_a), add(hit.b, at_b));
+}
+
+// An end of the curve in a range, else the nearest to a place; null for none.
+const Cuts::Mark *Cuts::mark_in(size_t curve, Interval range, double at) const {
+    const Mark *best = nullptr;
+    const auto rank = [&](const Mark &mark) { return std::pair(!is_end(mark), std::abs(mark.at - at)); };
+    for (auto mark = found_.lower_bound({curve, range.lower});
+         mark != found_.end() && mark->curve == curve && mark->at <= range.upper; ++mark) {
+        best = best == nullptr || rank(*mark) < rank(*best) ? &*mark : best;
+    }
+    return best;
 }
 
 // A place that is a node of one of two curves which run along each other is one of the other, too.
 void Cuts::add_marks_under_overlaps() {
-    const std::vector<Mark> all = marks_;
+    const std::set<Mark> all = found_;
     const auto mark_inside = [&](size_t curve, Interval range, auto &&add_other) {
-        const auto first = std::ranges::lower_bound(all, Mark{curve, range.lower});
+        const auto first = all.lower_bound({curve, range.lower});
         for (auto mark = first; mark != all.end() && mark->curve == curve && mark->at <= range.upper;
              ++mark) {
             add_other(mark->at);
@@ -88,8 +112,8 @@ void Cuts::add_marks_under_overlaps() {
     }
 }
 
-void Cuts::add(size_t curve, double t) {
-    marks_.push_back({curve, at_knot(curve, t)});
+Cuts::Mark Cuts::add(size_t curve, double t) {
+    return *found_.insert({curve, at_knot(curve, t)}).first;
 }
 
 // The knot, or end, that a parameter differs from by rounding alone.
@@ -128,12 +152,6 @@ bool Cuts::is_small(size_t curve, Interval range) const {
         }
     }
     return true;
-}
-
-void Cuts::sort_marks() {
-    std::ranges::sort(marks_);
-    const auto rest = std::ranges::unique(marks_);
-    marks_.erase(rest.begin(), rest.end());
 }
 
 // Marks that are linked, or near each other.

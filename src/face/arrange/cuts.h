@@ -4,6 +4,7 @@
 
 #include "face/checks/loop_hits.h"
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,11 +45,12 @@ private:
 
     void add_marks();
     void add_marks(const LoopHit &hit);
+    void add_touch(const LoopHit &hit);
+    [[nodiscard]] const Mark *mark_in(size_t curve, Interval range, double at) const;
     void add_marks_under_overlaps();
-    void add(size_t curve, double t);
+    Mark add(size_t curve, double t);
     [[nodiscard]] double at_knot(size_t curve, double t) const;
     [[nodiscard]] bool is_small(size_t curve, Interval range) const;
-    void sort_marks();
     void join_marks();
     void set_nodes(std::vector<size_t> &names);
     [[nodiscard]] bool is_end(const Mark &mark) const noexcept;
@@ -62,7 +64,8 @@ private:
 
     const LoopHits &hits_;
     double near_;
-    std::vector<Mark> marks_; // sorted
+    std::set<Mark> found_;
+    std::vector<Mark> marks_; // the same, all of them
     std::vector<std::pair<Mark, Mark>> links_;
     std::vector<size_t> node_of_; // of the marks
     std::vector<Point2> nodes_;

@@ -41,11 +41,11 @@ SplinePtr lifted(const Spline &curve) {
     return refine::transform(curve, {3, 2, matrix}, move);
 }
 
-// A square, so that distances count alike along both axes, around a box, with some room.
+// A square, so that distances count alike along both axes, around a box, with some room. Null for a box that is one point.
 SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
     const double size = std::max(upper[0] - lower[0], upper[1] - lower[1]);
     if (!(size > 0)) {
-        fail(Status::orientation, "the curves enclose nothing: all of them are one point");
+        return nullptr;
     }
     std::array<Interval, 2> sides;
     for (size_t k = 0; k < 2; ++k) {
@@ -251,12 +251,13 @@ private:
 } // namespace
 
 std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance) {
-    if (curves.empty()) {
-        return {};
-    }
     constexpr double rounding = 0x1p-44; // of the size of all: ends so near are one
     check_border_curves(curves);
-    RegionMaker maker(plane_of(curves), tolerance);
+    const SplinePtr plane = curves.empty() ? nullptr : plane_of(curves);
+    if (plane == nullptr) {
+        return {};
+    }
+    RegionMaker maker(plane, tolerance);
     for (const Loop &loop : Chains(curves, tolerance + rounding * maker.extent()).loops()) {
         maker.add(loop, 0);
     }

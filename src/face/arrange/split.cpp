@@ -15,16 +15,14 @@ namespace nrb::face {
 
 namespace {
 
-constexpr int32_t of_face = 0, of_curves = 1;
+constexpr int32_t of_face = 0, of_curves = -1;
 
 // The edges that bound parts, each with a part to its left: those inside of the face that curves run along, both ways.
 std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement) {
     std::vector<DirectedEdge> result;
     for (size_t i = 0; i < arrangement.edges().size(); ++i) {
         const SideValues values = values_beside(arrangement, i);
-        const auto is_inside = [](const PassedSums &sums) {
-            return !sums.empty() && sums.front().loop == of_face && sums.front().value > 0;
-        };
+        const auto is_inside = [](const PassedSums &sums) { return !sums.empty() && sums.front().value > 0; };
         if (is_inside(values.left)) {
             result.push_back({i, false});
         }
