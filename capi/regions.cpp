@@ -48,9 +48,13 @@ SplinePtr region_curve(const nurbs *const *curves, int64_t i) {
     return curves[i]->spline;
 }
 
+void check_count(int64_t count, const char *name, const char *array) {
+    check_length(count, name);
+    checked_array(count, array);
+}
+
 std::vector<SplinePtr> region_curves(int64_t count, const nurbs *const *curves) {
-    check_length(count, "count");
-    checked_array(count, "curves");
+    check_count(count, "count", "curves");
     if (count > 0) {
         require(curves, "curves");
     }
@@ -84,9 +88,11 @@ nurbs_status nurbs_region_combine(int32_t rule, int64_t count_a, const nurbs_fac
                                   const nurbs_face *const *b, double tolerance, nurbs_model **out) {
     return guard([&] {
         require_out(out);
-        check_rule(rule, NURBS_REGION_EITHER, "NURBS_REGION_");
+        check_count(count_a, "count_a", "a");
+        check_count(count_b, "count_b", "b");
         const std::vector<face::FacePtr> first = faces_in_space(count_a, a, "count_a", "a"),
                                          second = faces_in_space(count_b, b, "count_b", "b");
+        check_rule(rule, NURBS_REGION_EITHER, "NURBS_REGION_");
         check_finite_tolerance(tolerance);
         const auto faces = face::combined(first, second, static_cast<face::RegionRule>(rule), tolerance);
         give(model::model_of_faces(faces, 0), out);
@@ -104,6 +110,7 @@ nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs
                               double tolerance, nurbs_model **out) {
     return guard([&] {
         require_out(out);
+        check_count(count, "count", "curves");
         const face::Face &own = face_of(face);
         check_dimension(*own.surface(), 3, 3, "the surface");
         const std::vector<SplinePtr> given = region_curves(count, curves);

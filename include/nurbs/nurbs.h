@@ -8156,14 +8156,24 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
 
 /** \defgroup regions Regions, and parts of faces
  * \code
- * const nurbs *curves[] = {outline, hole}; // closed curves of the plane
- * nurbs_model *plate = NULL, *rest = NULL;
- * nurbs_region_create(2, curves, NURBS_FILL_EVEN_ODD, 1e-9, &plate);
- * nurbs_face *face = NULL;
- * nurbs_model_face(plate, 0, NULL, NULL, NULL, NULL, &face);
- * nurbs_region_combine(NURBS_REGION_DIFFERENCE, 1, (const nurbs_face *const *)&face, 1, tools, 1e-9, &rest);
- * nurbs_face_destroy(face);
+ * nurbs *outline = NULL, *hole = NULL;
+ * nurbs_model *plate = NULL, *disk = NULL, *rest = NULL;
+ * nurbs_face *a = NULL, *b = NULL;
+ * nurbs_curve_circle(2, NULL, NULL, NULL, 2.0, NURBS_ARC_QUARTERS, &outline);
+ * nurbs_curve_circle(2, NULL, NULL, NULL, 1.0, NURBS_ARC_QUARTERS, &hole);
+ * const nurbs *curves[] = {outline, hole};
+ * nurbs_region_create(2, curves, NURBS_FILL_EVEN_ODD, 0, &plate);     // one face with a hole
+ * nurbs_region_create(1, &curves[1], NURBS_FILL_EVEN_ODD, 0, &disk);
+ * nurbs_model_face(plate, 0, NULL, NULL, NULL, NULL, &a);
+ * nurbs_model_face(disk, 0, NULL, NULL, NULL, NULL, &b);
+ * nurbs_region_combine(NURBS_REGION_UNION, 1, (const nurbs_face *const *)&a, 1, (const nurbs_face *const *)&b, 0, &rest);
+ * nurbs_face_destroy(a);
+ * nurbs_face_destroy(b);
  * nurbs_model_destroy(plate);
+ * nurbs_model_destroy(disk);
+ * nurbs_model_destroy(rest); // one face, with outline around it
+ * nurbs_destroy(outline);
+ * nurbs_destroy(hole);
  * \endcode
  * Curves of a plane, or of the domain of a surface, are cut wherever they meet (nurbs_curve_intersections()). Between two
  * nodes nothing else comes to an edge; edges that run along each other are one. How often loops go around the places

@@ -47,8 +47,7 @@ inline nurbs_status try_region(const Curves &curves, int32_t rule, double tolera
         given.push_back(curve.get());
     }
     nurbs_model *model = nullptr;
-    const nurbs_status status =
-        nurbs_region_create(std::ssize(given), given.data(), rule, tolerance, &model);
+    const nurbs_status status = nurbs_region_create(std::ssize(given), given.data(), rule, tolerance, &model);
     out.reset(model);
     return status;
 }
@@ -78,8 +77,8 @@ inline nurbs_status try_combine(int32_t rule, const Model &a, const Model &b, Mo
         second.push_back(face.get());
     }
     nurbs_model *model = nullptr;
-    const nurbs_status status = nurbs_region_combine(rule, std::ssize(first), first.data(), std::ssize(second),
-                                                     second.data(), 0, &model);
+    const nurbs_status status = nurbs_region_combine(rule, std::ssize(first), first.data(),
+                                                     std::ssize(second), second.data(), 0, &model);
     out.reset(model);
     return status;
 }
@@ -104,7 +103,8 @@ inline double area_of(const Model &region) {
 inline std::vector<int32_t> sides_of(const Model &region, const Vec &places, double tolerance = 0) {
     std::vector<int32_t> result(places.size() / 2, -1), own(result.size());
     for (const models::Face &face : faces_of(region.get())) {
-        require_ok(nurbs_face_classify(face.get(), std::ssize(own), places.data(), 0, 0, tolerance, own.data()));
+        require_ok(
+            nurbs_face_classify(face.get(), std::ssize(own), places.data(), 0, 0, tolerance, own.data()));
         for (size_t i = 0; i < own.size(); ++i) {
             result[i] = std::max(result[i], own[i]);
         }

@@ -73,9 +73,10 @@ Curves random_blocks(Random &random) {
     for (int i = random.whole(1, 4); i > 0; --i) {
         const int left = random.whole(0, 5), low = random.whole(0, 5);
         const int right = left + random.whole(1, 4), high = low + random.whole(1, 4);
-        curves.push_back(random.chance(80)
-                             ? rectangle(left, low, right, high)
-                             : polygon({{1.0 * left, 1.0 * low}, {1.0 * right, 1.0 * low}, {1.0 * left, 1.0 * high}}));
+        curves.push_back(
+            random.chance(80)
+                ? rectangle(left, low, right, high)
+                : polygon({{1.0 * left, 1.0 * low}, {1.0 * right, 1.0 * low}, {1.0 * left, 1.0 * high}}));
     }
     return curves;
 }
@@ -199,8 +200,8 @@ TEST(Regions, LinesDivideADisk) {
             for (size_t j = 0; j < i; ++j) {
                 double at = -1;
                 int64_t count = 0;
-                require_ok(nurbs_curve_intersections(lines[i].get(), lines[j].get(), 0, 1, &at, nullptr, nullptr,
-                                                     nullptr, nullptr, &count, nullptr));
+                require_ok(nurbs_curve_intersections(lines[i].get(), lines[j].get(), 0, 1, &at, nullptr,
+                                                     nullptr, nullptr, nullptr, &count, nullptr));
                 const Vec x = count == 0 ? Vec{9, 9} : eval(lines[i].get(), {at});
                 crossings += std::hypot(x[0], x[1]) < 2 ? 1 : 0;
             }
