@@ -60,7 +60,7 @@ inline Model region(const Curves &curves, int32_t rule = NURBS_FILL_NON_ZERO, do
 
 inline std::vector<models::Face> faces_of(const nurbs_model *model) {
     std::vector<models::Face> faces;
-    const int64_t count = models::counts_of(model).faces;
+    const int64_t count = model == nullptr ? 0 : models::counts_of(model).faces;
     for (int64_t i = 0; i < count; ++i) {
         faces.push_back(models::face_of(model, i));
     }

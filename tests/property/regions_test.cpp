@@ -67,6 +67,24 @@ Curves random_curves(Random &random) {
     return curves;
 }
 
+Curves mapped(const Curves &curves, const double *matrix, const double *move) {
+    Curves result;
+    for (const Handle &curve : curves) {
+        result.push_back(
+            made([&](nurbs **out) { return nurbs_transform(curve.get(), 2, matrix, move, out); }));
+    }
+    return result;
+}
+
+bool is_near(const Curves &curves, const Vec &places, size_t i) {
+    return std::ranges::any_of(curves, [&](const Handle &curve) {
+        double distance = 0;
+        require_ok(nurbs_closest_points(curve.get(), 1, &places[2 * i], 0, 0, nullptr, 1e-9, 0, nullptr, 0, 0,
+                                        nullptr, 0, 0, &distance, 0, nullptr, 0));
+        return distance < 5e-3;
+    });
+}
+
 // On a coarse grid, so that corners and sides coincide.
 Curves random_blocks(Random &random) {
     Curves curves;
@@ -213,6 +231,153 @@ TEST(Regions, LinesDivideADisk) {
         const auto uses = uses_of(parts);
         EXPECT_EQ(uses[2], std::ssize(lines) + 2 * crossings);
         EXPECT_NEAR(area_of(parts), 4 * pi, 1e-9);
+    });
+}
+
+namespace {
+
+// Beyond both of them.
+Model frame() {
+    Curves curves;
+    curves.push_back(rectangle(-4, -4, 4, 4));
+    return region(curves);
+}
+
+// Equal to rounding: nothing is in one of them only.
+void expect_equal(const Model &a, const Model &b) {
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_EITHER, a, b)), 0, 1e-9);
+}
+
+} // namespace
+
+TEST(Regions, LawsOfSets) {
+    for_each_case(8500, 30, [](Random &random, uint64_t) {
+        const Model a = region(random_curves(random)), b = region(random_curves(random)), all = frame();
+        const auto without = [&](const Model &x) { return combine(NURBS_REGION_DIFFERENCE, all, x); };
+        expect_equal(without(combine(NURBS_REGION_UNION, a, b)),
+                     combine(NURBS_REGION_INTERSECTION, without(a), without(b)));
+        expect_equal(without(combine(NURBS_REGION_INTERSECTION, a, b)),
+                     combine(NURBS_REGION_UNION, without(a), without(b)));
+        expect_equal(without(without(a)), a);
+        for (const int32_t rule : {NURBS_REGION_UNION, NURBS_REGION_INTERSECTION, NURBS_REGION_EITHER}) {
+            expect_equal(combine(rule, a, b), combine(rule, b, a));
+        }
+    });
+}
+
+// What is cut and put together again has the borders that it had, where nothing else is.
+TEST(Regions, IdenticalRegions) {
+    for_each_case(8600, 60, [](Random &random, uint64_t) {
+        Curves curves;
+        curves.push_back(random.chance(50) ? random_smooth(random, {0, 0}, 1)
+                                           : circle(0, 0, random.between(1, 2)));
+        const Model a = region(curves);
+        const models::ModelCounts counts = models::counts_of(a.get());
+        for (const int32_t rule : {NURBS_REGION_UNION, NURBS_REGION_INTERSECTION}) {
+            const Model same = combine(rule, a, a);
+            EXPECT_EQ(models::counts_of(same.get()), counts);
+            EXPECT_EQ(area_of(same), area_of(a));
+        }
+        for (const int32_t rule : {NURBS_REGION_DIFFERENCE, NURBS_REGION_EITHER}) {
+            EXPECT_EQ(models::counts_of(combine(rule, a, a).get()).faces, 0);
+        }
+    });
+}
+
+TEST(Regions, RulesOfFillingAreTurnsAroundAPlace) {
+    for_each_case(8700, 60, [](Random &random, uint64_t) {
+        const Curves curves = random_curves(random);
+        const Vec places = random_places(random, 100, -2.5, 2.5);
+        std::vector<int> turns(places.size() / 2, 0);
+        for (const Handle &curve : curves) {
+            Vec params;
+            double ends[2];
+            require_ok(nurbs_domain(curve.get(), 0, ends));
+            constexpr int samples = 4000;
+            for (int i = 0; i <= samples; ++i) {
+                params.push_back(std::min(ends[1], ends[0] + (ends[1] - ends[0]) * i / samples));
+            }
+            const Vec polygon = eval(curve.get(), params);
+            for (size_t i = 0; i < turns.size(); ++i) {
+                double angle = 0;
+                for (size_t j = 0; j + 3 < polygon.size(); j += 2) {
+                    const Point a{polygon[j] - places[2 * i], polygon[j + 1] - places[2 * i + 1]},
+                        b{polygon[j + 2] - places[2 * i], polygon[j + 3] - places[2 * i + 1]};
+                    angle += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+                }
+                turns[i] += static_cast<int>(std::lround(angle / (2 * pi)));
+            }
+        }
+        for (const int32_t rule : {NURBS_FILL_NON_ZERO, NURBS_FILL_EVEN_ODD, NURBS_FILL_POSITIVE}) {
+            const Model model = region(curves, rule);
+            const std::vector<int32_t> sides = sides_of(model, places),
+                                       beside = sides_of(model, places, 5e-3);
+            for (size_t i = 0; i < sides.size(); ++i) {
+                const bool inside = rule == NURBS_FILL_NON_ZERO   ? turns[i] != 0
+                                    : rule == NURBS_FILL_EVEN_ODD ? turns[i] % 2 != 0
+                                                                  : turns[i] > 0;
+                // Where borders are left out nothing tells that a place is near one of the curves.
+                EXPECT_TRUE(beside[i] == 0 || (sides[i] > 0) == inside || is_near(curves, places, i));
+            }
+        }
+    });
+}
+
+// Areas grow with the map, whatever it does to directions; powers of two change no bit.
+TEST(Regions, FollowAffineMaps) {
+    for_each_case(8800, 30, [](Random &random, uint64_t) {
+        const Curves a = random_curves(random), b = random_curves(random);
+        const double matrix[] = {random.between(0.5, 2), random.between(-1, 1), random.between(-1, 1) - 2,
+                                 random.between(0.5, 2)};
+        const double move[] = {random.between(-9, 9), random.between(-9, 9)};
+        const double grows = std::abs(matrix[0] * matrix[3] - matrix[1] * matrix[2]);
+        const Model plain = combine(NURBS_REGION_DIFFERENCE, region(a), region(b));
+        const Model image = combine(NURBS_REGION_DIFFERENCE, region(mapped(a, matrix, move)),
+                                    region(mapped(b, matrix, move)));
+        EXPECT_NEAR(area_of(image), grows * area_of(plain), 1e-9 * grows);
+        EXPECT_EQ(models::counts_of(image.get()).faces, models::counts_of(plain.get()).faces);
+        const double twice[] = {0x1p-20, 0, 0, 0x1p-20};
+        const Model small = combine(NURBS_REGION_DIFFERENCE, region(mapped(a, twice, nullptr)),
+                                    region(mapped(b, twice, nullptr)));
+        EXPECT_EQ(models::counts_of(small.get()), models::counts_of(plain.get()));
+    });
+}
+
+// Sides that are apart by less than the tolerance are in common, and by more are not.
+TEST(Regions, SidesWithinTheTolerance) {
+    for (const double gap : {1e-9, -1e-9, 1e-7, -1e-7}) {
+        Curves left, right;
+        left.push_back(rectangle(0, 0, 1, 1));
+        right.push_back(rectangle(1 + gap, 0, 2, 1));
+        const Model all = combine(NURBS_REGION_UNION, region(left, NURBS_FILL_NON_ZERO, 1e-6),
+                                  region(right, NURBS_FILL_NON_ZERO, 1e-6));
+        EXPECT_EQ(models::counts_of(all.get()).faces, 1);
+        EXPECT_NEAR(area_of(all), 2, 1e-6);
+        const Model apart = combine(NURBS_REGION_UNION, region(left), region(right));
+        EXPECT_EQ(models::counts_of(apart.get()).faces, gap > 0 ? 2 : 1);
+    }
+}
+
+// The parts of a face cover it, and put together are the face.
+TEST(Regions, PartsAreTheWhole) {
+    for_each_case(8900, 40, [](Random &random, uint64_t) {
+        const Model whole = region(random_curves(random));
+        Curves curves = random_curves(random);
+        curves.push_back(line_through(random));
+        for (const models::Face &face : faces_of(whole.get())) {
+            const Model parts = split(face.get(), curves);
+            const Model one = models::model_of({face.get()});
+            EXPECT_NEAR(area_of(parts), area_of(one), 1e-9);
+            expect_equal(combine(NURBS_REGION_UNION, parts, Model(nullptr)), one);
+            for (const auto uses : {uses_of(parts)}) {
+                EXPECT_EQ(uses[0], 0);
+            }
+            const Vec places = random_places(random, 300, -2.5, 2.5);
+            const std::vector<int32_t> in_whole = sides_of(one, places), in_parts = sides_of(parts, places);
+            for (size_t i = 0; i < in_whole.size(); ++i) {
+                EXPECT_TRUE(in_whole[i] == 0 || in_parts[i] == 0 || in_whole[i] == in_parts[i]);
+            }
+        }
     });
 }
 

@@ -7,12 +7,13 @@
 #include "eval/curve_point.h"
 #include "face/arrange/edge_sides.h"
 #include "face/arrange/parts.h"
-#include "refine/forms/transform.h"
+#include "face/arrange/plane_map.h"
 #include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace nrb::face {
 
@@ -33,12 +34,6 @@ SplinePtr plane_over(const Interval &x, const Interval &y) {
             1, std::vector<double>{range.lower, range.lower, range.upper, range.upper});
     };
     return make_result({axis(x), axis(y)}, 3, Form::polynomial, std::move(points));
-}
-
-// In the plane z = 0.
-SplinePtr lifted(const Spline &curve) {
-    const double matrix[] = {1, 0, 0, 1, 0, 0}, move[] = {0, 0, 0};
-    return refine::transform(curve, {3, 2, matrix}, move);
 }
 
 // A square, so that distances count alike along both axes, around a box, with some room. Null for a box that is one point.
@@ -78,7 +73,7 @@ class RegionMaker {
 public:
     RegionMaker(SplinePtr surface, double tolerance)
         : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance),
-          is_plane_(is_region_plane(*surface_)) {}
+          map_(plane_map(*surface_)) {}
 
     [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
     [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
@@ -118,7 +113,7 @@ private:
             Loop &own = parts.loops.emplace_back();
             for (const Run &run : runs_of(arrangement, loop, RunRule::longest)) {
                 own.push_back({curve_of(arrangement, run), nullptr});
-                own.back().edge = is_plane_ ? lifted(*own.back().curve) : nullptr;
+                own.back().edge = map_ ? map_->image(*own.back().curve) : nullptr;
             }
             parts.tolerance = std::max(parts.tolerance, largest_gap(*surface_, covering_, own));
         }
@@ -127,7 +122,7 @@ private:
     SplinePtr surface_;
     double tolerance_;
     Covering covering_;
-    bool is_plane_; // z = 0: edges are those of the parameters
+    std::optional<PlaneMap> map_;
     std::vector<ArrangedLoop> loops_;
 };
 

@@ -4,12 +4,13 @@
 #include "base/error.h"
 #include "face/arrange/edge_sides.h"
 #include "face/arrange/parts.h"
+#include "face/arrange/plane_map.h"
 #include "face/made/curve_under.h"
-#include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace nrb::face {
 
@@ -64,7 +65,8 @@ std::vector<bool> forks(const Arrangement &arrangement, const std::vector<Direct
 class Coedges {
 public:
     Coedges(const Face &face, const Covering &covering, const Arrangement &arrangement, double tolerance)
-        : face_(face), covering_(covering), arrangement_(arrangement), tolerance_(tolerance) {
+        : face_(face), covering_(covering), arrangement_(arrangement), tolerance_(tolerance),
+          map_(plane_map(*face.surface())) {
         for (const Loop &loop : face.loops()) {
             for (const Coedge &coedge : loop) {
                 last_key_ = std::max(last_key_, coedge.key);
@@ -111,7 +113,8 @@ private:
         const SplinePtr along = run.back ? refine::reverse(*coedge.curve, 0, false) : coedge.curve;
         const bool whole = given != nullptr && is_whole(arrangement_, run) && given->key != 0;
         const int64_t key = whole ? given->key : ++last_key_;
-        const SplinePtr edge = edge_over(face_.surface(), covering_, along, tolerance_).curve;
+        const SplinePtr edge =
+            map_ ? map_->image(*along) : edge_over(face_.surface(), covering_, along, tolerance_).curve;
         const auto &cuts = arrangement_.cuts().edges();
         const size_t from = cuts[name.first].from, to = cuts[name.second].to;
         return made_.emplace(name, Made{snapped(snapped(edge, false, from), true, to), key}).first->second;
@@ -130,6 +133,7 @@ private:
     const Covering &covering_;
     const Arrangement &arrangement_;
     double tolerance_;
+    std::optional<PlaneMap> map_;
     int64_t last_key_ = 0;
     std::map<std::pair<size_t, size_t>, Made> made_;
     std::map<size_t, std::vector<double>> points_; // of nodes
