@@ -79,13 +79,24 @@ void Cuts::add_touch(const LoopHit &hit) {
     links_.emplace_back(add(hit.a, at_a), add(hit.b, at_b));
 }
 
-// An end of the curve in a range, else the nearest to a place; null for none.
+// An end of the curve in a range, or hardly farther from a place in it, else the nearest mark to that; null for none.
 const Cuts::Mark *Cuts::mark_in(size_t curve, Interval range, double at) const {
     const Mark *best = nullptr;
     const auto rank = [&](const Mark &mark) { return std::pair(!is_end(mark), std::abs(mark.at - at)); };
-    for (auto mark = found_.lower_bound({curve, range.lower});
-         mark != found_.end() && mark->curve == curve && mark->at <= range.upper; ++mark) {
-        best = best == nullptr || rank(*mark) < rank(*best) ? &*mark : best;
+    const auto look = [&](const Mark &mark) {
+        best = best == nullptr || rank(mark) < rank(*best) ? &mark : best;
+    };
+    const auto above = found_.lower_bound({curve, range.lower});
+    auto mark = above;
+    for (; mark != found_.end() && mark->curve == curve && mark->at <= range.upper; ++mark) {
+        look(*mark);
+    }
+    if (mark != found_.end() && mark->curve == curve && is_small(curve, {at, mark->at})) {
+        look(*mark);
+    }
+    if (above != found_.begin() && std::prev(above)->curve == curve &&
+        is_small(curve, {std::prev(above)->at, at})) {
+        look(*std::prev(above));
     }
     return best;
 }
