@@ -14,14 +14,6 @@ namespace nrb::face {
 
 namespace {
 
-std::vector<ClosedLoop> as_closed(std::span<const ArrangedLoop> loops) {
-    std::vector<ClosedLoop> result;
-    for (const ArrangedLoop &loop : loops) {
-        result.push_back({loop.placed, {}});
-    }
-    return result;
-}
-
 // In units of about a period. Solvers and places have the rounding of the largest parameters.
 double near_of(const Covering &covering, double tolerance) {
     constexpr double rounding = 0x1p-38;
@@ -60,9 +52,29 @@ void check_open(const Covering &covering) {
 
 Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop> loops, double tolerance)
     : loops_(loops.begin(), loops.end()), near_(near_of(covering, tolerance)),
-      hits_(covering, as_closed(loops), near_), cuts_(hits_, near_) {
+      hits_(covering, smooth_parts(), near_), cuts_(hits_, near_) {
     set_edges();
     set_pieces(covering);
+}
+
+// Where a curve has a kink two parts of it come as near as that all the way to it: as one curve it would be searched for meets with
+// itself around each.
+std::vector<ClosedLoop> Arrangement::smooth_parts() {
+    std::vector<ClosedLoop> result;
+    for (size_t i = 0; i < loops_.size(); ++i) {
+        PlacedLoop &parts = result.emplace_back().placed;
+        parts.turn = loops_[i].placed.turn;
+        for (size_t j = 0; j < loops_[i].placed.curves.size(); ++j) {
+            const PlacedCurve &whole = loops_[i].placed.curves[j];
+            const refine::PartedSpline split =
+                refine::split_axis(whole.curve, 0, refine::rough_knots(whole.curve->axis(0), 1));
+            for (int64_t part = 0; part < split.size(); ++part) {
+                parts.curves.push_back({split.part(part), whole.shift});
+                origins_.push_back({i, j});
+            }
+        }
+    }
+    return result;
 }
 
 // What pairs join, each with its direction along the first of them.
@@ -97,10 +109,9 @@ void Arrangement::set_edges() {
 void Arrangement::add_steps(Edge &edge) const {
     PassedSums steps;
     for (const Member &member : edge.members) {
-        const size_t curve = cuts_.edges()[member.cut].curve;
-        const auto loop = static_cast<size_t>(hits_.curves()[curve].loop);
-        if (loops_[loop].owner >= 0) {
-            steps.push_back({loops_[loop].owner, member.against ? -1 : 1});
+        const int32_t owner = loops_[origin(cuts_.edges()[member.cut]).loop].owner;
+        if (owner >= 0) {
+            steps.push_back({owner, member.against ? -1 : 1});
         }
     }
     edge.steps = summed(std::move(steps));

@@ -49,11 +49,17 @@ public:
         return edge.back ? edges_[edge.edge].to : edges_[edge.edge].from;
     }
     [[nodiscard]] size_t to(DirectedEdge edge) const noexcept { return from({edge.edge, !edge.back}); }
-    // The stored curve that an edge of the cuts is a part of, and the number of its loop.
+    // The stored curve that an edge of the cuts is a part of, over the same parameters.
     [[nodiscard]] const PlacedCurve &curve(const CutEdge &cut) const noexcept {
-        const LoopCurve &own = hits_.curves()[cut.curve];
-        return loops_[static_cast<size_t>(own.loop)].placed.curves[static_cast<size_t>(own.index)];
+        const Origin &own = origins_[cut.curve];
+        return loops_[own.loop].placed.curves[own.index];
     }
+    // Which curve of which loop that is.
+    struct Origin {
+        size_t loop, index;
+        friend bool operator==(const Origin &, const Origin &) = default;
+    };
+    [[nodiscard]] const Origin &origin(const CutEdge &cut) const noexcept { return origins_[cut.curve]; }
 
     // Pieces by edges, their numbers as loops.
     [[nodiscard]] const PieceColumns &columns() const noexcept { return *columns_; }
@@ -68,11 +74,14 @@ public:
     [[noreturn]] void fail_undecided(const Point2 &x) const;
 
 private:
+    // Loops of the smooth parts of the curves, which fills the origins of these.
+    std::vector<ClosedLoop> smooth_parts();
     void set_edges();
     void add_steps(Edge &edge) const;
     void set_pieces(const Covering &covering);
 
     std::vector<ArrangedLoop> loops_;
+    std::vector<Origin> origins_; // of the curves of the hits
     double near_;
     LoopHits hits_;
     Cuts cuts_;

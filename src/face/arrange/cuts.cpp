@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace nrb::face {
 
@@ -218,8 +219,8 @@ void Cuts::set_nodes(std::vector<size_t> &names) {
         node_of_.push_back(numbers[name]);
         if (hits_.distance(nodes_[node_of_[i]], hits_.place(marks_[i].curve, marks_[i].at)) >
             widest_node * near_) {
-            fail(Status::not_converged, "%s at %s is undecidably near other curves, or itself",
-                 hits_.name(marks_[i].curve).c_str(), Number(marks_[i].at).text);
+            fail(Status::not_converged, "curves come undecidably near each other at (%s, %s)",
+                 Number(nodes_[node_of_[i]][0]).text, Number(nodes_[node_of_[i]][1]).text);
         }
     }
 }
@@ -285,9 +286,12 @@ Point2 Cuts::beside(const LoopHit &hit, double t) const {
 }
 
 void Cuts::fail_at(const LoopHit &hit) const {
-    fail(Status::not_converged, "%s from %s to %s comes undecidably near %s from %s to %s",
-         hits_.name(hit.a).c_str(), Number(hit.range_a.lower).text, Number(hit.range_a.upper).text,
-         hits_.name(hit.b).c_str(), Number(hit.range_b.lower).text, Number(hit.range_b.upper).text);
+    const auto text = [&](double t) {
+        const Point2 x = hits_.place(hit.a, t);
+        return std::string("(") + Number(x[0]).text + ", " + Number(x[1]).text + ")";
+    };
+    fail(Status::not_converged, "curves come undecidably near each other between %s and %s",
+         text(hit.range_a.lower).c_str(), text(hit.range_a.upper).c_str());
 }
 
 } // namespace nrb::face

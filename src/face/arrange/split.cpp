@@ -100,9 +100,8 @@ private:
 
     // The coedge that a run is of; null for those of the curves that divide.
     [[nodiscard]] const Coedge *source(const Run &run) const {
-        const LoopCurve &own = arrangement_.hits().curves()[arrangement_.cuts().edges()[run.first].curve];
-        const auto loop = static_cast<size_t>(own.loop);
-        return loop < face_.loops().size() ? &face_.loops()[loop][static_cast<size_t>(own.index)] : nullptr;
+        const Arrangement::Origin &own = arrangement_.origin(arrangement_.cuts().edges()[run.first]);
+        return own.loop < face_.loops().size() ? &face_.loops()[own.loop][own.index] : nullptr;
     }
     const Made &made_for(const Run &run, const Coedge &coedge, const Coedge *given) {
         const std::pair name{std::min(run.first, run.last), std::max(run.first, run.last)};

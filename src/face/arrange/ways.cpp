@@ -110,7 +110,8 @@ private:
     }
     [[nodiscard]] bool follows(size_t cut, size_t next, bool back) const {
         const auto &cuts = arrangement_.cuts().edges();
-        return (back ? next + 1 == cut : next == cut + 1) && cuts[cut].curve == cuts[next].curve;
+        return (back ? next + 1 == cut : next == cut + 1) &&
+               arrangement_.origin(cuts[cut]) == arrangement_.origin(cuts[next]);
     }
     bool extend(Run &run, DirectedEdge edge) const {
         const auto &members = arrangement_.edges()[edge.edge].members;
