@@ -69,7 +69,8 @@ std::vector<ClosedLoop> Arrangement::smooth_parts() {
             const refine::PartedSpline split =
                 refine::split_axis(whole.curve, 0, refine::rough_knots(whole.curve->axis(0), 1));
             for (int64_t part = 0; part < split.size(); ++part) {
-                parts.curves.push_back({split.part(part), whole.shift});
+                smooth_.push_back({split.part(part), whole.shift});
+                parts.curves.push_back(smooth_.back());
                 origins_.push_back({i, j});
             }
         }
@@ -123,7 +124,7 @@ void Arrangement::set_pieces(const Covering &covering) {
     Steps steps(std::ssize(edges_));
     for (size_t i = 0; i < edges_.size(); ++i) {
         const CutEdge &cut = cuts_.edges()[edges_[i].members.front().cut];
-        const PlacedCurve &whole = curve(cut);
+        const PlacedCurve &whole = smooth_[cut.curve];
         const SplinePtr part = refine::restrict_axis(whole.curve, 0, cut.range.lower, cut.range.upper);
         first_pieces_.push_back(folded.pieces.all().size());
         append_between({part, whole.shift}, static_cast<int32_t>(i), nodes()[cut.from], nodes()[cut.to],

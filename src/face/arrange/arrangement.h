@@ -81,7 +81,8 @@ private:
     void set_pieces(const Covering &covering);
 
     std::vector<ArrangedLoop> loops_;
-    std::vector<Origin> origins_; // of the curves of the hits
+    std::vector<Origin> origins_;     // of the curves of the hits
+    std::vector<PlacedCurve> smooth_; // these themselves
     double near_;
     LoopHits hits_;
     Cuts cuts_;

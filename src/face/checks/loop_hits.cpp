@@ -77,7 +77,8 @@ bool runs_one_way(const Spline &curve) noexcept {
 LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops, double near)
     : covering_(covering), near_(near), scale_{unit_of(covering.period(0)), unit_of(covering.period(1))} {
     add(loops);
-    constexpr int64_t for_a_point = 100000;
+    const int64_t for_a_point =
+        near_ > 0 ? 1000000 : 100000; // loops of a face are not to cross, others may at every turn
     const UsualLimit usual(usual_work(points(), for_a_point));
     const intersect::BoxTree tree(boxes_);
     const Phase phase(0.75);
