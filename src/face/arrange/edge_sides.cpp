@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace nrb::face {
 
@@ -98,13 +100,64 @@ private:
     size_t edge_;
 };
 
+// From one edge to those that it goes on in, as long as nothing else comes to the node between them.
+class EdgeChains {
+public:
+    explicit EdgeChains(const Arrangement &arrangement)
+        : arrangement_(arrangement), outs_(arrangement.nodes().size()), known_(arrangement.edges().size()) {
+        for (size_t i = 0; i < arrangement.edges().size(); ++i) {
+            for (const DirectedEdge edge : {DirectedEdge{i, false}, DirectedEdge{i, true}}) {
+                outs_[arrangement.from(edge)].push_back(edge);
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<SideValues> all() {
+        for (size_t i = 0; i < known_.size(); ++i) {
+            if (!known_[i]) {
+                known_[i] = Beside(arrangement_, i).find();
+                if (!known_[i]) {
+                    arrangement_.fail_undecided(arrangement_.nodes()[arrangement_.edges()[i].from]);
+                }
+                go_on({i, false});
+                go_on({i, true});
+            }
+        }
+        std::vector<SideValues> result;
+        for (std::optional<SideValues> &values : known_) {
+            result.push_back(*std::move(values));
+        }
+        return result;
+    }
+
+private:
+    void go_on(DirectedEdge edge) {
+        for (;;) {
+            const std::vector<DirectedEdge> &outs = outs_[arrangement_.to(edge)];
+            if (outs.size() != 2) {
+                return;
+            }
+            const DirectedEdge next = outs[outs[0] == DirectedEdge{edge.edge, !edge.back} ? 1 : 0];
+            if (known_[next.edge]) {
+                return;
+            }
+            known_[next.edge] = known_[edge.edge];
+            if (next.back != edge.back) {
+                std::swap(known_[next.edge]->left, known_[next.edge]->right);
+            }
+            edge = next;
+        }
+    }
+
+    const Arrangement &arrangement_;
+    std::vector<std::vector<DirectedEdge>> outs_; // of each node
+    std::vector<std::optional<SideValues>> known_;
+};
+
 } // namespace
 
-SideValues values_beside(const Arrangement &arrangement, size_t edge) {
-    if (auto found = Beside(arrangement, edge).find()) {
-        return *std::move(found);
-    }
-    arrangement.fail_undecided(arrangement.nodes()[arrangement.edges()[edge].from]);
+std::vector<SideValues> values_beside(const Arrangement &arrangement) {
+    return EdgeChains(arrangement).all();
 }
 
 } // namespace nrb::face

@@ -4,7 +4,7 @@
 
 #include "face/arrange/arrangement.h"
 
-#include <optional>
+#include <vector>
 
 namespace nrb::face {
 
@@ -13,7 +13,8 @@ struct SideValues {
     PassedSums left, right;
 };
 
-// At a place of the edge that is away from all others. Throws Status::not_converged where rounding hides that everywhere.
-SideValues values_beside(const Arrangement &arrangement, size_t edge);
+// Of all edges: at a place of each that is away from all others, once for edges that go on in each other alone. Throws
+// Status::not_converged where rounding hides that everywhere.
+std::vector<SideValues> values_beside(const Arrangement &arrangement);
 
 } // namespace nrb::face

@@ -96,13 +96,11 @@ private:
     // What is inside to its left only.
     static std::vector<DirectedEdge> border_of(const Arrangement &arrangement, const Inside &inside) {
         std::vector<DirectedEdge> border;
-        for (size_t i = 0; i < arrangement.edges().size(); ++i) {
-            if (!arrangement.edges()[i].steps.empty()) {
-                const auto [left, right] = values_beside(arrangement, i);
-                const bool in_left = inside(left);
-                if (in_left != inside(right)) {
-                    border.push_back({i, !in_left});
-                }
+        const std::vector<SideValues> sides = values_beside(arrangement);
+        for (size_t i = 0; i < sides.size(); ++i) {
+            const bool in_left = inside(sides[i].left);
+            if (in_left != inside(sides[i].right)) {
+                border.push_back({i, !in_left});
             }
         }
         return border;

@@ -21,13 +21,13 @@ constexpr int32_t of_face = 0, of_curves = -1;
 // The edges that bound parts, each with a part to its left: those inside of the face that curves run along, both ways.
 std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement) {
     std::vector<DirectedEdge> result;
-    for (size_t i = 0; i < arrangement.edges().size(); ++i) {
-        const SideValues values = values_beside(arrangement, i);
+    const std::vector<SideValues> sides = values_beside(arrangement);
+    for (size_t i = 0; i < sides.size(); ++i) {
         const auto is_inside = [](const PassedSums &sums) { return !sums.empty() && sums.front().value > 0; };
-        if (is_inside(values.left)) {
+        if (is_inside(sides[i].left)) {
             result.push_back({i, false});
         }
-        if (is_inside(values.right)) {
+        if (is_inside(sides[i].right)) {
             result.push_back({i, true});
         }
     }
