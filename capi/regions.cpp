@@ -10,6 +10,7 @@
 #include "face/arrange/regions.h"
 #include "face/arrange/split.h"
 #include "model/from_faces.h"
+#include "spline/kind.h"
 
 #include <cmath>
 
