@@ -8182,8 +8182,8 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  *
  * **What is near.** Places that are no farther from each other than the tolerance are one node, and curves that run along
  * each other within it, from a knot or an end of one of them to another, are one edge, that of the first of them. Rounding
- * leaves 2^-38 of the size of all, about 4e-12, in any case. Farther than that, and than the tolerance, from the curves the
- * result is right. Where that cannot be told the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
+ * leaves 2^-37 of the size of the domain, about 7e-12, in any case, and as much of the largest parameter. Farther than some of
+ * that, and of the tolerance, from the curves the result is right. Where that cannot be told the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
  *
  * A region is a model of faces of one surface, none for the empty region. Each face is in one piece, with one loop around it
  * and one around each hole; loops do not come to a place twice, but may touch each other in nodes.
