@@ -100,7 +100,8 @@ private:
     size_t edge_;
 };
 
-// From one edge to those that it goes on in, as long as nothing else comes to the node between them.
+// From one edge to those that it goes on in, as long as nothing else comes to the node between them: loops run on in one
+// direction, and curves that do not count have the same at both sides.
 class EdgeChains {
 public:
     explicit EdgeChains(const Arrangement &arrangement)
@@ -142,9 +143,6 @@ private:
                 return;
             }
             known_[next.edge] = known_[edge.edge];
-            if (next.back != edge.back) {
-                std::swap(known_[next.edge]->left, known_[next.edge]->right);
-            }
             edge = next;
         }
     }
